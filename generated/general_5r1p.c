@@ -509,6 +509,8 @@ typedef long long general_5r1p_mask __attribute__((vector_size(8 * GENERAL_5R1P_
 /* the same where it lies between other doubles */
 typedef double general_5r1p_packed
     __attribute__((vector_size(8 * GENERAL_5R1P_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define GENERAL_5R1P_ALIGNED __attribute__((aligned(8 * GENERAL_5R1P_LANES)))
 #define GENERAL_5R1P_LOAD(from) \
     (general_5r1p_lane)(*(const general_5r1p_packed *)(from))
 #define GENERAL_5R1P_STORE(to, x) \
@@ -532,6 +534,13 @@ static inline general_5r1p_lane general_5r1p_with_sign(general_5r1p_lane x, gene
     return (general_5r1p_lane)(((general_5r1p_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline general_5r1p_lane general_5r1p_facing(general_5r1p_lane x, general_5r1p_lane y)
+{
+    const general_5r1p_mask sign = (general_5r1p_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (general_5r1p_lane)((general_5r1p_mask)x ^ sign);
+}
+
 static inline general_5r1p_lane general_5r1p_sqrt(general_5r1p_lane x)
 {
     general_5r1p_lane r = x;
@@ -543,6 +552,7 @@ static inline general_5r1p_lane general_5r1p_sqrt(general_5r1p_lane x)
 #else
 typedef double general_5r1p_lane;
 typedef int general_5r1p_mask;
+#define GENERAL_5R1P_ALIGNED
 #define GENERAL_5R1P_LOAD(from) (*(from))
 #define GENERAL_5R1P_STORE(to, x) (*(to) = (x))
 
@@ -560,6 +570,11 @@ static inline general_5r1p_lane general_5r1p_abs(general_5r1p_lane x)
 static inline general_5r1p_lane general_5r1p_with_sign(general_5r1p_lane x, general_5r1p_lane y)
 {
     return copysign(x, y);
+}
+
+static inline general_5r1p_lane general_5r1p_facing(general_5r1p_lane x, general_5r1p_lane y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline general_5r1p_lane general_5r1p_sqrt(general_5r1p_lane x)
@@ -631,11 +646,173 @@ typedef struct {
 typedef struct {
     int joint[6];
     double sign;
+    const double (*left)[32]; /* the features of the left side if they are constant */
 } general_5r1p_formulation;
 
+/* the features of the left side of the formulation that has the joints 4, 3, 2, 1, 0, 5 */
+static const double general_5r1p_left_0[15][32] GENERAL_5R1P_ALIGNED = {
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.24870905112736552, 0.0, 0.0, 0.12651414447293255, 0.0, 0.0, 0.22655250811483657,
+        0.0, 0.0, -0.011018598099059251, 0.0, 0.0, -0.7447882002747499, 0.0, 0.0,
+        0.5791513659701044, 0.0, 0.0, 0.5532900721397139, 0.0, 0.0, -0.5667701303839322, 0.0, 0.0,
+        -0.27024825455573015 },
+    { 0.0, 0.0, 0.0852716746722396, 0.0, 0.0, 0.043376278105005446, 0.0, 0.0, 0.07767514563937254,
+        0.0, 0.0, -0.577176621049957, 0.0, 0.0, 0.6179481405423801, 0.0, 0.0, 0.2616460938450305,
+        0.0, 0.0, -0.031047852087247113, 0.0, 0.0, -0.7574440333671859, 0.0, 0.0, 0.6141087655071972
+        },
+    { 0.0, 0.0, -0.7701080629195963, 0.0, 0.0, -0.3917411219669915, 0.0, 0.0, -0.7015020659000695,
+        0.0, 0.0, -0.06746746935694649, 0.0, 0.0, -0.1721084353721203, 0.0, 0.0,
+        0.21601018778130363, 0.0, 0.0, 0.17524910203633978, 0.0, 0.0, -0.2669097915318116, 0.0, 0.0,
+        -0.0192792476907648 },
+    { 0.0, 0.19217576904021408, 0.24376673655014983, 0.0, 0.14976378815403782, 0.055231423748198595,
+        0.0, 0.23585687391847515, 0.15443448870960408, 0.0, 0.1338856641476146, -0.3350884568599391,
+        0.0, -1.128139758764325, -0.044289869394788406, 0.0, 0.37778915039245686,
+        0.44070006447298443, 0.0, 0.7281684082626478, -0.37525203731809514, 0.0,
+        -0.17617963630193884, -0.8111788652500196, 0.0, -0.4732537514966397, -0.47664199660469087 },
+    { 0.0, 0.06588883509950197, -0.5813900928516845, 0.0, 0.05134758450995583, 0.018936488142239517,
+        0.0, 0.08086521391490577, -0.6120182921113002, 0.0, -0.7648467683582046, 0.403553859980258,
+        0.0, 0.22376282435196687, 0.8483342314627487, 0.0, 0.480671953738187, 0.4819864360545578,
+        0.0, 0.11403629403524808, -0.3365342353018067, 0.0, -1.171413477331292,
+        -0.01757698209186534, 0.0, 0.41108318790851184, 0.47687403547602225 },
+    { 0.0, -0.5950571905799006, -0.13794987231646266, 0.0, -0.4637318194412772,
+        -0.17101977013789732, 0.0, -0.7303123045836065, 0.13866042404748177, 0.0,
+        -0.0414502715304995, -0.06353370526067828, 0.0, -0.3395600575691541, 0.07962984957513124,
+        0.0, 0.1752316201858067, 0.19569446509516134, 0.0, 0.24779137998150283,
+        -0.15845232875643966, 0.0, -0.1866047974793041, -0.2639192528370955, 0.0,
+        -0.10732096389343028, -0.10113039304509593 },
+    { 1.0, -0.5205198187136566, 0.6956433527164206, 0.0, 0.03215780955882437, 0.7563533020685526,
+        1.0, 0.6362579095779857, 0.8824669094148053, 0.0, 0.966058529516632, -0.6150823383608972,
+        0.0, -0.7165083400155249, -1.0299888842109166, 0.0, -0.42307732630052225,
+        -0.39958029753981555, 0.0, 0.15404175146783905, 0.252084368618516, 0.0, 1.3276871267026962,
+        -0.30222342851855094, 0.0, -0.6791166041687385, -0.7589767579423011 },
+    { 0.0, 0.9544456308244855, -0.1076559941303642, 0.0, 0.0, 0.2220739197828016, 0.0,
+        0.9544456308244855, 0.313792247610572, 0.0, 0.0, 0.34218593038739636, 0.0, 0.0,
+        -0.5170811791253253, 0.0, 0.0, -0.04073918616723497, 0.0, 0.0, 0.1287490376094572, 0.0, 0.0,
+        0.3390309234933357, 0.0, 0.0, -0.4202547175133888 },
+    { 0.0, 0.02767814824338979, 0.39559948783266374, 0.0, -0.053832139347681295, 0.1922691946452119,
+        0.0, 0.05798137004843953, 0.4714729158333487, 0.0, 0.2446507457262468, -0.3457589788513976,
+        0.0, 0.24330819313532998, -0.7301101922285044, 0.0, -0.14225243836211948,
+        -0.5217972212326437, 0.0, -0.11587814389355179, 0.1665080845469617, 0.0,
+        0.38889794128929117, 0.22344659030160924, 0.0, 0.16689263323989523, -0.40002613264379866 },
+    { 0.0, 0.009489650826305072, 0.13150982961084587, 0.0, -0.018456733490633585,
+        0.06382291405921185, 0.0, 0.019879326873750696, 0.15789099281084162, 0.0,
+        0.11231968060592441, -0.2558893909398016, 0.0, -0.41455620610499194, -0.003300690354548122,
+        0.0, -0.16918982387995027, 0.4004330286486142, 0.0, 0.259478454498484, -0.4474393443919885,
+        0.0, 0.24024501784375302, -0.8184358088968569, 0.0, -0.15438954922707288,
+        -0.39177204631889057 },
+    { 0.0, -0.08570321438765292, 0.36323519726072173, 0.0, 0.16668699578058557, 0.21253315932851868,
+        0.0, -0.17953476309377064, -0.013185651901215734, 0.0, 0.09144761038354196,
+        -0.2760436165725572, 0.0, 0.032674697380081955, -0.5944021468368006, 0.0,
+        -0.0646747787531495, 0.31989461632650085, 0.0, -0.008692002044931455, 0.3658096735225257,
+        0.0, 0.1521975143621911, -0.5648461084541366, 0.0, 0.03680347525684355, -0.2156175472821148
+        },
+    { -0.11813359509417001, -0.6556766283396306, 0.4616011547252208, -0.15936864204575796,
+        -0.017481933079677464, 0.33297412689926253, -0.22367261750798376, -0.512917104313085,
+        -0.09250555017925008, -0.2665917724505097, 0.7829578259673093, -0.39961721624036184,
+        1.4087079271492478, 0.20976496983567083, -0.5068368624126304, -0.14200704195984548,
+        -0.7864854730974481, 0.1565625406762441, -0.8367042394016948, 0.5739269618879299,
+        0.30402249721322505, -0.230462362166667, 1.6807372384351678, -0.20656062613022766,
+        0.6331416962187989, 1.0793012273549571, 0.01850354160907547 },
+    { -0.04050294688942972, 1.0454647355675089, 0.012968656458864625, -0.0546406772728313,
+        -0.007779175655078227, 0.40813099044861034, -0.07668775457416585, 1.0954158797120113,
+        0.3873617828997886, 0.8828326915694746, -0.5973042812143853, 0.03081882281349993,
+        0.19080924045501668, -1.5579038644691439, -0.7319791806190185, -0.655904398365533,
+        -1.0815213916813768, -0.1524969064650376, -0.24873073728196488, 0.6792908144564235,
+        0.07714439889019778, 1.4786569172883526, 0.1859476622176225, -0.030201918992694088,
+        -0.17060433970216304, -0.7623410606837816, -0.33070886563520074 },
+    { 0.3657914083597624, 0.49925474349848703, -0.4804440872255769, 0.493472495913041,
+        0.7416417400659627, -0.7753873452273587, 0.6925847105942989, -0.3298026562950181,
+        -0.7764420408903903, 0.01165659176060114, -0.18925671671456168, 0.5074760139580224,
+        0.4760747913266595, -0.24396652282800818, 0.8831426297480226, -0.11848792075597424,
+        -0.10880895118704931, 0.35941126059490164, -0.29775769792229073, 0.2991973760149577,
+        -0.0708161912589207, 0.08929847575820803, -0.06178505820155644, 0.23199618774012268,
+        0.18558480247714898, 0.11070064098139087, 0.6954237268885941 },
+};
+
+/* the features of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4 */
+static const double general_5r1p_left_1[15][32] GENERAL_5R1P_ALIGNED = {
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.12077263550238015, -0.19250983049270745, 0.11488165253823089,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.12386093604119919, -1.80377222040283, -0.11651359831946617,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.8594571839909242, 0.04528965847612587, 0.8695383694961355
+        },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.11502155762131444, -0.18334269570734044, 0.10941109765545799,
+        -0.0, -0.0, -0.0, -0.0, -0.0, -0.0, 0.8494819454593607, 0.10693146430901368,
+        -0.8601888994148241, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.19647198937935156, -1.8086005265510094,
+        -0.18997145204784183 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.3890399898528032, 0.6201241050169165, -0.37006360548342754,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.28960454235575217, -0.5283438892702257, -0.2904892153706974,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.20871991847262153, -0.5206618947838805, 0.2137714127224597
+        },
+    { 0.0, 0.0, 0.0, 0.21738130116461452, 0.0, 0.21738130116461452, -0.34531030238518584,
+        -0.10368477239969981, -0.42973014286140104, 0.0, 0.0, 0.0, -0.5495447761950757, 0.0,
+        -0.5495447761950757, 0.4673843320080865, 0.10432640928815357, -0.32536674928722836, 0.0,
+        0.0, 0.0, -0.28877535077690186, 0.0, -0.28877535077690186, -0.4432753361452154,
+        -0.7596891890715296, -0.4221343835301784 },
+    { 0.0, 0.0, 0.0, 0.20702981063296622, 0.0, 0.20702981063296622, 0.25823630858671537,
+        -0.0987474022854284, 0.17783646051412944, 0.0, 0.0, 0.0, 0.3353203676037254, 0.0,
+        0.3353203676037254, 0.40407316573952273, 0.7513071275045836, 0.4498321326403618, 0.0, 0.0,
+        0.0, -0.5254772442023238, 0.0, -0.5254772442023238, 0.5050593168741961, 0.1685057103974908,
+        -0.2899181375247866 },
+    { 0.0, 0.0, 0.0, -0.700241564220929, 0.0, -0.700241564220929, -0.18130399908531547,
+        0.3339955498567758, 0.0906342073273016, 0.0, 0.0, 0.0, -0.0714602629262648, 0.0,
+        -0.0714602629262648, 0.26455985289433587, 0.2545144305017762, 0.031988980754549354, 0.0,
+        0.0, 0.0, -0.2450066157471936, 0.0, -0.2450066157471936, 0.011713908177640469,
+        -0.18601654877744095, -0.2167620810081511 },
+    { 1.0, 0.0, 1.0, -0.06980993031443444, -0.20090294438586964, 0.4145836890961123,
+        0.6705114889310473, 0.738852810916113, 0.5337441258969509, 0.0, 0.0, 0.0,
+        0.5786227964205345, 0.0, 0.5786227964205345, -0.21002404324690793, 0.2236906224174515,
+        0.4454314997234631, 0.0, 0.0, 0.0, 0.016880958292714944, 0.0, 0.016880958292714944,
+        0.5627368311471909, 0.6791366808305508, 0.2203995882681725 },
+    { 0.0, 0.0, 0.0, -0.12640232387595318, 0.5508233780105449, 0.10310741696177382,
+        0.4192280417897504, -0.1542560832251843, -0.42177465843733974, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.12409016284601762, 0.7462655774932121, -0.1292318037666097, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.38535737727688574, -0.3882872256521799, -0.3880756958366243 },
+    { 0.0, 0.0, 0.0, 0.15781450477608033, -0.16952311661666142, -0.15887627540145766,
+        -0.02810701179045348, -0.11350502133408474, -0.1788820069836507, 0.0, 0.0, 0.0,
+        0.7770329014884426, 0.16033344610082545, -0.7787512661227827, 0.4164315884935167,
+        0.19127243112828446, -0.1436634851932712, 0.0, 0.0, 0.0, -0.13824609635124002,
+        -1.7450310744087272, 0.13249759470612732, 0.17955771958406036, -0.147863871272993,
+        0.18623859184948577 },
+    { 0.0, 0.0, 0.0, 0.15029952835817173, -0.16145058725396325, -0.15131073847757873,
+        0.0536480837756194, 0.020082980404183104, -0.24685796150039147, 0.0, 0.0, 0.0,
+        0.07273815060205735, 1.7324711288326626, -0.06684140639731662, -0.1362358374056878,
+        -0.1961070754475417, -0.25212353502104035, 0.0, 0.0, 0.0, 0.7891347045905631,
+        0.3077111968791556, -0.7903688282385748, 0.2547869990518521, 0.09394879736130263,
+        -0.010444617452681451 },
+    { 0.0, 0.0, 0.0, -0.5083614602042982, 0.5460779363969562, 0.511781698833724, 0.4178916795072798,
+        0.8874229891335501, 0.26484103329769204, 0.0, 0.0, 0.0, 0.26272560516011556,
+        0.5619870098695715, -0.2615156491402768, -0.3302785510719178, 0.42386165600367487,
+        0.3030932726175973, 0.0, 0.0, 0.0, 0.19039471371262542, -0.45074692911050374,
+        -0.19254413932431647, 0.2660828129218096, 0.7938243338255819, -0.0858790782048065 },
+    { -0.06581763223360872, -0.4319872357403486, 0.07005440362048522, -0.05307463179130399,
+        0.23547440742889345, 0.11016188802256002, 0.06653871377586804, -0.554845930001894,
+        -0.43717545186532847, -0.015066537528697133, -1.198368000419189, -0.0031893135628455194,
+        0.4464478066965865, -0.9928612361793451, -0.3221190094456863, -0.19776667536397807,
+        -0.5066794641614392, -0.3965490439940179, -0.932460934823512, 0.36341808687835214,
+        0.9290881304978085, 0.020484296563562723, 0.5422579943501633, 0.3746106587590728,
+        -0.006436479062752493, -0.483036205477223, -0.20019595340244822 },
+    { -0.06268345927010355, -0.41141641499080817, 0.06671847963855736, 0.3080372824910819,
+        -0.6482735807356891, -0.2277293988833682, -0.5723377225227512, -0.6674414515770604,
+        -0.058478640261587334, 0.9342524928754603, -0.26247313088942975, -0.9293369333314092,
+        -0.3562369244009089, -0.7449745532368224, -0.049705651730583916, 0.1908579214660936,
+        -0.1540770883709623, 0.015034218423113616, 0.06362889975714059, -1.2297102251126175,
+        -0.08161024940405603, 0.3930526351886492, -0.4314485175347455, -0.2997061753949928,
+        -0.5554867307083976, -0.9576344911862428, -0.18381421628374486 },
+    { 0.2120156678686873, 1.3915429526720364, -0.22566340761124348, 0.6994352727713892,
+        -0.25236970216123533, -0.9493543053981358, 0.28638875647571893, 0.08498597995375859,
+        -0.24218991144753305, 0.27153905575841913, -0.4496199224330919, -0.2757530491192246,
+        0.5054745660038631, 1.1334961059198734, -0.5824231479713695, -0.06435031134536345,
+        -0.1275703884890932, -0.2694749720693336, -0.27065872966347754, -0.25075115134227904,
+        0.2642954112989377, 0.7692132140246999, -0.590559561449677, -0.6230899587648827,
+        0.20889009735527928, -0.12877584124517621, -0.0799662696647502 },
+};
+
 static const general_5r1p_formulation general_5r1p_formulations[2] = {
-    { { 4, 3, 2, 1, 0, 5 }, -1.0 },
-    { { 3, 2, 1, 0, 5, 4 }, -1.0 },
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, general_5r1p_left_0 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, general_5r1p_left_1 },
 };
 
 /* Whether a joint is a slide, whose length stands in the sine's place. */
@@ -709,7 +886,7 @@ static const double general_5r1p_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double general_5r1p_sample_c[24] = {
+static const double general_5r1p_sample_c[24] GENERAL_5R1P_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -717,7 +894,7 @@ static const double general_5r1p_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double general_5r1p_sample_s[24] = {
+static const double general_5r1p_sample_s[24] GENERAL_5R1P_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -727,7 +904,7 @@ static const double general_5r1p_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double general_5r1p_harmonics[24][24] = {
+static const double general_5r1p_harmonics[24][24] GENERAL_5R1P_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -865,7 +1042,7 @@ static const double general_5r1p_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double general_5r1p_grid_c[8][128] = {
+static const double general_5r1p_grid_c[8][128] GENERAL_5R1P_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1116,7 +1293,7 @@ static const double general_5r1p_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double general_5r1p_grid_s[8][128] = {
+static const double general_5r1p_grid_s[8][128] GENERAL_5R1P_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1483,24 +1660,29 @@ static inline void general_5r1p_to_unit(general_5r1p_lane *c, general_5r1p_lane 
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline general_5r1p_lane general_5r1p_reflect(general_5r1p_lane *const *row, int rows, int
     column, int columns)
 {
-    general_5r1p_lane axis[6], square = {0}, length, factor;
+    general_5r1p_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = general_5r1p_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = general_5r1p_with_sign(general_5r1p_sqrt(square), axis[0]);
+    length = general_5r1p_with_sign(general_5r1p_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        general_5r1p_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        general_5r1p_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1553,41 +1735,6 @@ static inline void general_5r1p_cosines(const general_5r1p_lane x[15], general_5
         part[1][at + 1] = x[at + 1];
         part[2][at] = -x[at + 1];
     }
-}
-
-/* The same by x^2, x and 1 for x = tan(phi/2), times 1 + x^2. */
-static inline void general_5r1p_tangents(const general_5r1p_lane x[15], general_5r1p_lane
-    part[3][15])
-{
-    general_5r1p_cosines(x, part);
-    for (int i = 0; i < 15; i++) {
-        const general_5r1p_lane one = part[0][i], cosine = part[1][i];
-        part[0][i] = one - cosine;
-        part[1][i] = 2.0 * part[2][i];
-        part[2][i] = one + cosine;
-    }
-}
-
-/* What a joint that slides makes of them: the coefficients of d^2, d and 1. */
-static inline void general_5r1p_lengths(const general_5r1p_lane x[15], general_5r1p_lane
-    part[3][15])
-{
-    const general_5r1p_lane zero = {0};
-    for (int i = 0; i < 15; i++) {
-        part[2][i] = x[i];
-        part[1][i] = part[0][i] = zero;
-    }
-    part[1][6] = part[0][7] = x[0];
-    part[1][7] = 2.0 * x[6];
-    part[1][8] = x[3];
-    part[1][9] = -x[2];
-    part[1][10] = x[1];
-    part[1][12] = 2.0 * x[10];
-    part[1][13] = -2.0 * x[9];
-    part[1][14] = -2.0 * x[8];
-    part[0][12] = x[1];
-    part[0][13] = x[2];
-    part[0][14] = -x[3];
 }
 
 typedef void general_5r1p_joint_parts(const general_5r1p_lane x[15], general_5r1p_lane part[3][15]);
@@ -1659,9 +1806,12 @@ static inline void general_5r1p_mirror(double axis[6][8], const double factor[6]
 }
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
-static void general_5r1p_equations(const general_5r1p_formulation *form, double link[6][12], double
-    E[192])
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
+ * left
+ * side's features have columns like these. */
+static void general_5r1p_equations(const general_5r1p_formulation *form, double link[6][12], const
+    double (*left)[32],
+                         double E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
@@ -1686,17 +1836,11 @@ static void general_5r1p_equations(const general_5r1p_formulation *form, double 
         }
     }
     general_5r1p_clear(A, 8, 6, pair_axis, pair_factor);
-    general_5r1p_pass(link[2], x, 1, general_5r1p_slides(form->joint[2]) ? general_5r1p_lengths :
-        general_5r1p_tangents, y);
-    general_5r1p_pass(link[1], y, 3, general_5r1p_slides(form->joint[1]) ? general_5r1p_lengths :
-        general_5r1p_tangents, x);
-    general_5r1p_pass(link[0], x, 9, general_5r1p_cosines, y);
     for (int k = 0; k < 32; k += GENERAL_5R1P_LANES) {
         general_5r1p_lane z[15], alone[8], mixed[8];
         for (int i = 0; i < 15; i++) {
-            z[i] = GENERAL_5R1P_LOAD(&y[i][k]);
+            z[i] = GENERAL_5R1P_LOAD(&left[i][k]);
         }
-        general_5r1p_act(link[5], z);
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
             alone[i] = z[still[i]] - right[still[i]][0] * z[0];
@@ -1769,9 +1913,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_5r1p_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] GENERAL_5R1P_ALIGNED, slope[264] GENERAL_5R1P_ALIGNED;
 } general_5r1p_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1835,39 +1979,43 @@ static void general_5r1p_at(const general_5r1p_trigonometric *f, double cosine, 
     }
 }
 
-static void general_5r1p_fill_grid(const general_5r1p_trigonometric *f, general_5r1p_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void general_5r1p_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += GENERAL_5R1P_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        general_5r1p_lane value[2], slope[2], bend[2];
-        value[0] = general_5r1p_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = general_5r1p_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const general_5r1p_lane c = GENERAL_5R1P_LOAD(&general_5r1p_grid_c[m - 1][i]);
-            const general_5r1p_lane s = GENERAL_5R1P_LOAD(&general_5r1p_grid_s[m - 1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        general_5r1p_lane even = general_5r1p_all(a[0]), odd = general_5r1p_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * GENERAL_5R1P_LOAD(&general_5r1p_grid_c[m - 1][i]);
+            even += a[m + 1] * GENERAL_5R1P_LOAD(&general_5r1p_grid_c[m][i]);
+            odd += b[m] * GENERAL_5R1P_LOAD(&general_5r1p_grid_s[m - 1][i]);
+            even += b[m + 1] * GENERAL_5R1P_LOAD(&general_5r1p_grid_s[m][i]);
         }
-        GENERAL_5R1P_STORE(&g->value[i], value[0] + value[1]);
-        GENERAL_5R1P_STORE(&g->slope[i], slope[0] + slope[1]);
-        GENERAL_5R1P_STORE(&g->bend[i], bend[0] + bend[1]);
-        GENERAL_5R1P_STORE(&g->value[i + 128], value[0] - value[1]);
-        GENERAL_5R1P_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        GENERAL_5R1P_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        GENERAL_5R1P_STORE(&out[i], even + odd);
+        GENERAL_5R1P_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void general_5r1p_fill_grids(const general_5r1p_trigonometric *f, general_5r1p_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    general_5r1p_fill_grid(f->a, f->b, g->value);
+    general_5r1p_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long general_5r1p_open_cells(const general_5r1p_grid *g, int from, double
     doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if GENERAL_5R1P_LANES > 1
     general_5r1p_mask weight, sum = {0};
@@ -1876,25 +2024,21 @@ static unsigned long long general_5r1p_open_cells(const general_5r1p_grid *g, in
     }
 #endif
     for (int i = 0; i < 64; i += GENERAL_5R1P_LANES) {
-        const general_5r1p_lane f0 = GENERAL_5R1P_LOAD(&g->value[from + i]);
-        const general_5r1p_lane f1 = GENERAL_5R1P_LOAD(&g->value[from + i + 1]);
-        const general_5r1p_lane d0 = GENERAL_5R1P_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const general_5r1p_lane d1 = GENERAL_5R1P_LOAD(&g->slope[from + i + 1]) * (h / 5.0);
-        const general_5r1p_lane s0 = GENERAL_5R1P_LOAD(&g->bend[from + i]) * (h * h / 20.0);
-        const general_5r1p_lane s1 = GENERAL_5R1P_LOAD(&g->bend[from + i + 1]) * (h * h / 20.0);
-        const general_5r1p_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const general_5r1p_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const general_5r1p_lane least = general_5r1p_min(
-            general_5r1p_min(general_5r1p_min(f0, f1), general_5r1p_min(b1, b2)),
-                general_5r1p_min(b3, b4));
-        const general_5r1p_lane most = general_5r1p_max(
-            general_5r1p_max(general_5r1p_max(f0, f1), general_5r1p_max(b1, b2)),
-                general_5r1p_max(b3, b4));
-        const general_5r1p_mask open = (least <= doubt) & (most >= -doubt);
+        const general_5r1p_lane first = GENERAL_5R1P_LOAD(&g->value[from + i]);
+        const general_5r1p_lane f0 = general_5r1p_abs(first) - doubt;
+        const general_5r1p_lane f1 = general_5r1p_facing(GENERAL_5R1P_LOAD(&g->value[from + i + 1]),
+            first) - doubt;
+        const general_5r1p_lane d0 = general_5r1p_facing(GENERAL_5R1P_LOAD(&g->slope[from + i]),
+            first);
+        const general_5r1p_lane d1 = general_5r1p_facing(GENERAL_5R1P_LOAD(&g->slope[from + i + 1]),
+            first);
+        const general_5r1p_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if GENERAL_5R1P_LANES > 1
-        sum |= (open & weight) << i;
+        const general_5r1p_mask signs = (general_5r1p_mask)f0 | (general_5r1p_mask)f1 |
+            (general_5r1p_mask)b1 | (general_5r1p_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if GENERAL_5R1P_LANES > 1
@@ -1905,9 +2049,8 @@ static unsigned long long general_5r1p_open_cells(const general_5r1p_grid *g, in
     return bits;
 }
 
-static void general_5r1p_add_root(general_5r1p_roots *roots, double x, int twice)
+static void general_5r1p_add_root(general_5r1p_roots *roots, double c, double s, int twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1927,151 +2070,321 @@ static void general_5r1p_add_root(general_5r1p_roots *roots, double x, int twice
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double general_5r1p_on_quintic(int order, double h, const double low[3], const double
-    high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} general_5r1p_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    general_5r1p_parts turning, crossing;
+} general_5r1p_waiting;
+
+static void general_5r1p_add_part(general_5r1p_parts *parts, double c, double s, double width, const
+    double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    general_5r1p_lane c, s, width, start, low[3], high[3];
+} general_5r1p_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void general_5r1p_take_parts(general_5r1p_parts *parts, int from, general_5r1p_spans *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + GENERAL_5R1P_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        general_5r1p_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = GENERAL_5R1P_LOAD(parts->c + from);
+    out->s = GENERAL_5R1P_LOAD(parts->s + from);
+    out->width = GENERAL_5R1P_LOAD(parts->width + from);
+    out->start = GENERAL_5R1P_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = GENERAL_5R1P_LOAD(parts->low[i] + from);
+        out->high[i] = GENERAL_5R1P_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline general_5r1p_lane general_5r1p_on_quintic(int order, const general_5r1p_spans *part)
+{
+    const general_5r1p_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const general_5r1p_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const general_5r1p_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const general_5r1p_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const general_5r1p_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const general_5r1p_mask rising = part->low[order] < 0.0;
+    general_5r1p_lane x = part->start, from = general_5r1p_all(0.0), to = general_5r1p_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const general_5r1p_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
+            c5))));
+        const general_5r1p_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const general_5r1p_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const general_5r1p_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const general_5r1p_mask before = (value < 0.0) == rising;
+        from = general_5r1p_select(before, x, from);
+        to = general_5r1p_select(before, to, x);
+        x -= value / slope;
+        x = general_5r1p_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double general_5r1p_between(const general_5r1p_trigonometric *f, int order, double low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void general_5r1p_at_all(const general_5r1p_trigonometric *f, general_5r1p_lane
+    cosine, general_5r1p_lane sine,
+                                  general_5r1p_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * general_5r1p_on_quintic(order, high - low, at_low, at_high);
+    general_5r1p_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = general_5r1p_all(f->a[0]);
+    out[1] = out[2] = general_5r1p_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const general_5r1p_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] -
+            f->a[m] * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void general_5r1p_turn_on(general_5r1p_lane x, general_5r1p_lane *c, general_5r1p_lane
+    *s)
+{
+    const general_5r1p_lane u = x * x, c0 = *c, s0 = *s;
+    const general_5r1p_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const general_5r1p_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 /
+        5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline general_5r1p_lane general_5r1p_between(const general_5r1p_trigonometric *f, int order,
+    double settled,
+                                           const general_5r1p_spans *part, general_5r1p_lane *c,
+                                               general_5r1p_lane *s,
+                                           general_5r1p_lane at[3])
+{
+    const general_5r1p_mask rising = part->low[order] < 0.0;
+    general_5r1p_lane from = general_5r1p_all(0.0), to = part->width, x = part->width *
+        general_5r1p_on_quintic(order, part);
+    general_5r1p_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        general_5r1p_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const general_5r1p_mask moving = general_5r1p_abs(step) >= settled;
+        if (i && general_5r1p_largest(general_5r1p_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        general_5r1p_turn_on(x, c, s);
+        general_5r1p_at_all(f, *c, *s, at);
+        const general_5r1p_mask before = (at[order] < 0.0) == rising;
+        from = general_5r1p_select(before, x, from);
+        to = general_5r1p_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = general_5r1p_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to) -
+            x);
+        step = general_5r1p_select(moving, step, general_5r1p_all(0.0));
+        x += step;
     }
+    general_5r1p_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void general_5r1p_few(const general_5r1p_trigonometric *f, double lifted, double low,
-                        const double at_low[3], double high, const double at_high[3],
-                        general_5r1p_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void general_5r1p_divide(const general_5r1p_trigonometric *f, const general_5r1p_parts
+    *parts, int i, double x,
+                           double c, double s, const double at[3], general_5r1p_waiting *waiting,
+                           general_5r1p_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            general_5r1p_add_root(roots, general_5r1p_between(f, 0, low, at_low, high, at_high), 0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        general_5r1p_add_root(roots, c, s, 1);
         return;
     }
-    x = general_5r1p_between(f, 1, low, at_low, high, at_high);
-    general_5r1p_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        general_5r1p_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        general_5r1p_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        general_5r1p_add_root(roots, general_5r1p_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        general_5r1p_add_root(roots, general_5r1p_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        general_5r1p_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void general_5r1p_solve_parts(const general_5r1p_trigonometric *f, general_5r1p_waiting
+    *waiting, general_5r1p_roots *roots)
+{
+    general_5r1p_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[GENERAL_5R1P_LANES], c[GENERAL_5R1P_LANES], s[GENERAL_5R1P_LANES],
+        value[3][GENERAL_5R1P_LANES];
+    general_5r1p_spans part;
+    general_5r1p_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += GENERAL_5R1P_LANES) {
+        general_5r1p_take_parts(bent, from, &part);
+        GENERAL_5R1P_STORE(x, general_5r1p_between(f, 1, 1e-07, &part, &cosine, &sine, at));
+        GENERAL_5R1P_STORE(c, cosine);
+        GENERAL_5R1P_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            GENERAL_5R1P_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < GENERAL_5R1P_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            general_5r1p_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += GENERAL_5R1P_LANES) {
+        general_5r1p_take_parts(crossing, from, &part);
+        (void)general_5r1p_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        GENERAL_5R1P_STORE(c, cosine);
+        GENERAL_5R1P_STORE(s, sine);
+        for (int k = 0; k < GENERAL_5R1P_LANES && from + k < crossing->count; k++) {
+            general_5r1p_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void general_5r1p_few(const general_5r1p_trigonometric *f, double c, double s, double width,
+    const double low[3],
+                        const double high[3], general_5r1p_waiting *waiting, general_5r1p_roots
+                            *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        general_5r1p_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] -
+            high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        general_5r1p_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        general_5r1p_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { GENERAL_5R1P_ROOTLESS, GENERAL_5R1P_FLAT, GENERAL_5R1P_TAME, GENERAL_5R1P_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int general_5r1p_kind(const general_5r1p_trigonometric *f, const double low[3], const double
-    high[3],
-                        double h)
+static inline void general_5r1p_kinds(const general_5r1p_trigonometric *f, const general_5r1p_spans
+    *part, int kind[GENERAL_5R1P_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return GENERAL_5R1P_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return GENERAL_5R1P_FLAT;
+    const general_5r1p_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
+        0.2;
+    const general_5r1p_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
+    const general_5r1p_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const general_5r1p_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const general_5r1p_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    general_5r1p_lane least[3], most[3];
+    double bounds[5][GENERAL_5R1P_LANES];
+    least[0] = general_5r1p_min(b[0], b[5]);
+    most[0] = general_5r1p_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const general_5r1p_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = general_5r1p_min(least[0], b[i]);
+        most[0] = general_5r1p_max(most[0], b[i]);
+        least[1] = general_5r1p_min(least[1], first);
+        most[1] = general_5r1p_max(most[1], first);
+        least[2] = general_5r1p_min(least[2], second);
+        most[2] = general_5r1p_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? GENERAL_5R1P_TAME
-               : GENERAL_5R1P_WILD;
+    GENERAL_5R1P_STORE(bounds[0], least[0]);
+    GENERAL_5R1P_STORE(bounds[1], most[0]);
+    GENERAL_5R1P_STORE(bounds[2], general_5r1p_max(least[1], -most[1]) - doubt * share);
+    GENERAL_5R1P_STORE(bounds[3], general_5r1p_max(least[2], -most[2]) - doubt * square);
+    GENERAL_5R1P_STORE(bounds[4], general_5r1p_max(doubt, general_5r1p_all(f->touching)));
+    for (int k = 0; k < GENERAL_5R1P_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = GENERAL_5R1P_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = GENERAL_5R1P_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? GENERAL_5R1P_TAME :
+                GENERAL_5R1P_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int general_5r1p_kind(const general_5r1p_trigonometric *f, const double low[3], const double
+    high[3], double h)
+{
+    general_5r1p_spans part;
+    int kind[GENERAL_5R1P_LANES];
+    part.width = general_5r1p_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = general_5r1p_all(low[i]);
+        part.high[i] = general_5r1p_all(high[i]);
+    }
+    general_5r1p_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_5r1p_many(const general_5r1p_trigonometric *f, double lifted, double low, double
-    high,
-                         const double first[3], const double last[3], int *budget,
+static void general_5r1p_many(const general_5r1p_trigonometric *f, double low, double c, double s,
+    const double first[3],
+                         const double last[3], int *budget, general_5r1p_waiting *waiting,
                          general_5r1p_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -2081,23 +2394,30 @@ static void general_5r1p_many(const general_5r1p_trigonometric *f, double lifted
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = general_5r1p_kind(f, at_low, at[top], h);
-        if (kind != GENERAL_5R1P_ROOTLESS) {
-            if (kind == GENERAL_5R1P_TAME) {
-                general_5r1p_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == GENERAL_5R1P_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == GENERAL_5R1P_TAME) {
+            general_5r1p_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != GENERAL_5R1P_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == GENERAL_5R1P_FLAT || depth[top] == 14 || *budget == 0) {
+                general_5r1p_solve_parts(f, waiting, roots); /* of neighbouring double roots the
+                    first is kept */
                 roots->complete = 0;
-                general_5r1p_add_root(roots, low + 0.5 * h, 1);
+                general_5r1p_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                general_5r1p_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                general_5r1p_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -2105,77 +2425,12 @@ static void general_5r1p_many(const general_5r1p_trigonometric *f, double lifted
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void general_5r1p_refine(const general_5r1p_trigonometric *f, const general_5r1p_grid *g,
-    const int *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void general_5r1p_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += GENERAL_5R1P_LANES) {
-        double in[8][GENERAL_5R1P_LANES];
-        general_5r1p_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < GENERAL_5R1P_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? general_5r1p_grid_c[0][half] : -general_5r1p_grid_c[0][half];
-            in[7][k] = i < 128 ? general_5r1p_grid_s[0][half] : -general_5r1p_grid_s[0][half];
-        }
-        const general_5r1p_lane f0 = GENERAL_5R1P_LOAD(in[0]), f1 = GENERAL_5R1P_LOAD(in[1]), d0 =
-            GENERAL_5R1P_LOAD(in[2]);
-        const general_5r1p_lane s0 = GENERAL_5R1P_LOAD(in[4]);
-        const general_5r1p_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = GENERAL_5R1P_LOAD(in[3]) - d0 -
-            s0;
-        const general_5r1p_lane D2 = GENERAL_5R1P_LOAD(in[5]) - s0;
-        const general_5r1p_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D - D2;
-        const general_5r1p_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const general_5r1p_lane rising = general_5r1p_with_sign(general_5r1p_all(1.0), f1 - f0);
-        low = general_5r1p_all(0.0);
-        high = general_5r1p_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = general_5r1p_select(value * rising < 0.0, x, low);
-            high = general_5r1p_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = general_5r1p_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const general_5r1p_lane u = x * x, c0 = i ? c : GENERAL_5R1P_LOAD(in[6]), s_0 = i ? s :
-                GENERAL_5R1P_LOAD(in[7]);
-            const general_5r1p_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-            const general_5r1p_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = general_5r1p_all(f->a[0]);
-            slope = general_5r1p_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const general_5r1p_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = general_5r1p_max(general_5r1p_min(-value / slope, general_5r1p_all(1e-3 * h)),
-                general_5r1p_all(-1e-3 * h));
-        }
-        GENERAL_5R1P_STORE(cosine + from, c);
-        GENERAL_5R1P_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? general_5r1p_grid_c[0][half] : -general_5r1p_grid_c[0][half];
+    *s = cell < 128 ? general_5r1p_grid_s[0][half] : -general_5r1p_grid_s[0][half];
 }
 
 static int general_5r1p_lowest(unsigned long long bits)
@@ -2191,51 +2446,79 @@ static int general_5r1p_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void general_5r1p_search_cells(const general_5r1p_trigonometric *f, const general_5r1p_grid
+    *g, const int *cell, int count,
+                                 int *budget, general_5r1p_waiting *waiting, general_5r1p_roots
+                                     *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][GENERAL_5R1P_LANES], bend[2][GENERAL_5R1P_LANES];
+    int kind[GENERAL_5R1P_LANES];
+    general_5r1p_spans part;
+    for (int k = 0; k < GENERAL_5R1P_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        general_5r1p_edge(i, &in[4][k], &in[5][k]);
+        general_5r1p_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = general_5r1p_all(h);
+    for (int end = 0; end < 2; end++) {
+        general_5r1p_lane at[3], *const to = end ? part.high : part.low;
+        general_5r1p_at_all(f, GENERAL_5R1P_LOAD(in[4 + 2 * end]), GENERAL_5R1P_LOAD(in[5 + 2 *
+            end]), at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = GENERAL_5R1P_LOAD(in[2 * end]);
+        to[1] = GENERAL_5R1P_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        GENERAL_5R1P_STORE(bend[end], at[2]);
+    }
+    general_5r1p_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == GENERAL_5R1P_TAME) {
+            general_5r1p_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != GENERAL_5R1P_ROOTLESS) {
+            general_5r1p_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting,
+                roots);
+        }
+    }
+}
+
 static void general_5r1p_find_roots(const general_5r1p_trigonometric *f, const general_5r1p_window
     *window,
                                general_5r1p_roots *roots)
 {
     general_5r1p_grid g;
-    int plain[GENERAL_5R1P_ROOTS], special[256], plains = 0, specials = 0;
+    general_5r1p_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    general_5r1p_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    general_5r1p_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            general_5r1p_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            general_5r1p_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_5r1p_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < GENERAL_5R1P_ROOTS &&
-                general_5r1p_kind(f, low, high, h) == GENERAL_5R1P_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    general_5r1p_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (general_5r1p_kind(f, low, high, h) == GENERAL_5R1P_TAME) {
-            general_5r1p_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            general_5r1p_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += GENERAL_5R1P_LANES) {
+        general_5r1p_search_cells(f, &g, open + k, count - k < GENERAL_5R1P_LANES ? count - k :
+            GENERAL_5R1P_LANES, &budget,
+                             &waiting, roots);
     }
+    general_5r1p_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2945,20 +3228,17 @@ typedef struct {
     double q[16][6], residual[16];
 } general_5r1p_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double general_5r1p_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int general_5r1p_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        if (general_5r1p_slides(j)) {
-            most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (general_5r1p_slides(j) ? gap < most : gap < most || 6.283185307179586 - gap < most) {
             continue;
         }
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        return 0;
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2968,7 +3248,7 @@ static int general_5r1p_keep(general_5r1p_found *found, double theta[6], double 
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (general_5r1p_gap(found->q[i], theta) < 1e-06) {
+        if (general_5r1p_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3154,7 +3434,7 @@ static int general_5r1p_attempt(const general_5r1p_formulation *form, const gene
     general_5r1p_roots roots;
     general_5r1p_candidates all;
     general_5r1p_around(form, loop, link);
-    general_5r1p_equations(form, link, E);
+    general_5r1p_equations(form, link, form->left, E);
     if (!general_5r1p_real_roots(general_5r1p_sample, E, &roots)) {
         return 0;
     }
@@ -3265,7 +3545,7 @@ static void general_5r1p_merge(general_5r1p_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && general_5r1p_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && general_5r1p_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

@@ -510,6 +510,8 @@ typedef long long general_5r1p_pair_mask __attribute__((vector_size(8 * GENERAL_
 /* the same where it lies between other doubles */
 typedef double general_5r1p_pair_packed
     __attribute__((vector_size(8 * GENERAL_5R1P_PAIR_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define GENERAL_5R1P_PAIR_ALIGNED __attribute__((aligned(8 * GENERAL_5R1P_PAIR_LANES)))
 #define GENERAL_5R1P_PAIR_LOAD(from) \
     (general_5r1p_pair_lane)(*(const general_5r1p_pair_packed *)(from))
 #define GENERAL_5R1P_PAIR_STORE(to, x) \
@@ -535,6 +537,14 @@ static inline general_5r1p_pair_lane general_5r1p_pair_with_sign(general_5r1p_pa
     return (general_5r1p_pair_lane)(((general_5r1p_pair_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline general_5r1p_pair_lane general_5r1p_pair_facing(general_5r1p_pair_lane x,
+    general_5r1p_pair_lane y)
+{
+    const general_5r1p_pair_mask sign = (general_5r1p_pair_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (general_5r1p_pair_lane)((general_5r1p_pair_mask)x ^ sign);
+}
+
 static inline general_5r1p_pair_lane general_5r1p_pair_sqrt(general_5r1p_pair_lane x)
 {
     general_5r1p_pair_lane r = x;
@@ -546,6 +556,7 @@ static inline general_5r1p_pair_lane general_5r1p_pair_sqrt(general_5r1p_pair_la
 #else
 typedef double general_5r1p_pair_lane;
 typedef int general_5r1p_pair_mask;
+#define GENERAL_5R1P_PAIR_ALIGNED
 #define GENERAL_5R1P_PAIR_LOAD(from) (*(from))
 #define GENERAL_5R1P_PAIR_STORE(to, x) (*(to) = (x))
 
@@ -564,6 +575,12 @@ static inline general_5r1p_pair_lane general_5r1p_pair_with_sign(general_5r1p_pa
     general_5r1p_pair_lane y)
 {
     return copysign(x, y);
+}
+
+static inline general_5r1p_pair_lane general_5r1p_pair_facing(general_5r1p_pair_lane x,
+    general_5r1p_pair_lane y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline general_5r1p_pair_lane general_5r1p_pair_sqrt(general_5r1p_pair_lane x)
@@ -639,11 +656,194 @@ typedef struct {
 typedef struct {
     int joint[6];
     double sign;
+    const double (*left)[32]; /* the features of the left side if they are constant */
 } general_5r1p_pair_formulation;
 
+/* the features of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0 */
+static const double general_5r1p_pair_left_0[15][32] GENERAL_5R1P_PAIR_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.7037463919804376, 1.0802282430953678,
+        -0.7037463919804376, -1.0802282430953678, 2.8149855679217506, 1.0802282430953678,
+        -0.7037463919804376, -1.0802282430953678, 0.7037463919804376, 0.5149923692075352,
+        -1.6706892124357537, -0.5149923692075352, 1.6706892124357537, 2.059969476830141,
+        -1.6706892124357537, -0.5149923692075352, 1.6706892124357537, 0.5149923692075352 },
+    { 0.4894117647058825, 0.20470588235294118, -0.4894117647058825, -0.20470588235294118,
+        1.95764705882353, 0.20470588235294118, -0.4894117647058825, -0.20470588235294118,
+        0.4894117647058825, -0.0, 0.0, 0.0, 0.0, -0.0, 0.0, 0.0, 0.0, -0.0, 0.0, 0.0, 0.0, -0.0,
+        0.0, 0.0, 0.0, -0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5149923692075352, 1.6706892124357537,
+        0.5149923692075352, -1.6706892124357537, -2.059969476830141, 1.6706892124357537,
+        0.5149923692075352, -1.6706892124357537, -0.5149923692075352, 0.7037463919804376,
+        1.0802282430953678, -0.7037463919804376, -1.0802282430953678, 2.8149855679217506,
+        1.0802282430953678, -0.7037463919804376, -1.0802282430953678, 0.7037463919804376 },
+    { 0.6897887111965271, 0.0, 0.6897887111965271, 0.0, 0.0, 0.0, 0.6897887111965271, 0.0,
+        0.6897887111965271, -0.289645506956246, 0.09393048773347785, -0.4120330528511405,
+        -0.5833317782551861, 0.24477509178978896, -0.39547080278823044, -0.7706685614931748,
+        -0.09393048773347785, -0.6482810155982803, 0.07293618927270588, -0.1452736063681089,
+        -0.016625409820593157, 0.5951254883062957, 0.17912319818659816, 0.30457827557007805,
+        -0.5147337177932978, 0.1452736063681089, -0.4251721186999988 },
+    { 1.2890444975931001, 0.0178000561401968, 1.2039315854744579, -0.1787278312349001,
+        0.17022582423728433, -0.14312771895450652, 0.9021920071718893, -0.0178000561401968,
+        0.9873049192905314, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.07293618927270588, 0.1452736063681089,
+        0.016625409820593157, -0.5951254883062957, -0.17912319818659816, -0.30457827557007805,
+        0.5147337177932978, -0.1452736063681089, 0.4251721186999988, -0.289645506956246,
+        0.09393048773347785, -0.4120330528511405, -0.5833317782551861, 0.24477509178978896,
+        -0.39547080278823044, -0.7706685614931748, -0.09393048773347785, -0.6482810155982803 },
+    { 2.2266583902747783, -0.029714365128469283, 2.095307369490741, -0.0360450270551296,
+        0.03433038043219154, -0.02886535614743567, 2.1486397158062776, -0.03689403603616319,
+        2.051619075454432, -0.39958840189442735, 0.12958438015147378, -0.5684314969931175,
+        -0.8047513510452463, 0.3376861901973803, -0.5455825907422988, -1.063196947584117,
+        -0.12958438015147378, -0.8943538524854269, 0.1006211199960115, -0.20041618741505884,
+        -0.022936040026522074, 0.8210216871580072, 0.24711432004506728, 0.4201893123278896,
+        -0.7101150156120716, 0.20041618741505884, -0.586557855589538 },
+    { 0.4645981427921639, -0.17086197044189555, -0.2906895483189768, -0.020642081920801365,
+        0.19740473744950288, 0.020642081920801365, 0.3658957740674124, -0.21214613428349827,
+        -0.19198717959422534, 0.48543631673339205, 0.7451292476028425, -0.48543631673339205,
+        -0.7451292476028425, 1.9417452669335682, 0.7451292476028425, -0.48543631673339205,
+        -0.7451292476028425, 0.48543631673339205, 0.3552359226317118, -1.1524225586559993,
+        -0.3552359226317118, 1.1524225586559993, 1.420943690526847, -1.1524225586559993,
+        -0.3552359226317118, 1.1524225586559993, 0.3552359226317118 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.6281522507265302, 2.0882576983175176,
+        0.6281522507265302, -1.7852183187545685, -2.6893819743178407, 1.7852183187545685,
+        0.7165387364323903, -1.4821789391916196, -0.7165387364323903, 1.0489163329819662,
+        1.418310451502176, -1.0489163329819662, -1.2920440433509472, 4.122009927172982,
+        1.2920440433509472, -1.0120886306045245, -1.1657776351997184, 1.0120886306045245 },
+    { -0.20049380590318383, 0.5557291530563849, 0.20049380590318383, -1.1243487219949935,
+        -0.4702804750652134, 1.1243487219949935, 0.03464643162942291, -1.6929682909336021,
+        -0.03464643162942291, 0.3552359226317118, -1.1524225586559993, -0.3552359226317118,
+        1.1524225586559993, 1.420943690526847, -1.1524225586559993, -0.3552359226317118,
+        1.1524225586559993, 0.3552359226317118, -0.48543631673339205, -0.7451292476028425,
+        0.48543631673339205, 0.7451292476028425, -1.9417452669335682, -0.7451292476028425,
+        0.48543631673339205, 0.7451292476028425, -0.48543631673339205 },
+    { 0.3375907104208886, 0.1412038067625832, -0.3375907104208886, -0.1412038067625832,
+        1.3503628416835545, 0.1412038067625832, -0.3375907104208886, -0.1412038067625832,
+        0.3375907104208886, -1.0489163329819662, -1.418310451502176, 1.0489163329819662,
+        1.2920440433509472, -4.122009927172982, -1.2920440433509472, 1.0120886306045245,
+        1.1657776351997184, -1.0120886306045245, -0.6281522507265302, 2.0882576983175176,
+        0.6281522507265302, -1.7852183187545685, -2.6893819743178407, 1.7852183187545685,
+        0.7165387364323903, -1.4821789391916196, -0.7165387364323903 },
+    { -0.6409491082818135, 0.23571731676722843, 0.40102873778649517, 0.028477350169125414,
+        -0.2723351188587627, -0.028477350169125414, -0.5047815488524321, 0.2926720171054793,
+        0.26486117835711376, 1.1664433549537465, 1.1701657524918851, -1.044415422845674,
+        -0.8726304028285092, 3.297994716519871, 1.0428525839644975, -0.27843172537558053,
+        -1.5253449489803566, 0.5251992519558788, 0.5888645851808956, -1.9855889432683869,
+        -0.5986575136891021, 1.5616578119492568, 2.6569375567064886, -1.7181240289672333,
+        -0.23977981510965315, 1.6941456645205215, 0.4032375180713476 },
+    { -0.10802254693488578, 0.8652251302485564, -0.32552741972666455, -0.25416056962793865,
+        3.647076113851802, 0.31013401598477264, -1.711786040673078, -0.025963789553421407,
+        1.3831862859305917, -1.4470612909612355, -1.956669076836501, 1.4470612909612355,
+        1.7824747909443994, -5.686631830407883, -1.7824747909443994, 1.3962546242427059,
+        1.608280505052298, -1.3962546242427059, -0.866584662927702, 2.880913172737333,
+        0.866584662927702, -2.462846886596289, -3.7102106519597498, 2.462846886596289,
+        0.9885206630521731, -2.044780600455246, -0.9885206630521731 },
+    { 0.27659672795368767, -0.7666713925222026, -0.27659672795368767, 1.5511261117607777,
+        0.6487883255922481, -1.5511261117607777, -0.04779743484243644, 2.335580830999353,
+        0.04779743484243644, -1.0789400436665708, 3.575445086246639, 1.0887329721747774,
+        -3.1515139549275086, -4.61723939064919, 3.307980171945485, 0.7298552735953285,
+        -3.2840018074987736, -0.8933129765570229, 1.8361403375287777, 2.19812923924949,
+        -1.714112405420705, -1.9005938895861145, 5.976782646819997, 2.0708160707221026,
+        -0.9481287079506117, -2.5533084357379616, 1.1948962345309098 },
+};
+
+/* the features of the left side of the formulation that has the joints 4, 3, 2, 1, 0, 5 */
+static const double general_5r1p_pair_left_1[15][32] GENERAL_5R1P_PAIR_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { -0.4629570747217807, -0.19364069952305246, 0.4629570747217807, 0.19364069952305246,
+        -1.8518282988871229, -0.19364069952305246, 0.4629570747217807, 0.19364069952305246,
+        -0.4629570747217807, 0.18049738664615625, 0.21893536538566974, 0.2262843500801785,
+        -0.21893536538566974, -0.09157392686804454, 0.21893536538566974, 0.2262843500801785,
+        -0.21893536538566974, 0.18049738664615625, -0.21774374472016395, 0.22988213365495322,
+        -0.16966743311444057, -0.22988213365495322, -0.09615262321144676, 0.22988213365495322,
+        -0.16966743311444057, -0.22988213365495322, -0.21774374472016395 },
+    { -0.15872813990461054, -0.06639109697933228, 0.15872813990461054, 0.06639109697933228,
+        -0.6349125596184422, -0.06639109697933228, 0.15872813990461054, 0.06639109697933228,
+        -0.15872813990461054, -0.526450711051289, -0.63856148237487, -0.6599960210671872,
+        0.63856148237487, 0.26709062003179657, -0.63856148237487, -0.6599960210671872,
+        0.63856148237487, -0.526450711051289, 0.6350859221004781, -0.6704895564936135,
+        0.494863346583785, 0.6704895564936135, 0.28044515103338635, -0.6704895564936135,
+        0.494863346583785, 0.6704895564936135, 0.6350859221004781 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.6713765462205055, 0.7088032454361057,
+        -0.5231412521028584, -0.7088032454361057, -0.29647058823529415, 0.7088032454361057,
+        -0.5231412521028584, -0.7088032454361057, -0.6713765462205055, -0.5565336088256484,
+        -0.6750507099391483, -0.6977100794138836, 0.6750507099391483, 0.28235294117647064,
+        -0.6750507099391483, -0.6977100794138836, 0.6750507099391483, -0.5565336088256484 },
+    { -0.40383523989993214, 0.029789135464010692, -0.5462752439577305, -0.21094161742872397,
+        0.2848800081155966, -0.1513633465007026, 0.07481897992128635, -0.029789135464010692,
+        0.21725898397908466, 0.2634221951926038, -0.03368039504814936, 0.25637845872820714,
+        -0.11317932291339157, 0.014087472928793235, -0.18054011300969033, 0.21354437432275772,
+        0.03368039504814936, 0.22058811078715435, -0.20094108190778867, -0.035364414800556826,
+        -0.20833700519540513, -0.11883828905906114, 0.014791846575232895, -0.1895671186601748,
+        -0.25331279382112704, 0.035364414800556826, -0.2459168705335106 },
+    { -0.1384577965371196, 0.010213417873375095, -0.1872943693569362, -0.07232284026127679,
+        0.09767314563963313, -0.05189600451452661, 0.025652221687298176, -0.010213417873375095,
+        0.07448879450711475, -0.7683147359784277, 0.09823448555710229, -0.7477705046239375,
+        0.33010635849739206, -0.04108846270898026, 0.5265753296115967, -0.6228377584413767,
+        -0.09823448555710229, -0.6433819897958668, 0.5860781555643836, 0.1031462098349574,
+        0.6076495984865983, 0.34661167642226165, -0.043142885844429275, 0.5529040960921765,
+        0.7388289819782872, -0.1031462098349574, 0.7172575390560726 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.6195683358823484, -0.10904027896838353,
+        -0.6423724326858324, -0.3664180579321052, 0.04560819360696809, -0.5844986158688723,
+        -0.781047780948475, 0.10904027896838353, -0.758243684144991, -0.8122184351771949,
+        0.10384788473179385, -0.7905002477453054, 0.34896957898295733, -0.04343637486377914,
+        0.5566653484465451, -0.6584284874951696, -0.10384788473179385, -0.6801466749270592 },
+    { 1.2258171716766635, -0.06046658449822316, 1.3710288069139935, 0.07756164161069024,
+        -0.104748230154149, 0.05565516078518312, 1.0498196255036698, -0.03856010367271605,
+        1.0902830305868507, 0.0, 0.0, 0.0, 0.0, 0.0, 6.938893903907228e-18, 6.938893903907228e-18,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 1.0769260362094315, 0.1965278873928969, 0.6049606335844656, -0.03560011229819361,
+        0.3404516486447945, 0.03560011229819361, 0.9067002118870342, 0.1253276627965097,
+        0.7751864579068628, 0.0, 0.0, -3.469446951953614e-18, 0.0, 0.0, 0.0, -3.469446951953614e-18,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.1896563028813901, -1.0635731154006698, -0.032773651541346004, 0.5256897393776617,
+        0.4448599088454724, -1.6014564914236777, -0.1896563028813901, 1.0635731154006698,
+        0.032773651541346004, -0.00538561226200731, -0.1634379668865956, 0.19994399226342466,
+        0.12966815895878134, -0.48624876976636294, -0.055477348472849145, 0.1105545260738619,
+        0.02170754054503489, -0.17036463916706912, -0.05186550423505912, 0.05034143221973431,
+        0.2561518032365473, 0.056099422495647096, -0.5440445571189281, 0.021800928514581708,
+        0.08661331544972704, 0.08463992620079969, -0.14941393419759458 },
+    { 0.06502501813076232, -0.36465363956594393, -0.011236680528461489, 0.18023648207234116,
+        0.1525233973184477, -0.5490707970595466, -0.06502501813076232, 0.36465363956594393,
+        0.011236680528461489, 0.015708035764187986, 0.47669407008590375, -0.5831699774349886,
+        -0.3781987969631122, 1.4182255784852251, 0.16180893304580998, -0.32245070104876383,
+        -0.06331365992301842, 0.4968968642372849, 0.1512743873522558, -0.1468291773075584,
+        -0.7471094261065963, -0.16362331561230403, 1.5867966249302068, -0.0635860415008633,
+        -0.25262217006170384, -0.2468664514189991, 0.4357906414096509 },
+    { 1.734723475976807e-18, 0.0, -1.734723475976807e-18, 0.0, 6.938893903907228e-18, 0.0,
+        -1.734723475976807e-18, 0.0, 1.734723475976807e-18, -0.15991863805809897,
+        0.15521941601084746, 0.7898013933126875, 0.17297321936157853, -1.6774707177833614,
+        0.06721952958662693, 0.26705772263665833, 0.2609731057857991, -0.4606929637759167,
+        0.016605637807855872, 0.5039337312336697, -0.6164939761455593, -0.39981015678957577,
+        1.4992670401129522, 0.17105515779128483, -0.3408764553944075, -0.0669315833471909,
+        0.5252909707651298 },
+    { 0.30230063643108235, -0.114806279583175, 1.29567752120055, 0.6270442639775676,
+        -2.501820711268127, -0.017688374744506314, 0.35034465291309014, 0.22070198895986287,
+        -0.8415866869376671, -0.34611564504309544, 0.22646364354284934, 4.4612854485694955e-05,
+        0.008152181911015634, -0.26856005299785535, 0.5129457031472596, -0.14968370723294283,
+        -0.3531702686249183, -0.1452005947893438, 0.16588334439802221, 0.45011045817861406,
+        0.019452434929153453, -0.057028984176771415, 0.08582707570954315, 0.5499270891503336,
+        0.281237326570254, -0.23542802562659082, 0.14386054573199536 },
+    { 0.10364593249065683, -0.03936215299994572, 0.4442322929830457, 0.21498660479230888,
+        -0.857767101006215, -0.0060645856266878795, 0.12011816671305948, 0.07566925335766728,
+        -0.2885440069500573, 1.0095039647090285, -0.6605189603333107, -0.00013012082558327281,
+        -0.023777197240462265, 0.783300154577078, -1.4960916341795072, 0.4365774794294166,
+        1.0300799501560116, 0.4235017348022527, -0.48382642116089813, -1.312822169687624,
+        -0.05673626854336423, 0.16633453718224991, -0.25032897081950084, -1.6039540100218062,
+        -0.8202755358299075, 0.6866650747442231, -0.4195932583849864 },
+    { 0.0, 0.0, -2.168404344971009e-19, 0.0, 0.0, 0.0, 0.0, 0.0, 2.168404344971009e-19,
+        0.5114736452272352, 1.38784057938406, 0.059978341031556484, -0.1758393678783785,
+        0.26463348343775805, 1.695608524880195, 0.8671484235916166, -0.7259030790153216,
+        0.4435700160069857, 1.0671899055495442, -0.6982629009237855, -0.0001375563013309095,
+        -0.025135894225631533, 0.8280601634100541, -1.5815825847040506, 0.46152476396824044,
+        1.0889416615934981, 0.44770183393380997 },
+};
+
 static const general_5r1p_pair_formulation general_5r1p_pair_formulations[2] = {
-    { { 1, 2, 3, 4, 5, 0 }, 1.0 },
-    { { 4, 3, 2, 1, 0, 5 }, -1.0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0, general_5r1p_pair_left_0 },
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, general_5r1p_pair_left_1 },
 };
 
 /* Whether a joint is a slide, whose length stands in the sine's place. */
@@ -714,7 +914,7 @@ static const double general_5r1p_pair_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double general_5r1p_pair_sample_c[24] = {
+static const double general_5r1p_pair_sample_c[24] GENERAL_5R1P_PAIR_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -722,7 +922,7 @@ static const double general_5r1p_pair_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double general_5r1p_pair_sample_s[24] = {
+static const double general_5r1p_pair_sample_s[24] GENERAL_5R1P_PAIR_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -732,7 +932,7 @@ static const double general_5r1p_pair_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double general_5r1p_pair_harmonics[24][24] = {
+static const double general_5r1p_pair_harmonics[24][24] GENERAL_5R1P_PAIR_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -870,7 +1070,7 @@ static const double general_5r1p_pair_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double general_5r1p_pair_grid_c[8][128] = {
+static const double general_5r1p_pair_grid_c[8][128] GENERAL_5R1P_PAIR_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1121,7 +1321,7 @@ static const double general_5r1p_pair_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double general_5r1p_pair_grid_s[8][128] = {
+static const double general_5r1p_pair_grid_s[8][128] GENERAL_5R1P_PAIR_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1489,24 +1689,29 @@ static inline void general_5r1p_pair_to_unit(general_5r1p_pair_lane *c, general_
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline general_5r1p_pair_lane general_5r1p_pair_reflect(general_5r1p_pair_lane *const *row,
     int rows, int column, int columns)
 {
-    general_5r1p_pair_lane axis[6], square = {0}, length, factor;
+    general_5r1p_pair_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = general_5r1p_pair_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = general_5r1p_pair_with_sign(general_5r1p_pair_sqrt(square), axis[0]);
+    length = general_5r1p_pair_with_sign(general_5r1p_pair_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        general_5r1p_pair_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        general_5r1p_pair_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1558,19 +1763,6 @@ static inline void general_5r1p_pair_cosines(const general_5r1p_pair_lane x[15],
         part[1][at] = part[2][at + 1] = x[at];
         part[1][at + 1] = x[at + 1];
         part[2][at] = -x[at + 1];
-    }
-}
-
-/* The same by x^2, x and 1 for x = tan(phi/2), times 1 + x^2. */
-static inline void general_5r1p_pair_tangents(const general_5r1p_pair_lane x[15],
-    general_5r1p_pair_lane part[3][15])
-{
-    general_5r1p_pair_cosines(x, part);
-    for (int i = 0; i < 15; i++) {
-        const general_5r1p_pair_lane one = part[0][i], cosine = part[1][i];
-        part[0][i] = one - cosine;
-        part[1][i] = 2.0 * part[2][i];
-        part[2][i] = one + cosine;
     }
 }
 
@@ -1667,9 +1859,12 @@ static inline void general_5r1p_pair_mirror(double axis[8][14], const double fac
 }
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
+ * left
+ * side's features have columns like these. */
 static void general_5r1p_pair_equations(const general_5r1p_pair_formulation *form, double
-    link[6][12], double E[192])
+    link[6][12], const double (*left)[32],
+                         double E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[8][14], axis[8][14], factor[8];
@@ -1686,15 +1881,11 @@ static void general_5r1p_pair_equations(const general_5r1p_pair_formulation *for
         }
     }
     general_5r1p_pair_clear(A, 14, 8, axis, factor);
-    general_5r1p_pair_pass(link[2], x, 1, general_5r1p_pair_tangents, y);
-    general_5r1p_pair_pass(link[1], y, 3, general_5r1p_pair_tangents, x);
-    general_5r1p_pair_pass(link[0], x, 9, general_5r1p_pair_cosines, y);
     for (int k = 0; k < 32; k += GENERAL_5R1P_PAIR_LANES) {
         general_5r1p_pair_lane z[15], rest[14];
         for (int i = 0; i < 15; i++) {
-            z[i] = GENERAL_5R1P_PAIR_LOAD(&y[i][k]);
+            z[i] = GENERAL_5R1P_PAIR_LOAD(&left[i][k]);
         }
-        general_5r1p_pair_act(link[5], z);
         for (int i = 0; i < 14; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
             rest[i] = z[1 + i] - right[1 + i][0] * z[0];
@@ -1763,9 +1954,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_5r1p_pair_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] GENERAL_5R1P_PAIR_ALIGNED, slope[264] GENERAL_5R1P_PAIR_ALIGNED;
 } general_5r1p_pair_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1829,42 +2020,44 @@ static void general_5r1p_pair_at(const general_5r1p_pair_trigonometric *f, doubl
     }
 }
 
-static void general_5r1p_pair_fill_grid(const general_5r1p_pair_trigonometric *f,
-    general_5r1p_pair_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void general_5r1p_pair_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += GENERAL_5R1P_PAIR_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        general_5r1p_pair_lane value[2], slope[2], bend[2];
-        value[0] = general_5r1p_pair_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = general_5r1p_pair_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const general_5r1p_pair_lane c = GENERAL_5R1P_PAIR_LOAD(&general_5r1p_pair_grid_c[m -
-                1][i]);
-            const general_5r1p_pair_lane s = GENERAL_5R1P_PAIR_LOAD(&general_5r1p_pair_grid_s[m -
-                1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        general_5r1p_pair_lane even = general_5r1p_pair_all(a[0]), odd = general_5r1p_pair_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * GENERAL_5R1P_PAIR_LOAD(&general_5r1p_pair_grid_c[m - 1][i]);
+            even += a[m + 1] * GENERAL_5R1P_PAIR_LOAD(&general_5r1p_pair_grid_c[m][i]);
+            odd += b[m] * GENERAL_5R1P_PAIR_LOAD(&general_5r1p_pair_grid_s[m - 1][i]);
+            even += b[m + 1] * GENERAL_5R1P_PAIR_LOAD(&general_5r1p_pair_grid_s[m][i]);
         }
-        GENERAL_5R1P_PAIR_STORE(&g->value[i], value[0] + value[1]);
-        GENERAL_5R1P_PAIR_STORE(&g->slope[i], slope[0] + slope[1]);
-        GENERAL_5R1P_PAIR_STORE(&g->bend[i], bend[0] + bend[1]);
-        GENERAL_5R1P_PAIR_STORE(&g->value[i + 128], value[0] - value[1]);
-        GENERAL_5R1P_PAIR_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        GENERAL_5R1P_PAIR_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        GENERAL_5R1P_PAIR_STORE(&out[i], even + odd);
+        GENERAL_5R1P_PAIR_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void general_5r1p_pair_fill_grids(const general_5r1p_pair_trigonometric *f,
+    general_5r1p_pair_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    general_5r1p_pair_fill_grid(f->a, f->b, g->value);
+    general_5r1p_pair_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long general_5r1p_pair_open_cells(const general_5r1p_pair_grid *g, int from,
     double doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if GENERAL_5R1P_PAIR_LANES > 1
     general_5r1p_pair_mask weight, sum = {0};
@@ -1873,28 +2066,22 @@ static unsigned long long general_5r1p_pair_open_cells(const general_5r1p_pair_g
     }
 #endif
     for (int i = 0; i < 64; i += GENERAL_5R1P_PAIR_LANES) {
-        const general_5r1p_pair_lane f0 = GENERAL_5R1P_PAIR_LOAD(&g->value[from + i]);
-        const general_5r1p_pair_lane f1 = GENERAL_5R1P_PAIR_LOAD(&g->value[from + i + 1]);
-        const general_5r1p_pair_lane d0 = GENERAL_5R1P_PAIR_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const general_5r1p_pair_lane d1 = GENERAL_5R1P_PAIR_LOAD(&g->slope[from + i + 1]) * (h /
-            5.0);
-        const general_5r1p_pair_lane s0 = GENERAL_5R1P_PAIR_LOAD(&g->bend[from + i]) * (h * h /
-            20.0);
-        const general_5r1p_pair_lane s1 = GENERAL_5R1P_PAIR_LOAD(&g->bend[from + i + 1]) * (h * h /
-            20.0);
-        const general_5r1p_pair_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const general_5r1p_pair_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const general_5r1p_pair_lane least = general_5r1p_pair_min(
-            general_5r1p_pair_min(general_5r1p_pair_min(f0, f1), general_5r1p_pair_min(b1, b2)),
-                general_5r1p_pair_min(b3, b4));
-        const general_5r1p_pair_lane most = general_5r1p_pair_max(
-            general_5r1p_pair_max(general_5r1p_pair_max(f0, f1), general_5r1p_pair_max(b1, b2)),
-                general_5r1p_pair_max(b3, b4));
-        const general_5r1p_pair_mask open = (least <= doubt) & (most >= -doubt);
+        const general_5r1p_pair_lane first = GENERAL_5R1P_PAIR_LOAD(&g->value[from + i]);
+        const general_5r1p_pair_lane f0 = general_5r1p_pair_abs(first) - doubt;
+        const general_5r1p_pair_lane f1 =
+            general_5r1p_pair_facing(GENERAL_5R1P_PAIR_LOAD(&g->value[from + i + 1]), first) -
+            doubt;
+        const general_5r1p_pair_lane d0 =
+            general_5r1p_pair_facing(GENERAL_5R1P_PAIR_LOAD(&g->slope[from + i]), first);
+        const general_5r1p_pair_lane d1 =
+            general_5r1p_pair_facing(GENERAL_5R1P_PAIR_LOAD(&g->slope[from + i + 1]), first);
+        const general_5r1p_pair_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if GENERAL_5R1P_PAIR_LANES > 1
-        sum |= (open & weight) << i;
+        const general_5r1p_pair_mask signs = (general_5r1p_pair_mask)f0 | (general_5r1p_pair_mask)f1
+            | (general_5r1p_pair_mask)b1 | (general_5r1p_pair_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if GENERAL_5R1P_PAIR_LANES > 1
@@ -1905,9 +2092,9 @@ static unsigned long long general_5r1p_pair_open_cells(const general_5r1p_pair_g
     return bits;
 }
 
-static void general_5r1p_pair_add_root(general_5r1p_pair_roots *roots, double x, int twice)
+static void general_5r1p_pair_add_root(general_5r1p_pair_roots *roots, double c, double s, int
+    twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1927,156 +2114,331 @@ static void general_5r1p_pair_add_root(general_5r1p_pair_roots *roots, double x,
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double general_5r1p_pair_on_quintic(int order, double h, const double low[3], const double
-    high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} general_5r1p_pair_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    general_5r1p_pair_parts turning, crossing;
+} general_5r1p_pair_waiting;
+
+static void general_5r1p_pair_add_part(general_5r1p_pair_parts *parts, double c, double s, double
+    width, const double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    general_5r1p_pair_lane c, s, width, start, low[3], high[3];
+} general_5r1p_pair_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void general_5r1p_pair_take_parts(general_5r1p_pair_parts *parts, int from,
+    general_5r1p_pair_spans *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + GENERAL_5R1P_PAIR_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        general_5r1p_pair_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low,
+            high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = GENERAL_5R1P_PAIR_LOAD(parts->c + from);
+    out->s = GENERAL_5R1P_PAIR_LOAD(parts->s + from);
+    out->width = GENERAL_5R1P_PAIR_LOAD(parts->width + from);
+    out->start = GENERAL_5R1P_PAIR_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = GENERAL_5R1P_PAIR_LOAD(parts->low[i] + from);
+        out->high[i] = GENERAL_5R1P_PAIR_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline general_5r1p_pair_lane general_5r1p_pair_on_quintic(int order, const
+    general_5r1p_pair_spans *part)
+{
+    const general_5r1p_pair_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const general_5r1p_pair_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const general_5r1p_pair_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const general_5r1p_pair_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const general_5r1p_pair_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const general_5r1p_pair_mask rising = part->low[order] < 0.0;
+    general_5r1p_pair_lane x = part->start, from = general_5r1p_pair_all(0.0), to =
+        general_5r1p_pair_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const general_5r1p_pair_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 +
+            x * c5))));
+        const general_5r1p_pair_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 *
+            c5))));
+        const general_5r1p_pair_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const general_5r1p_pair_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const general_5r1p_pair_mask before = (value < 0.0) == rising;
+        from = general_5r1p_pair_select(before, x, from);
+        to = general_5r1p_pair_select(before, to, x);
+        x -= value / slope;
+        x = general_5r1p_pair_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double general_5r1p_pair_between(const general_5r1p_pair_trigonometric *f, int order, double
-    low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void general_5r1p_pair_at_all(const general_5r1p_pair_trigonometric *f,
+    general_5r1p_pair_lane cosine, general_5r1p_pair_lane sine,
+                                  general_5r1p_pair_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * general_5r1p_pair_on_quintic(order, high - low, at_low,
-        at_high);
+    general_5r1p_pair_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = general_5r1p_pair_all(f->a[0]);
+    out[1] = out[2] = general_5r1p_pair_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const general_5r1p_pair_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] -
+            f->a[m] * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void general_5r1p_pair_turn_on(general_5r1p_pair_lane x, general_5r1p_pair_lane *c,
+    general_5r1p_pair_lane *s)
+{
+    const general_5r1p_pair_lane u = x * x, c0 = *c, s0 = *s;
+    const general_5r1p_pair_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const general_5r1p_pair_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 /
+        5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline general_5r1p_pair_lane general_5r1p_pair_between(const general_5r1p_pair_trigonometric
+    *f, int order, double settled,
+                                           const general_5r1p_pair_spans *part,
+                                               general_5r1p_pair_lane *c, general_5r1p_pair_lane *s,
+                                           general_5r1p_pair_lane at[3])
+{
+    const general_5r1p_pair_mask rising = part->low[order] < 0.0;
+    general_5r1p_pair_lane from = general_5r1p_pair_all(0.0), to = part->width, x = part->width *
+        general_5r1p_pair_on_quintic(order, part);
+    general_5r1p_pair_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        general_5r1p_pair_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const general_5r1p_pair_mask moving = general_5r1p_pair_abs(step) >= settled;
+        if (i && general_5r1p_pair_largest(general_5r1p_pair_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        general_5r1p_pair_turn_on(x, c, s);
+        general_5r1p_pair_at_all(f, *c, *s, at);
+        const general_5r1p_pair_mask before = (at[order] < 0.0) == rising;
+        from = general_5r1p_pair_select(before, x, from);
+        to = general_5r1p_pair_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = general_5r1p_pair_select((x + step >= from) & (x + step <= to), step, 0.5 * (from +
+            to) - x);
+        step = general_5r1p_pair_select(moving, step, general_5r1p_pair_all(0.0));
+        x += step;
     }
+    general_5r1p_pair_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void general_5r1p_pair_few(const general_5r1p_pair_trigonometric *f, double lifted, double
-    low,
-                        const double at_low[3], double high, const double at_high[3],
-                        general_5r1p_pair_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void general_5r1p_pair_divide(const general_5r1p_pair_trigonometric *f, const
+    general_5r1p_pair_parts *parts, int i, double x,
+                           double c, double s, const double at[3], general_5r1p_pair_waiting
+                               *waiting,
+                           general_5r1p_pair_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            general_5r1p_pair_add_root(roots, general_5r1p_pair_between(f, 0, low, at_low, high,
-                at_high), 0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        general_5r1p_pair_add_root(roots, c, s, 1);
         return;
     }
-    x = general_5r1p_pair_between(f, 1, low, at_low, high, at_high);
-    general_5r1p_pair_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        general_5r1p_pair_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        general_5r1p_pair_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        general_5r1p_pair_add_root(roots, general_5r1p_pair_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        general_5r1p_pair_add_root(roots, general_5r1p_pair_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        general_5r1p_pair_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void general_5r1p_pair_solve_parts(const general_5r1p_pair_trigonometric *f,
+    general_5r1p_pair_waiting *waiting, general_5r1p_pair_roots *roots)
+{
+    general_5r1p_pair_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[GENERAL_5R1P_PAIR_LANES], c[GENERAL_5R1P_PAIR_LANES], s[GENERAL_5R1P_PAIR_LANES],
+        value[3][GENERAL_5R1P_PAIR_LANES];
+    general_5r1p_pair_spans part;
+    general_5r1p_pair_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += GENERAL_5R1P_PAIR_LANES) {
+        general_5r1p_pair_take_parts(bent, from, &part);
+        GENERAL_5R1P_PAIR_STORE(x, general_5r1p_pair_between(f, 1, 1e-07, &part, &cosine, &sine,
+            at));
+        GENERAL_5R1P_PAIR_STORE(c, cosine);
+        GENERAL_5R1P_PAIR_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            GENERAL_5R1P_PAIR_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < GENERAL_5R1P_PAIR_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            general_5r1p_pair_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += GENERAL_5R1P_PAIR_LANES) {
+        general_5r1p_pair_take_parts(crossing, from, &part);
+        (void)general_5r1p_pair_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        GENERAL_5R1P_PAIR_STORE(c, cosine);
+        GENERAL_5R1P_PAIR_STORE(s, sine);
+        for (int k = 0; k < GENERAL_5R1P_PAIR_LANES && from + k < crossing->count; k++) {
+            general_5r1p_pair_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void general_5r1p_pair_few(const general_5r1p_pair_trigonometric *f, double c, double s,
+    double width, const double low[3],
+                        const double high[3], general_5r1p_pair_waiting *waiting,
+                            general_5r1p_pair_roots *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        general_5r1p_pair_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] -
+            high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        general_5r1p_pair_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        general_5r1p_pair_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { GENERAL_5R1P_PAIR_ROOTLESS, GENERAL_5R1P_PAIR_FLAT, GENERAL_5R1P_PAIR_TAME,
     GENERAL_5R1P_PAIR_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int general_5r1p_pair_kind(const general_5r1p_pair_trigonometric *f, const double low[3],
-    const double high[3],
-                        double h)
+static inline void general_5r1p_pair_kinds(const general_5r1p_pair_trigonometric *f, const
+    general_5r1p_pair_spans *part, int kind[GENERAL_5R1P_PAIR_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return GENERAL_5R1P_PAIR_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return GENERAL_5R1P_PAIR_FLAT;
+    const general_5r1p_pair_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h *
+        part->high[1] * 0.2;
+    const general_5r1p_pair_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] *
+        0.05;
+    const general_5r1p_pair_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const general_5r1p_pair_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const general_5r1p_pair_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    general_5r1p_pair_lane least[3], most[3];
+    double bounds[5][GENERAL_5R1P_PAIR_LANES];
+    least[0] = general_5r1p_pair_min(b[0], b[5]);
+    most[0] = general_5r1p_pair_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const general_5r1p_pair_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = general_5r1p_pair_min(least[0], b[i]);
+        most[0] = general_5r1p_pair_max(most[0], b[i]);
+        least[1] = general_5r1p_pair_min(least[1], first);
+        most[1] = general_5r1p_pair_max(most[1], first);
+        least[2] = general_5r1p_pair_min(least[2], second);
+        most[2] = general_5r1p_pair_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? GENERAL_5R1P_PAIR_TAME
-               : GENERAL_5R1P_PAIR_WILD;
+    GENERAL_5R1P_PAIR_STORE(bounds[0], least[0]);
+    GENERAL_5R1P_PAIR_STORE(bounds[1], most[0]);
+    GENERAL_5R1P_PAIR_STORE(bounds[2], general_5r1p_pair_max(least[1], -most[1]) - doubt * share);
+    GENERAL_5R1P_PAIR_STORE(bounds[3], general_5r1p_pair_max(least[2], -most[2]) - doubt * square);
+    GENERAL_5R1P_PAIR_STORE(bounds[4], general_5r1p_pair_max(doubt,
+        general_5r1p_pair_all(f->touching)));
+    for (int k = 0; k < GENERAL_5R1P_PAIR_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = GENERAL_5R1P_PAIR_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = GENERAL_5R1P_PAIR_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? GENERAL_5R1P_PAIR_TAME :
+                GENERAL_5R1P_PAIR_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int general_5r1p_pair_kind(const general_5r1p_pair_trigonometric *f, const double low[3],
+    const double high[3], double h)
+{
+    general_5r1p_pair_spans part;
+    int kind[GENERAL_5R1P_PAIR_LANES];
+    part.width = general_5r1p_pair_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = general_5r1p_pair_all(low[i]);
+        part.high[i] = general_5r1p_pair_all(high[i]);
+    }
+    general_5r1p_pair_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, double lifted, double
-    low, double high,
-                         const double first[3], const double last[3], int *budget,
+static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, double low, double c,
+    double s, const double first[3],
+                         const double last[3], int *budget, general_5r1p_pair_waiting *waiting,
                          general_5r1p_pair_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -2086,23 +2448,30 @@ static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, dou
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = general_5r1p_pair_kind(f, at_low, at[top], h);
-        if (kind != GENERAL_5R1P_PAIR_ROOTLESS) {
-            if (kind == GENERAL_5R1P_PAIR_TAME) {
-                general_5r1p_pair_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == GENERAL_5R1P_PAIR_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == GENERAL_5R1P_PAIR_TAME) {
+            general_5r1p_pair_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != GENERAL_5R1P_PAIR_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == GENERAL_5R1P_PAIR_FLAT || depth[top] == 14 || *budget == 0) {
+                general_5r1p_pair_solve_parts(f, waiting, roots); /* of neighbouring double roots
+                    the first is kept */
                 roots->complete = 0;
-                general_5r1p_pair_add_root(roots, low + 0.5 * h, 1);
+                general_5r1p_pair_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                general_5r1p_pair_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                general_5r1p_pair_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -2110,82 +2479,12 @@ static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, dou
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void general_5r1p_pair_refine(const general_5r1p_pair_trigonometric *f, const
-    general_5r1p_pair_grid *g, const int *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void general_5r1p_pair_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += GENERAL_5R1P_PAIR_LANES) {
-        double in[8][GENERAL_5R1P_PAIR_LANES];
-        general_5r1p_pair_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < GENERAL_5R1P_PAIR_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? general_5r1p_pair_grid_c[0][half] :
-                -general_5r1p_pair_grid_c[0][half];
-            in[7][k] = i < 128 ? general_5r1p_pair_grid_s[0][half] :
-                -general_5r1p_pair_grid_s[0][half];
-        }
-        const general_5r1p_pair_lane f0 = GENERAL_5R1P_PAIR_LOAD(in[0]), f1 =
-            GENERAL_5R1P_PAIR_LOAD(in[1]), d0 = GENERAL_5R1P_PAIR_LOAD(in[2]);
-        const general_5r1p_pair_lane s0 = GENERAL_5R1P_PAIR_LOAD(in[4]);
-        const general_5r1p_pair_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = GENERAL_5R1P_PAIR_LOAD(in[3])
-            - d0 - s0;
-        const general_5r1p_pair_lane D2 = GENERAL_5R1P_PAIR_LOAD(in[5]) - s0;
-        const general_5r1p_pair_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D -
-            D2;
-        const general_5r1p_pair_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const general_5r1p_pair_lane rising =
-            general_5r1p_pair_with_sign(general_5r1p_pair_all(1.0), f1 - f0);
-        low = general_5r1p_pair_all(0.0);
-        high = general_5r1p_pair_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = general_5r1p_pair_select(value * rising < 0.0, x, low);
-            high = general_5r1p_pair_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = general_5r1p_pair_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const general_5r1p_pair_lane u = x * x, c0 = i ? c : GENERAL_5R1P_PAIR_LOAD(in[6]), s_0
-                = i ? s : GENERAL_5R1P_PAIR_LOAD(in[7]);
-            const general_5r1p_pair_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 /
-                720.0)));
-            const general_5r1p_pair_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = general_5r1p_pair_all(f->a[0]);
-            slope = general_5r1p_pair_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const general_5r1p_pair_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = general_5r1p_pair_max(general_5r1p_pair_min(-value / slope,
-                general_5r1p_pair_all(1e-3 * h)), general_5r1p_pair_all(-1e-3 * h));
-        }
-        GENERAL_5R1P_PAIR_STORE(cosine + from, c);
-        GENERAL_5R1P_PAIR_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? general_5r1p_pair_grid_c[0][half] : -general_5r1p_pair_grid_c[0][half];
+    *s = cell < 128 ? general_5r1p_pair_grid_s[0][half] : -general_5r1p_pair_grid_s[0][half];
 }
 
 static int general_5r1p_pair_lowest(unsigned long long bits)
@@ -2201,52 +2500,79 @@ static int general_5r1p_pair_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void general_5r1p_pair_search_cells(const general_5r1p_pair_trigonometric *f, const
+    general_5r1p_pair_grid *g, const int *cell, int count,
+                                 int *budget, general_5r1p_pair_waiting *waiting,
+                                     general_5r1p_pair_roots *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][GENERAL_5R1P_PAIR_LANES], bend[2][GENERAL_5R1P_PAIR_LANES];
+    int kind[GENERAL_5R1P_PAIR_LANES];
+    general_5r1p_pair_spans part;
+    for (int k = 0; k < GENERAL_5R1P_PAIR_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        general_5r1p_pair_edge(i, &in[4][k], &in[5][k]);
+        general_5r1p_pair_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = general_5r1p_pair_all(h);
+    for (int end = 0; end < 2; end++) {
+        general_5r1p_pair_lane at[3], *const to = end ? part.high : part.low;
+        general_5r1p_pair_at_all(f, GENERAL_5R1P_PAIR_LOAD(in[4 + 2 * end]),
+            GENERAL_5R1P_PAIR_LOAD(in[5 + 2 * end]), at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = GENERAL_5R1P_PAIR_LOAD(in[2 * end]);
+        to[1] = GENERAL_5R1P_PAIR_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        GENERAL_5R1P_PAIR_STORE(bend[end], at[2]);
+    }
+    general_5r1p_pair_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == GENERAL_5R1P_PAIR_TAME) {
+            general_5r1p_pair_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != GENERAL_5R1P_PAIR_ROOTLESS) {
+            general_5r1p_pair_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting,
+                roots);
+        }
+    }
+}
+
 static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *f, const
     general_5r1p_pair_window *window,
                                general_5r1p_pair_roots *roots)
 {
     general_5r1p_pair_grid g;
-    int plain[GENERAL_5R1P_PAIR_ROOTS], special[256], plains = 0, specials = 0;
+    general_5r1p_pair_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    general_5r1p_pair_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    general_5r1p_pair_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            general_5r1p_pair_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            general_5r1p_pair_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_5r1p_pair_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < GENERAL_5R1P_PAIR_ROOTS &&
-                general_5r1p_pair_kind(f, low, high, h) == GENERAL_5R1P_PAIR_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    general_5r1p_pair_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (general_5r1p_pair_kind(f, low, high, h) == GENERAL_5R1P_PAIR_TAME) {
-            general_5r1p_pair_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            general_5r1p_pair_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget,
-                roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += GENERAL_5R1P_PAIR_LANES) {
+        general_5r1p_pair_search_cells(f, &g, open + k, count - k < GENERAL_5R1P_PAIR_LANES ? count
+            - k : GENERAL_5R1P_PAIR_LANES, &budget,
+                             &waiting, roots);
     }
+    general_5r1p_pair_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2976,20 +3302,18 @@ typedef struct {
     double q[16][6], residual[16];
 } general_5r1p_pair_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double general_5r1p_pair_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int general_5r1p_pair_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        if (general_5r1p_pair_slides(j)) {
-            most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (general_5r1p_pair_slides(j) ? gap < most : gap < most || 6.283185307179586 - gap < most)
+            {
             continue;
         }
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        return 0;
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2999,7 +3323,7 @@ static int general_5r1p_pair_keep(general_5r1p_pair_found *found, double theta[6
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (general_5r1p_pair_gap(found->q[i], theta) < 1e-06) {
+        if (general_5r1p_pair_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3191,7 +3515,7 @@ static int general_5r1p_pair_attempt(const general_5r1p_pair_formulation *form, 
     general_5r1p_pair_roots roots;
     general_5r1p_pair_candidates all;
     general_5r1p_pair_around(form, loop, link);
-    general_5r1p_pair_equations(form, link, E);
+    general_5r1p_pair_equations(form, link, form->left, E);
     if (!general_5r1p_pair_real_roots(general_5r1p_pair_sample, E, &roots)) {
         return 0;
     }
@@ -3305,7 +3629,7 @@ static void general_5r1p_pair_merge(general_5r1p_pair_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && general_5r1p_pair_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && general_5r1p_pair_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

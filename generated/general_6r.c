@@ -457,6 +457,8 @@ typedef long long general_6r_mask __attribute__((vector_size(8 * GENERAL_6R_LANE
 /* the same where it lies between other doubles */
 typedef double general_6r_packed
     __attribute__((vector_size(8 * GENERAL_6R_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define GENERAL_6R_ALIGNED __attribute__((aligned(8 * GENERAL_6R_LANES)))
 #define GENERAL_6R_LOAD(from) \
     (general_6r_lane)(*(const general_6r_packed *)(from))
 #define GENERAL_6R_STORE(to, x) \
@@ -480,6 +482,13 @@ static inline general_6r_lane general_6r_with_sign(general_6r_lane x, general_6r
     return (general_6r_lane)(((general_6r_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline general_6r_lane general_6r_facing(general_6r_lane x, general_6r_lane y)
+{
+    const general_6r_mask sign = (general_6r_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (general_6r_lane)((general_6r_mask)x ^ sign);
+}
+
 static inline general_6r_lane general_6r_sqrt(general_6r_lane x)
 {
     general_6r_lane r = x;
@@ -491,6 +500,7 @@ static inline general_6r_lane general_6r_sqrt(general_6r_lane x)
 #else
 typedef double general_6r_lane;
 typedef int general_6r_mask;
+#define GENERAL_6R_ALIGNED
 #define GENERAL_6R_LOAD(from) (*(from))
 #define GENERAL_6R_STORE(to, x) (*(to) = (x))
 
@@ -508,6 +518,11 @@ static inline general_6r_lane general_6r_abs(general_6r_lane x)
 static inline general_6r_lane general_6r_with_sign(general_6r_lane x, general_6r_lane y)
 {
     return copysign(x, y);
+}
+
+static inline general_6r_lane general_6r_facing(general_6r_lane x, general_6r_lane y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline general_6r_lane general_6r_sqrt(general_6r_lane x)
@@ -579,11 +594,116 @@ typedef struct {
 typedef struct {
     int joint[6];
     double sign;
+    const double (*left)[32]; /* the features of the left side if they are constant */
 } general_6r_formulation;
 
+/* the features of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4 */
+static const double general_6r_left_1[15][32] GENERAL_6R_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.30950123543011937, -0.25901396578947855, -0.5131601426338478, 0.046225306226263425,
+        1.4620315431845567, -0.10698303591974571, -0.4480825787040523, -0.1311282350811972,
+        0.21201954899713332, 0.5300777653159212, 1.0188804976320838, -0.4079634937716518,
+        -0.948522660052498, 1.9233379602204057, 0.8326944152750232, -0.43998247186478,
+        -0.7652390243665459, 0.6037427344167671, -0.4099048047330974, 1.0443456471382615,
+        0.2201967463067958, -1.177839050326179, -1.3698199111362692, 1.1944117835603039,
+        0.32975158605512067, -1.2699976173322642, -0.3943716192322738 },
+    { 0.29476308136201845, -0.24667996741855103, -0.48872394536556935, 0.044024101167869936,
+        1.3924109935091018, -0.10188860563785307, -0.42674531305147845, -0.12488403341066401,
+        0.20192337999726984, -0.6793403685961031, 0.11569504804956876, 0.44892218328278066,
+        -0.26722102956846805, -2.373779402961608, 0.35903325404954656, 0.5557424018524205,
+        -0.4636551819992243, -0.717503539172153, -0.13182908127916937, -1.5023461326486223,
+        0.16640628871869098, 1.5387578103954216, -0.5584114538696523, -1.4601933448316085,
+        0.11656855990824135, 1.4593838315665848, -0.1995677688738012 },
+    { 0.21667990612985333, -0.1813340800258518, -0.35926025103247006, 0.03236205180251039,
+        1.0235592665595075, -0.07489816364823901, -0.31369984987972116, -0.0918020686698756,
+        0.1484335786593825, 0.1669962745876272, -1.612735614832615, -0.027969740303705016,
+        1.7183680565973114, 0.4819415806383674, -1.677819162061972, -0.12754862551601262,
+        1.723790914661482, 0.11369043097068084, 0.7648350631335933, 0.5520119953106292,
+        -0.5408973888430041, -0.4108657514134413, 2.716264955695517, 0.2803174884443172,
+        -0.6295859806023434, -0.17125096732594222, 0.834796899701207 },
+    { 0.4902909836957804, 0.524013206945935, 0.31391576860693543, -0.706092514743039,
+        0.11661432559274983, 0.22905096318582438, 0.7553700003602607, -0.4247371866506799,
+        0.6796400134834827, -0.7346813986969543, 0.6140622277019022, -0.09345729953588862,
+        -0.4957404143722831, -1.117423852926042, 0.7594402483843676, 0.5190453822177139,
+        -0.6786041203539478, 0.041721355137450455, -0.4038194682667984, -0.3907012979451544,
+        0.27348000214328344, 1.1484262037912023, -1.5377242184165625, 0.3003378648855655,
+        0.36508502051884306, 0.4481209503761149, -0.4580280414297687 },
+    { -0.11472715603332277, 0.49906019709136673, -0.2827035513560323, -0.6724690616600373,
+        0.11106126246928556, 0.2181437744626899, 0.13772905031380134, -0.40451160633398087,
+        0.06560525328829847, 0.18750947767534548, -0.7216903759739207, 0.27587560133915523,
+        1.2288904809543775, -0.43129325348725917, -0.2846690865179207, -0.07057100488304008,
+        0.8102327003952062, -0.383784785758999, 0.8452425387185433, -0.21007568228054818,
+        -0.1139132500483076, -0.3982267855538355, 1.9151113041131058, -0.7939121387925525,
+        -0.6515452729067164, 0.2210079174107975, 0.27984879316768163 },
+    { 0.06890569265146798, 0.3668584144229851, -0.05457350766892113, -0.4943310148694316,
+        0.08164097014901354, 0.16035716669461497, 0.2544858773897673, -0.29735588488178016,
+        0.2014677806287926, 0.7943234432496128, 0.10464588669836264, -0.2417981140605195,
+        -0.963630074662178, 2.182820732185485, -0.697516261195029, -0.6453919178954033,
+        -0.1329051423623272, 0.46249223964158825, -0.5730280814189361, 0.8438488510182509,
+        -0.23567011288058304, -1.098656440899022, -0.4087899306536951, 0.6510112112017459,
+        0.36485721640404745, -0.9407377275804152, 0.2735424486434977 },
+    { 1.4641618578099642, -0.5567987479616532, 0.3247506176826911, -0.9477932746931333,
+        0.6898314117016586, 0.04126212526057191, 1.3452352937518837, -1.5516979352560307,
+        0.8697343688016201, -0.6539733754533883, 0.782154710697146, -0.1882659220295696,
+        -0.9008875262620831, -0.6959460343641213, 0.7138862800640772, 0.43621700916935613,
+        -0.8696541920826125, 0.19270897873776394, -0.6688924276330267, -0.2186198970967655,
+        0.2618294202384469, 1.0660935133510783, -2.003631092858169, 0.5663892149431278,
+        0.5577771384910557, 0.25906373405381716, -0.4756492865179597 },
+    { -0.25131316171804513, -0.8970508931597154, 0.16541790062003486, 0.24913285877620028,
+        0.7818417000187741, -0.2736419663951957, -0.6623468638495187, -0.3945790026421149,
+        0.5403856364342322, 0.34933813143033937, 0.3751478930188825, -0.2534516623704825,
+        -0.31598925813019607, 1.2485407388795926, 0.25146040831889405, -0.2882670105790638,
+        -0.2032169466471324, 0.3861606775433206, -0.13314676456722277, 0.7224299227190599,
+        0.051598249871016084, -0.7823321632183647, -0.420379275521061, 0.7724486287145039,
+        0.1049185920639782, -0.8018995041706092, -0.11293874797907287 },
+    { 0.525759441254196, -0.405930333339509, 0.17572513719966823, 0.07831122979534118,
+        0.0908417046612657, -0.03934960503244915, 0.4330679622678076, -0.4312345973773541,
+        0.2572641283888871, -0.16585627871657294, 0.484335722821417, -0.1848772629499546,
+        -0.10543201197905294, 0.14011633044438662, 0.1319081653258049, -0.4122756062047583,
+        0.1872508498093688, 0.0016579897144355094, 0.2733910194617679, -0.11862971362134009,
+        0.08774186305520003, -0.34825038992763563, -0.10510955813438633, 0.28429317477696675,
+        0.24371342989056072, -0.47104914618126387, 0.08127787957979216 },
+    { 0.45883244500730364, -0.35154291096093176, 0.23681323381421288, 0.06832555228933423,
+        -0.11136930512196103, -0.02299571565485531, 0.473093423971562, -0.3929514776510646,
+        0.21631671914639528, 0.3596833913590044, 0.5282410772249371, 0.12154980318897254,
+        -1.1823121061837918, 0.004902258069689969, 1.0718802173349122, 0.4363904132411398,
+        -1.4412327242863028, 0.1362306887497609, -0.49308984461794714, -0.32882041838282017,
+        0.37696631369558214, 0.26066054925297466, -1.565398132550095, -0.17445382137323867,
+        0.5105284378372998, -0.01152462849768246, -0.5208314631298729 },
+    { 0.5797320049376676, -0.4613148875612719, -0.22789822846569024, 0.08643618196764924,
+        1.0634015767882263, -0.10070829578037231, -0.003231097032708019, -0.39157615060551476,
+        0.3250976685014593, -0.5468515109866903, 0.1872591558366859, 0.21283420678184783,
+        0.028820212597015837, -1.1364885153174864, 0.061731402946774205, 0.22726768431997849,
+        -0.08029009827367989, -0.43745841581378564, -0.4922965031832708, -0.21288680421923917,
+        -0.07762400506659461, 0.841660128471686, -0.4815378203129876, -0.7248699458770727,
+        -0.40510838704515445, 1.1379346833734587, -0.2615813763326414 },
+    { 0.8662407670091191, 0.46192624964054607, -0.24107184066617732, -0.8000304139429045,
+        0.42675927483852955, 0.02406279781740986, 0.5051768855909508, 0.4208916738200609,
+        -0.4660103616102644, -0.13811080451930408, -0.1353028050206766, 0.15416813817661418,
+        -1.2801729427679764, 0.7891211286825248, -0.4367779219187655, 0.335731473857001,
+        -0.44143139551999233, -0.004037861486156133, -0.8795989914612254, 0.3731844820476835,
+        -0.18572337742672285, 0.32054708901300355, -0.10972359004192844, -0.3799841010974686,
+        0.5187843760826252, -0.22702265927252674, 0.20469343520950978 },
+    { 0.6871780650048692, -0.7237649042435191, -0.009859436429033572, -0.44908204411010066,
+        1.3983377849134335, -0.3103006863508354, -0.1898863443051389, -0.18009631100694123,
+        0.2628512418693924, -1.0130271234469606, 0.6505929035259068, 0.0032249247946468523,
+        0.8798566531916838, -1.680971996389789, 0.30332490217883357, 0.5473712447516861,
+        -0.32904378766584264, -0.22100980612038634, 0.004106144752295406, -0.31619160668354135,
+        -0.007061163907857819, 1.682836538985244, -1.4192775166879599, -0.1562698855649493,
+        -0.973215251069877, 1.6864906753204627, -0.5572494451896773 },
+    { -0.31229778334207814, 0.43807892572035373, -0.2159176372816724, -0.5397326093695817,
+        0.3116840582271355, -0.05812521120967251, -0.5126135417301078, 0.6941327463626533,
+        -0.42392627126031185, 0.453911786110994, -0.9965444519571622, 0.11088525229254688,
+        1.6501171568074593, -0.7911914870445338, -0.5812342301810187, -1.0166509823293062,
+        1.9962071768730427, -0.5279612372978428, 0.7052369208097654, -0.14949894826919213,
+        -0.18612175877900788, -1.40764145075492, 2.5579696621197927, -0.4309710904775735,
+        -0.5919924200042747, 0.12636221651596277, 0.40531944625522287 },
+};
+
 static const general_6r_formulation general_6r_formulations[2] = {
-    { { 5, 0, 1, 2, 3, 4 }, 1.0 },
-    { { 3, 2, 1, 0, 5, 4 }, -1.0 },
+    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, general_6r_left_1 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -652,7 +772,7 @@ static const double general_6r_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double general_6r_sample_c[24] = {
+static const double general_6r_sample_c[24] GENERAL_6R_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -660,7 +780,7 @@ static const double general_6r_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double general_6r_sample_s[24] = {
+static const double general_6r_sample_s[24] GENERAL_6R_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -670,7 +790,7 @@ static const double general_6r_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double general_6r_harmonics[24][24] = {
+static const double general_6r_harmonics[24][24] GENERAL_6R_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -808,7 +928,7 @@ static const double general_6r_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double general_6r_grid_c[8][128] = {
+static const double general_6r_grid_c[8][128] GENERAL_6R_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1059,7 +1179,7 @@ static const double general_6r_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double general_6r_grid_s[8][128] = {
+static const double general_6r_grid_s[8][128] GENERAL_6R_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1415,24 +1535,29 @@ static inline void general_6r_to_unit(general_6r_lane *c, general_6r_lane *s)
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline general_6r_lane general_6r_reflect(general_6r_lane *const *row, int rows, int column,
     int columns)
 {
-    general_6r_lane axis[6], square = {0}, length, factor;
+    general_6r_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = general_6r_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = general_6r_with_sign(general_6r_sqrt(square), axis[0]);
+    length = general_6r_with_sign(general_6r_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        general_6r_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        general_6r_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1566,10 +1691,37 @@ static inline void general_6r_mirror(double axis[6][8], const double factor[6], 
     }
 }
 
+/* The features of the left side: column 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3, 1 (i)
+ * and
+ * x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+static void general_6r_left_side(const general_6r_formulation *form, double link[6][12], double
+    to[15][32])
+{
+    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} };
+    (void)form;
+    x[0][0] = x[3][0] = 1.0; /* the origin and z */
+    general_6r_pass(link[2], x, 1, general_6r_tangents, y);
+    general_6r_pass(link[1], y, 3, general_6r_tangents, x);
+    general_6r_pass(link[0], x, 9, general_6r_cosines, y);
+    for (int k = 0; k < 32; k += GENERAL_6R_LANES) {
+        general_6r_lane z[15];
+        for (int i = 0; i < 15; i++) {
+            z[i] = GENERAL_6R_LOAD(&y[i][k]);
+        }
+        general_6r_act(link[5], z);
+        for (int i = 0; i < 15; i++) {
+            GENERAL_6R_STORE(&to[i][k], z[i]);
+        }
+    }
+}
+
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
-static void general_6r_equations(const general_6r_formulation *form, double link[6][12], double
-    E[192])
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
+ * left
+ * side's features have columns like these. */
+static void general_6r_equations(const general_6r_formulation *form, double link[6][12], const
+    double (*left)[32],
+                         double E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
@@ -1594,15 +1746,11 @@ static void general_6r_equations(const general_6r_formulation *form, double link
         }
     }
     general_6r_clear(A, 8, 6, pair_axis, pair_factor);
-    general_6r_pass(link[2], x, 1, general_6r_tangents, y);
-    general_6r_pass(link[1], y, 3, general_6r_tangents, x);
-    general_6r_pass(link[0], x, 9, general_6r_cosines, y);
     for (int k = 0; k < 32; k += GENERAL_6R_LANES) {
         general_6r_lane z[15], alone[8], mixed[8];
         for (int i = 0; i < 15; i++) {
-            z[i] = GENERAL_6R_LOAD(&y[i][k]);
+            z[i] = GENERAL_6R_LOAD(&left[i][k]);
         }
-        general_6r_act(link[5], z);
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
             alone[i] = z[still[i]] - right[still[i]][0] * z[0];
@@ -1674,9 +1822,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_6r_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] GENERAL_6R_ALIGNED, slope[264] GENERAL_6R_ALIGNED;
 } general_6r_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1740,38 +1888,42 @@ static void general_6r_at(const general_6r_trigonometric *f, double cosine, doub
     }
 }
 
-static void general_6r_fill_grid(const general_6r_trigonometric *f, general_6r_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void general_6r_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += GENERAL_6R_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        general_6r_lane value[2], slope[2], bend[2];
-        value[0] = general_6r_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = general_6r_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const general_6r_lane c = GENERAL_6R_LOAD(&general_6r_grid_c[m - 1][i]);
-            const general_6r_lane s = GENERAL_6R_LOAD(&general_6r_grid_s[m - 1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        general_6r_lane even = general_6r_all(a[0]), odd = general_6r_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * GENERAL_6R_LOAD(&general_6r_grid_c[m - 1][i]);
+            even += a[m + 1] * GENERAL_6R_LOAD(&general_6r_grid_c[m][i]);
+            odd += b[m] * GENERAL_6R_LOAD(&general_6r_grid_s[m - 1][i]);
+            even += b[m + 1] * GENERAL_6R_LOAD(&general_6r_grid_s[m][i]);
         }
-        GENERAL_6R_STORE(&g->value[i], value[0] + value[1]);
-        GENERAL_6R_STORE(&g->slope[i], slope[0] + slope[1]);
-        GENERAL_6R_STORE(&g->bend[i], bend[0] + bend[1]);
-        GENERAL_6R_STORE(&g->value[i + 128], value[0] - value[1]);
-        GENERAL_6R_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        GENERAL_6R_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        GENERAL_6R_STORE(&out[i], even + odd);
+        GENERAL_6R_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void general_6r_fill_grids(const general_6r_trigonometric *f, general_6r_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    general_6r_fill_grid(f->a, f->b, g->value);
+    general_6r_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long general_6r_open_cells(const general_6r_grid *g, int from, double doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if GENERAL_6R_LANES > 1
     general_6r_mask weight, sum = {0};
@@ -1780,23 +1932,20 @@ static unsigned long long general_6r_open_cells(const general_6r_grid *g, int fr
     }
 #endif
     for (int i = 0; i < 64; i += GENERAL_6R_LANES) {
-        const general_6r_lane f0 = GENERAL_6R_LOAD(&g->value[from + i]);
-        const general_6r_lane f1 = GENERAL_6R_LOAD(&g->value[from + i + 1]);
-        const general_6r_lane d0 = GENERAL_6R_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const general_6r_lane d1 = GENERAL_6R_LOAD(&g->slope[from + i + 1]) * (h / 5.0);
-        const general_6r_lane s0 = GENERAL_6R_LOAD(&g->bend[from + i]) * (h * h / 20.0);
-        const general_6r_lane s1 = GENERAL_6R_LOAD(&g->bend[from + i + 1]) * (h * h / 20.0);
-        const general_6r_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const general_6r_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const general_6r_lane least = general_6r_min(
-            general_6r_min(general_6r_min(f0, f1), general_6r_min(b1, b2)), general_6r_min(b3, b4));
-        const general_6r_lane most = general_6r_max(
-            general_6r_max(general_6r_max(f0, f1), general_6r_max(b1, b2)), general_6r_max(b3, b4));
-        const general_6r_mask open = (least <= doubt) & (most >= -doubt);
+        const general_6r_lane first = GENERAL_6R_LOAD(&g->value[from + i]);
+        const general_6r_lane f0 = general_6r_abs(first) - doubt;
+        const general_6r_lane f1 = general_6r_facing(GENERAL_6R_LOAD(&g->value[from + i + 1]),
+            first) - doubt;
+        const general_6r_lane d0 = general_6r_facing(GENERAL_6R_LOAD(&g->slope[from + i]), first);
+        const general_6r_lane d1 = general_6r_facing(GENERAL_6R_LOAD(&g->slope[from + i + 1]),
+            first);
+        const general_6r_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if GENERAL_6R_LANES > 1
-        sum |= (open & weight) << i;
+        const general_6r_mask signs = (general_6r_mask)f0 | (general_6r_mask)f1 |
+            (general_6r_mask)b1 | (general_6r_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if GENERAL_6R_LANES > 1
@@ -1807,9 +1956,8 @@ static unsigned long long general_6r_open_cells(const general_6r_grid *g, int fr
     return bits;
 }
 
-static void general_6r_add_root(general_6r_roots *roots, double x, int twice)
+static void general_6r_add_root(general_6r_roots *roots, double c, double s, int twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1829,150 +1977,316 @@ static void general_6r_add_root(general_6r_roots *roots, double x, int twice)
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double general_6r_on_quintic(int order, double h, const double low[3], const double high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} general_6r_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    general_6r_parts turning, crossing;
+} general_6r_waiting;
+
+static void general_6r_add_part(general_6r_parts *parts, double c, double s, double width, const
+    double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    general_6r_lane c, s, width, start, low[3], high[3];
+} general_6r_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void general_6r_take_parts(general_6r_parts *parts, int from, general_6r_spans *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + GENERAL_6R_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        general_6r_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = GENERAL_6R_LOAD(parts->c + from);
+    out->s = GENERAL_6R_LOAD(parts->s + from);
+    out->width = GENERAL_6R_LOAD(parts->width + from);
+    out->start = GENERAL_6R_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = GENERAL_6R_LOAD(parts->low[i] + from);
+        out->high[i] = GENERAL_6R_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline general_6r_lane general_6r_on_quintic(int order, const general_6r_spans *part)
+{
+    const general_6r_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const general_6r_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const general_6r_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const general_6r_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const general_6r_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const general_6r_mask rising = part->low[order] < 0.0;
+    general_6r_lane x = part->start, from = general_6r_all(0.0), to = general_6r_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const general_6r_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
+            c5))));
+        const general_6r_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const general_6r_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const general_6r_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const general_6r_mask before = (value < 0.0) == rising;
+        from = general_6r_select(before, x, from);
+        to = general_6r_select(before, to, x);
+        x -= value / slope;
+        x = general_6r_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double general_6r_between(const general_6r_trigonometric *f, int order, double low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void general_6r_at_all(const general_6r_trigonometric *f, general_6r_lane cosine,
+    general_6r_lane sine,
+                                  general_6r_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * general_6r_on_quintic(order, high - low, at_low, at_high);
+    general_6r_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = general_6r_all(f->a[0]);
+    out[1] = out[2] = general_6r_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const general_6r_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] - f->a[m]
+            * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void general_6r_turn_on(general_6r_lane x, general_6r_lane *c, general_6r_lane *s)
+{
+    const general_6r_lane u = x * x, c0 = *c, s0 = *s;
+    const general_6r_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const general_6r_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline general_6r_lane general_6r_between(const general_6r_trigonometric *f, int order,
+    double settled,
+                                           const general_6r_spans *part, general_6r_lane *c,
+                                               general_6r_lane *s,
+                                           general_6r_lane at[3])
+{
+    const general_6r_mask rising = part->low[order] < 0.0;
+    general_6r_lane from = general_6r_all(0.0), to = part->width, x = part->width *
+        general_6r_on_quintic(order, part);
+    general_6r_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        general_6r_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const general_6r_mask moving = general_6r_abs(step) >= settled;
+        if (i && general_6r_largest(general_6r_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        general_6r_turn_on(x, c, s);
+        general_6r_at_all(f, *c, *s, at);
+        const general_6r_mask before = (at[order] < 0.0) == rising;
+        from = general_6r_select(before, x, from);
+        to = general_6r_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = general_6r_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to) -
+            x);
+        step = general_6r_select(moving, step, general_6r_all(0.0));
+        x += step;
     }
+    general_6r_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void general_6r_few(const general_6r_trigonometric *f, double lifted, double low,
-                        const double at_low[3], double high, const double at_high[3],
-                        general_6r_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void general_6r_divide(const general_6r_trigonometric *f, const general_6r_parts *parts, int
+    i, double x,
+                           double c, double s, const double at[3], general_6r_waiting *waiting,
+                           general_6r_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            general_6r_add_root(roots, general_6r_between(f, 0, low, at_low, high, at_high), 0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        general_6r_add_root(roots, c, s, 1);
         return;
     }
-    x = general_6r_between(f, 1, low, at_low, high, at_high);
-    general_6r_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        general_6r_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        general_6r_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        general_6r_add_root(roots, general_6r_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        general_6r_add_root(roots, general_6r_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        general_6r_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void general_6r_solve_parts(const general_6r_trigonometric *f, general_6r_waiting *waiting,
+    general_6r_roots *roots)
+{
+    general_6r_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[GENERAL_6R_LANES], c[GENERAL_6R_LANES], s[GENERAL_6R_LANES],
+        value[3][GENERAL_6R_LANES];
+    general_6r_spans part;
+    general_6r_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += GENERAL_6R_LANES) {
+        general_6r_take_parts(bent, from, &part);
+        GENERAL_6R_STORE(x, general_6r_between(f, 1, 1e-07, &part, &cosine, &sine, at));
+        GENERAL_6R_STORE(c, cosine);
+        GENERAL_6R_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            GENERAL_6R_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < GENERAL_6R_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            general_6r_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += GENERAL_6R_LANES) {
+        general_6r_take_parts(crossing, from, &part);
+        (void)general_6r_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        GENERAL_6R_STORE(c, cosine);
+        GENERAL_6R_STORE(s, sine);
+        for (int k = 0; k < GENERAL_6R_LANES && from + k < crossing->count; k++) {
+            general_6r_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void general_6r_few(const general_6r_trigonometric *f, double c, double s, double width,
+    const double low[3],
+                        const double high[3], general_6r_waiting *waiting, general_6r_roots *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        general_6r_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] - high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        general_6r_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        general_6r_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { GENERAL_6R_ROOTLESS, GENERAL_6R_FLAT, GENERAL_6R_TAME, GENERAL_6R_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int general_6r_kind(const general_6r_trigonometric *f, const double low[3], const double
-    high[3],
-                        double h)
+static inline void general_6r_kinds(const general_6r_trigonometric *f, const general_6r_spans *part,
+    int kind[GENERAL_6R_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return GENERAL_6R_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return GENERAL_6R_FLAT;
+    const general_6r_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
+        0.2;
+    const general_6r_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
+    const general_6r_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const general_6r_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const general_6r_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    general_6r_lane least[3], most[3];
+    double bounds[5][GENERAL_6R_LANES];
+    least[0] = general_6r_min(b[0], b[5]);
+    most[0] = general_6r_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const general_6r_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = general_6r_min(least[0], b[i]);
+        most[0] = general_6r_max(most[0], b[i]);
+        least[1] = general_6r_min(least[1], first);
+        most[1] = general_6r_max(most[1], first);
+        least[2] = general_6r_min(least[2], second);
+        most[2] = general_6r_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? GENERAL_6R_TAME
-               : GENERAL_6R_WILD;
+    GENERAL_6R_STORE(bounds[0], least[0]);
+    GENERAL_6R_STORE(bounds[1], most[0]);
+    GENERAL_6R_STORE(bounds[2], general_6r_max(least[1], -most[1]) - doubt * share);
+    GENERAL_6R_STORE(bounds[3], general_6r_max(least[2], -most[2]) - doubt * square);
+    GENERAL_6R_STORE(bounds[4], general_6r_max(doubt, general_6r_all(f->touching)));
+    for (int k = 0; k < GENERAL_6R_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = GENERAL_6R_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = GENERAL_6R_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? GENERAL_6R_TAME : GENERAL_6R_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int general_6r_kind(const general_6r_trigonometric *f, const double low[3], const double
+    high[3], double h)
+{
+    general_6r_spans part;
+    int kind[GENERAL_6R_LANES];
+    part.width = general_6r_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = general_6r_all(low[i]);
+        part.high[i] = general_6r_all(high[i]);
+    }
+    general_6r_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_6r_many(const general_6r_trigonometric *f, double lifted, double low, double
-    high,
-                         const double first[3], const double last[3], int *budget,
+static void general_6r_many(const general_6r_trigonometric *f, double low, double c, double s, const
+    double first[3],
+                         const double last[3], int *budget, general_6r_waiting *waiting,
                          general_6r_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -1982,23 +2296,30 @@ static void general_6r_many(const general_6r_trigonometric *f, double lifted, do
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = general_6r_kind(f, at_low, at[top], h);
-        if (kind != GENERAL_6R_ROOTLESS) {
-            if (kind == GENERAL_6R_TAME) {
-                general_6r_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == GENERAL_6R_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == GENERAL_6R_TAME) {
+            general_6r_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != GENERAL_6R_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == GENERAL_6R_FLAT || depth[top] == 14 || *budget == 0) {
+                general_6r_solve_parts(f, waiting, roots); /* of neighbouring double roots the first
+                    is kept */
                 roots->complete = 0;
-                general_6r_add_root(roots, low + 0.5 * h, 1);
+                general_6r_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                general_6r_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                general_6r_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -2006,76 +2327,12 @@ static void general_6r_many(const general_6r_trigonometric *f, double lifted, do
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void general_6r_refine(const general_6r_trigonometric *f, const general_6r_grid *g, const int
-    *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void general_6r_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += GENERAL_6R_LANES) {
-        double in[8][GENERAL_6R_LANES];
-        general_6r_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < GENERAL_6R_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? general_6r_grid_c[0][half] : -general_6r_grid_c[0][half];
-            in[7][k] = i < 128 ? general_6r_grid_s[0][half] : -general_6r_grid_s[0][half];
-        }
-        const general_6r_lane f0 = GENERAL_6R_LOAD(in[0]), f1 = GENERAL_6R_LOAD(in[1]), d0 =
-            GENERAL_6R_LOAD(in[2]);
-        const general_6r_lane s0 = GENERAL_6R_LOAD(in[4]);
-        const general_6r_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = GENERAL_6R_LOAD(in[3]) - d0 - s0;
-        const general_6r_lane D2 = GENERAL_6R_LOAD(in[5]) - s0;
-        const general_6r_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D - D2;
-        const general_6r_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const general_6r_lane rising = general_6r_with_sign(general_6r_all(1.0), f1 - f0);
-        low = general_6r_all(0.0);
-        high = general_6r_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = general_6r_select(value * rising < 0.0, x, low);
-            high = general_6r_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = general_6r_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const general_6r_lane u = x * x, c0 = i ? c : GENERAL_6R_LOAD(in[6]), s_0 = i ? s :
-                GENERAL_6R_LOAD(in[7]);
-            const general_6r_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-            const general_6r_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = general_6r_all(f->a[0]);
-            slope = general_6r_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const general_6r_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = general_6r_max(general_6r_min(-value / slope, general_6r_all(1e-3 * h)),
-                general_6r_all(-1e-3 * h));
-        }
-        GENERAL_6R_STORE(cosine + from, c);
-        GENERAL_6R_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? general_6r_grid_c[0][half] : -general_6r_grid_c[0][half];
+    *s = cell < 128 ? general_6r_grid_s[0][half] : -general_6r_grid_s[0][half];
 }
 
 static int general_6r_lowest(unsigned long long bits)
@@ -2091,51 +2348,77 @@ static int general_6r_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void general_6r_search_cells(const general_6r_trigonometric *f, const general_6r_grid *g,
+    const int *cell, int count,
+                                 int *budget, general_6r_waiting *waiting, general_6r_roots *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][GENERAL_6R_LANES], bend[2][GENERAL_6R_LANES];
+    int kind[GENERAL_6R_LANES];
+    general_6r_spans part;
+    for (int k = 0; k < GENERAL_6R_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        general_6r_edge(i, &in[4][k], &in[5][k]);
+        general_6r_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = general_6r_all(h);
+    for (int end = 0; end < 2; end++) {
+        general_6r_lane at[3], *const to = end ? part.high : part.low;
+        general_6r_at_all(f, GENERAL_6R_LOAD(in[4 + 2 * end]), GENERAL_6R_LOAD(in[5 + 2 * end]),
+            at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = GENERAL_6R_LOAD(in[2 * end]);
+        to[1] = GENERAL_6R_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        GENERAL_6R_STORE(bend[end], at[2]);
+    }
+    general_6r_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == GENERAL_6R_TAME) {
+            general_6r_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != GENERAL_6R_ROOTLESS) {
+            general_6r_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting, roots);
+        }
+    }
+}
+
 static void general_6r_find_roots(const general_6r_trigonometric *f, const general_6r_window
     *window,
                                general_6r_roots *roots)
 {
     general_6r_grid g;
-    int plain[GENERAL_6R_ROOTS], special[256], plains = 0, specials = 0;
+    general_6r_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    general_6r_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    general_6r_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            general_6r_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            general_6r_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_6r_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < GENERAL_6R_ROOTS &&
-                general_6r_kind(f, low, high, h) == GENERAL_6R_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    general_6r_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (general_6r_kind(f, low, high, h) == GENERAL_6R_TAME) {
-            general_6r_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            general_6r_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += GENERAL_6R_LANES) {
+        general_6r_search_cells(f, &g, open + k, count - k < GENERAL_6R_LANES ? count - k :
+            GENERAL_6R_LANES, &budget,
+                             &waiting, roots);
     }
+    general_6r_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2828,16 +3111,16 @@ typedef struct {
     double q[16][6], residual[16];
 } general_6r_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double general_6r_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int general_6r_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (!(gap < most || 6.283185307179586 - gap < most)) {
+            return 0;
+        }
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2847,7 +3130,7 @@ static int general_6r_keep(general_6r_found *found, double theta[6], double resi
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (general_6r_gap(found->q[i], theta) < 1e-06) {
+        if (general_6r_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3029,7 +3312,13 @@ static int general_6r_attempt(const general_6r_formulation *form, const general_
     general_6r_roots roots;
     general_6r_candidates all;
     general_6r_around(form, loop, link);
-    general_6r_equations(form, link, E);
+    if (form->left) {
+        general_6r_equations(form, link, form->left, E);
+    } else {
+        double left[15][32];
+        general_6r_left_side(form, link, left);
+        general_6r_equations(form, link, (const double (*)[32])left, E);
+    }
     if (!general_6r_real_roots(general_6r_sample, E, &roots)) {
         return 0;
     }
@@ -3136,7 +3425,7 @@ static void general_6r_merge(general_6r_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && general_6r_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && general_6r_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

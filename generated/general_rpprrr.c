@@ -509,6 +509,8 @@ typedef long long general_rpprrr_mask __attribute__((vector_size(8 * GENERAL_RPP
 /* the same where it lies between other doubles */
 typedef double general_rpprrr_packed
     __attribute__((vector_size(8 * GENERAL_RPPRRR_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define GENERAL_RPPRRR_ALIGNED __attribute__((aligned(8 * GENERAL_RPPRRR_LANES)))
 #define GENERAL_RPPRRR_LOAD(from) \
     (general_rpprrr_lane)(*(const general_rpprrr_packed *)(from))
 #define GENERAL_RPPRRR_STORE(to, x) \
@@ -533,6 +535,14 @@ static inline general_rpprrr_lane general_rpprrr_with_sign(general_rpprrr_lane x
     return (general_rpprrr_lane)(((general_rpprrr_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline general_rpprrr_lane general_rpprrr_facing(general_rpprrr_lane x, general_rpprrr_lane
+    y)
+{
+    const general_rpprrr_mask sign = (general_rpprrr_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (general_rpprrr_lane)((general_rpprrr_mask)x ^ sign);
+}
+
 static inline general_rpprrr_lane general_rpprrr_sqrt(general_rpprrr_lane x)
 {
     general_rpprrr_lane r = x;
@@ -544,6 +554,7 @@ static inline general_rpprrr_lane general_rpprrr_sqrt(general_rpprrr_lane x)
 #else
 typedef double general_rpprrr_lane;
 typedef int general_rpprrr_mask;
+#define GENERAL_RPPRRR_ALIGNED
 #define GENERAL_RPPRRR_LOAD(from) (*(from))
 #define GENERAL_RPPRRR_STORE(to, x) (*(to) = (x))
 
@@ -562,6 +573,12 @@ static inline general_rpprrr_lane general_rpprrr_with_sign(general_rpprrr_lane x
     general_rpprrr_lane y)
 {
     return copysign(x, y);
+}
+
+static inline general_rpprrr_lane general_rpprrr_facing(general_rpprrr_lane x, general_rpprrr_lane
+    y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline general_rpprrr_lane general_rpprrr_sqrt(general_rpprrr_lane x)
@@ -710,7 +727,7 @@ static const double general_rpprrr_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double general_rpprrr_sample_c[24] = {
+static const double general_rpprrr_sample_c[24] GENERAL_RPPRRR_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -718,7 +735,7 @@ static const double general_rpprrr_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double general_rpprrr_sample_s[24] = {
+static const double general_rpprrr_sample_s[24] GENERAL_RPPRRR_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -728,7 +745,7 @@ static const double general_rpprrr_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double general_rpprrr_harmonics[24][24] = {
+static const double general_rpprrr_harmonics[24][24] GENERAL_RPPRRR_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -866,7 +883,7 @@ static const double general_rpprrr_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double general_rpprrr_grid_c[8][128] = {
+static const double general_rpprrr_grid_c[8][128] GENERAL_RPPRRR_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1117,7 +1134,7 @@ static const double general_rpprrr_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double general_rpprrr_grid_s[8][128] = {
+static const double general_rpprrr_grid_s[8][128] GENERAL_RPPRRR_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1485,24 +1502,29 @@ static inline void general_rpprrr_to_unit(general_rpprrr_lane *c, general_rpprrr
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline general_rpprrr_lane general_rpprrr_reflect(general_rpprrr_lane *const *row, int rows,
     int column, int columns)
 {
-    general_rpprrr_lane axis[6], square = {0}, length, factor;
+    general_rpprrr_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = general_rpprrr_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = general_rpprrr_with_sign(general_rpprrr_sqrt(square), axis[0]);
+    length = general_rpprrr_with_sign(general_rpprrr_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        general_rpprrr_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        general_rpprrr_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1520,9 +1542,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_rpprrr_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] GENERAL_RPPRRR_ALIGNED, slope[264] GENERAL_RPPRRR_ALIGNED;
 } general_rpprrr_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1586,39 +1608,43 @@ static void general_rpprrr_at(const general_rpprrr_trigonometric *f, double cosi
     }
 }
 
-static void general_rpprrr_fill_grid(const general_rpprrr_trigonometric *f, general_rpprrr_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void general_rpprrr_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += GENERAL_RPPRRR_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        general_rpprrr_lane value[2], slope[2], bend[2];
-        value[0] = general_rpprrr_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = general_rpprrr_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const general_rpprrr_lane c = GENERAL_RPPRRR_LOAD(&general_rpprrr_grid_c[m - 1][i]);
-            const general_rpprrr_lane s = GENERAL_RPPRRR_LOAD(&general_rpprrr_grid_s[m - 1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        general_rpprrr_lane even = general_rpprrr_all(a[0]), odd = general_rpprrr_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * GENERAL_RPPRRR_LOAD(&general_rpprrr_grid_c[m - 1][i]);
+            even += a[m + 1] * GENERAL_RPPRRR_LOAD(&general_rpprrr_grid_c[m][i]);
+            odd += b[m] * GENERAL_RPPRRR_LOAD(&general_rpprrr_grid_s[m - 1][i]);
+            even += b[m + 1] * GENERAL_RPPRRR_LOAD(&general_rpprrr_grid_s[m][i]);
         }
-        GENERAL_RPPRRR_STORE(&g->value[i], value[0] + value[1]);
-        GENERAL_RPPRRR_STORE(&g->slope[i], slope[0] + slope[1]);
-        GENERAL_RPPRRR_STORE(&g->bend[i], bend[0] + bend[1]);
-        GENERAL_RPPRRR_STORE(&g->value[i + 128], value[0] - value[1]);
-        GENERAL_RPPRRR_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        GENERAL_RPPRRR_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        GENERAL_RPPRRR_STORE(&out[i], even + odd);
+        GENERAL_RPPRRR_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void general_rpprrr_fill_grids(const general_rpprrr_trigonometric *f, general_rpprrr_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    general_rpprrr_fill_grid(f->a, f->b, g->value);
+    general_rpprrr_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long general_rpprrr_open_cells(const general_rpprrr_grid *g, int from, double
     doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if GENERAL_RPPRRR_LANES > 1
     general_rpprrr_mask weight, sum = {0};
@@ -1627,25 +1653,21 @@ static unsigned long long general_rpprrr_open_cells(const general_rpprrr_grid *g
     }
 #endif
     for (int i = 0; i < 64; i += GENERAL_RPPRRR_LANES) {
-        const general_rpprrr_lane f0 = GENERAL_RPPRRR_LOAD(&g->value[from + i]);
-        const general_rpprrr_lane f1 = GENERAL_RPPRRR_LOAD(&g->value[from + i + 1]);
-        const general_rpprrr_lane d0 = GENERAL_RPPRRR_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const general_rpprrr_lane d1 = GENERAL_RPPRRR_LOAD(&g->slope[from + i + 1]) * (h / 5.0);
-        const general_rpprrr_lane s0 = GENERAL_RPPRRR_LOAD(&g->bend[from + i]) * (h * h / 20.0);
-        const general_rpprrr_lane s1 = GENERAL_RPPRRR_LOAD(&g->bend[from + i + 1]) * (h * h / 20.0);
-        const general_rpprrr_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const general_rpprrr_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const general_rpprrr_lane least = general_rpprrr_min(
-            general_rpprrr_min(general_rpprrr_min(f0, f1), general_rpprrr_min(b1, b2)),
-                general_rpprrr_min(b3, b4));
-        const general_rpprrr_lane most = general_rpprrr_max(
-            general_rpprrr_max(general_rpprrr_max(f0, f1), general_rpprrr_max(b1, b2)),
-                general_rpprrr_max(b3, b4));
-        const general_rpprrr_mask open = (least <= doubt) & (most >= -doubt);
+        const general_rpprrr_lane first = GENERAL_RPPRRR_LOAD(&g->value[from + i]);
+        const general_rpprrr_lane f0 = general_rpprrr_abs(first) - doubt;
+        const general_rpprrr_lane f1 = general_rpprrr_facing(GENERAL_RPPRRR_LOAD(&g->value[from + i
+            + 1]), first) - doubt;
+        const general_rpprrr_lane d0 = general_rpprrr_facing(GENERAL_RPPRRR_LOAD(&g->slope[from +
+            i]), first);
+        const general_rpprrr_lane d1 = general_rpprrr_facing(GENERAL_RPPRRR_LOAD(&g->slope[from + i
+            + 1]), first);
+        const general_rpprrr_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if GENERAL_RPPRRR_LANES > 1
-        sum |= (open & weight) << i;
+        const general_rpprrr_mask signs = (general_rpprrr_mask)f0 | (general_rpprrr_mask)f1 |
+            (general_rpprrr_mask)b1 | (general_rpprrr_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if GENERAL_RPPRRR_LANES > 1
@@ -1656,9 +1678,8 @@ static unsigned long long general_rpprrr_open_cells(const general_rpprrr_grid *g
     return bits;
 }
 
-static void general_rpprrr_add_root(general_rpprrr_roots *roots, double x, int twice)
+static void general_rpprrr_add_root(general_rpprrr_roots *roots, double c, double s, int twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1678,152 +1699,326 @@ static void general_rpprrr_add_root(general_rpprrr_roots *roots, double x, int t
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double general_rpprrr_on_quintic(int order, double h, const double low[3], const double
-    high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} general_rpprrr_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    general_rpprrr_parts turning, crossing;
+} general_rpprrr_waiting;
+
+static void general_rpprrr_add_part(general_rpprrr_parts *parts, double c, double s, double width,
+    const double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    general_rpprrr_lane c, s, width, start, low[3], high[3];
+} general_rpprrr_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void general_rpprrr_take_parts(general_rpprrr_parts *parts, int from, general_rpprrr_spans
+    *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + GENERAL_RPPRRR_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        general_rpprrr_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low,
+            high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = GENERAL_RPPRRR_LOAD(parts->c + from);
+    out->s = GENERAL_RPPRRR_LOAD(parts->s + from);
+    out->width = GENERAL_RPPRRR_LOAD(parts->width + from);
+    out->start = GENERAL_RPPRRR_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = GENERAL_RPPRRR_LOAD(parts->low[i] + from);
+        out->high[i] = GENERAL_RPPRRR_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline general_rpprrr_lane general_rpprrr_on_quintic(int order, const general_rpprrr_spans
+    *part)
+{
+    const general_rpprrr_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const general_rpprrr_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const general_rpprrr_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const general_rpprrr_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const general_rpprrr_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const general_rpprrr_mask rising = part->low[order] < 0.0;
+    general_rpprrr_lane x = part->start, from = general_rpprrr_all(0.0), to =
+        general_rpprrr_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const general_rpprrr_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
+            c5))));
+        const general_rpprrr_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 *
+            c5))));
+        const general_rpprrr_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const general_rpprrr_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const general_rpprrr_mask before = (value < 0.0) == rising;
+        from = general_rpprrr_select(before, x, from);
+        to = general_rpprrr_select(before, to, x);
+        x -= value / slope;
+        x = general_rpprrr_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double general_rpprrr_between(const general_rpprrr_trigonometric *f, int order, double low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void general_rpprrr_at_all(const general_rpprrr_trigonometric *f, general_rpprrr_lane
+    cosine, general_rpprrr_lane sine,
+                                  general_rpprrr_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * general_rpprrr_on_quintic(order, high - low, at_low, at_high);
+    general_rpprrr_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = general_rpprrr_all(f->a[0]);
+    out[1] = out[2] = general_rpprrr_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const general_rpprrr_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] -
+            f->a[m] * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void general_rpprrr_turn_on(general_rpprrr_lane x, general_rpprrr_lane *c,
+    general_rpprrr_lane *s)
+{
+    const general_rpprrr_lane u = x * x, c0 = *c, s0 = *s;
+    const general_rpprrr_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const general_rpprrr_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 /
+        5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline general_rpprrr_lane general_rpprrr_between(const general_rpprrr_trigonometric *f, int
+    order, double settled,
+                                           const general_rpprrr_spans *part, general_rpprrr_lane *c,
+                                               general_rpprrr_lane *s,
+                                           general_rpprrr_lane at[3])
+{
+    const general_rpprrr_mask rising = part->low[order] < 0.0;
+    general_rpprrr_lane from = general_rpprrr_all(0.0), to = part->width, x = part->width *
+        general_rpprrr_on_quintic(order, part);
+    general_rpprrr_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        general_rpprrr_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const general_rpprrr_mask moving = general_rpprrr_abs(step) >= settled;
+        if (i && general_rpprrr_largest(general_rpprrr_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        general_rpprrr_turn_on(x, c, s);
+        general_rpprrr_at_all(f, *c, *s, at);
+        const general_rpprrr_mask before = (at[order] < 0.0) == rising;
+        from = general_rpprrr_select(before, x, from);
+        to = general_rpprrr_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = general_rpprrr_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to)
+            - x);
+        step = general_rpprrr_select(moving, step, general_rpprrr_all(0.0));
+        x += step;
     }
+    general_rpprrr_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void general_rpprrr_few(const general_rpprrr_trigonometric *f, double lifted, double low,
-                        const double at_low[3], double high, const double at_high[3],
-                        general_rpprrr_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void general_rpprrr_divide(const general_rpprrr_trigonometric *f, const general_rpprrr_parts
+    *parts, int i, double x,
+                           double c, double s, const double at[3], general_rpprrr_waiting *waiting,
+                           general_rpprrr_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            general_rpprrr_add_root(roots, general_rpprrr_between(f, 0, low, at_low, high, at_high),
-                0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        general_rpprrr_add_root(roots, c, s, 1);
         return;
     }
-    x = general_rpprrr_between(f, 1, low, at_low, high, at_high);
-    general_rpprrr_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        general_rpprrr_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        general_rpprrr_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        general_rpprrr_add_root(roots, general_rpprrr_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        general_rpprrr_add_root(roots, general_rpprrr_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        general_rpprrr_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void general_rpprrr_solve_parts(const general_rpprrr_trigonometric *f, general_rpprrr_waiting
+    *waiting, general_rpprrr_roots *roots)
+{
+    general_rpprrr_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[GENERAL_RPPRRR_LANES], c[GENERAL_RPPRRR_LANES], s[GENERAL_RPPRRR_LANES],
+        value[3][GENERAL_RPPRRR_LANES];
+    general_rpprrr_spans part;
+    general_rpprrr_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += GENERAL_RPPRRR_LANES) {
+        general_rpprrr_take_parts(bent, from, &part);
+        GENERAL_RPPRRR_STORE(x, general_rpprrr_between(f, 1, 1e-07, &part, &cosine, &sine, at));
+        GENERAL_RPPRRR_STORE(c, cosine);
+        GENERAL_RPPRRR_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            GENERAL_RPPRRR_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < GENERAL_RPPRRR_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            general_rpprrr_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += GENERAL_RPPRRR_LANES) {
+        general_rpprrr_take_parts(crossing, from, &part);
+        (void)general_rpprrr_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        GENERAL_RPPRRR_STORE(c, cosine);
+        GENERAL_RPPRRR_STORE(s, sine);
+        for (int k = 0; k < GENERAL_RPPRRR_LANES && from + k < crossing->count; k++) {
+            general_rpprrr_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void general_rpprrr_few(const general_rpprrr_trigonometric *f, double c, double s, double
+    width, const double low[3],
+                        const double high[3], general_rpprrr_waiting *waiting, general_rpprrr_roots
+                            *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        general_rpprrr_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] -
+            high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        general_rpprrr_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        general_rpprrr_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { GENERAL_RPPRRR_ROOTLESS, GENERAL_RPPRRR_FLAT, GENERAL_RPPRRR_TAME, GENERAL_RPPRRR_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int general_rpprrr_kind(const general_rpprrr_trigonometric *f, const double low[3], const
-    double high[3],
-                        double h)
+static inline void general_rpprrr_kinds(const general_rpprrr_trigonometric *f, const
+    general_rpprrr_spans *part, int kind[GENERAL_RPPRRR_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return GENERAL_RPPRRR_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return GENERAL_RPPRRR_FLAT;
+    const general_rpprrr_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
+        0.2;
+    const general_rpprrr_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
+    const general_rpprrr_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const general_rpprrr_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const general_rpprrr_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    general_rpprrr_lane least[3], most[3];
+    double bounds[5][GENERAL_RPPRRR_LANES];
+    least[0] = general_rpprrr_min(b[0], b[5]);
+    most[0] = general_rpprrr_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const general_rpprrr_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = general_rpprrr_min(least[0], b[i]);
+        most[0] = general_rpprrr_max(most[0], b[i]);
+        least[1] = general_rpprrr_min(least[1], first);
+        most[1] = general_rpprrr_max(most[1], first);
+        least[2] = general_rpprrr_min(least[2], second);
+        most[2] = general_rpprrr_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? GENERAL_RPPRRR_TAME
-               : GENERAL_RPPRRR_WILD;
+    GENERAL_RPPRRR_STORE(bounds[0], least[0]);
+    GENERAL_RPPRRR_STORE(bounds[1], most[0]);
+    GENERAL_RPPRRR_STORE(bounds[2], general_rpprrr_max(least[1], -most[1]) - doubt * share);
+    GENERAL_RPPRRR_STORE(bounds[3], general_rpprrr_max(least[2], -most[2]) - doubt * square);
+    GENERAL_RPPRRR_STORE(bounds[4], general_rpprrr_max(doubt, general_rpprrr_all(f->touching)));
+    for (int k = 0; k < GENERAL_RPPRRR_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = GENERAL_RPPRRR_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = GENERAL_RPPRRR_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? GENERAL_RPPRRR_TAME :
+                GENERAL_RPPRRR_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int general_rpprrr_kind(const general_rpprrr_trigonometric *f, const double low[3], const
+    double high[3], double h)
+{
+    general_rpprrr_spans part;
+    int kind[GENERAL_RPPRRR_LANES];
+    part.width = general_rpprrr_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = general_rpprrr_all(low[i]);
+        part.high[i] = general_rpprrr_all(high[i]);
+    }
+    general_rpprrr_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_rpprrr_many(const general_rpprrr_trigonometric *f, double lifted, double low,
-    double high,
-                         const double first[3], const double last[3], int *budget,
+static void general_rpprrr_many(const general_rpprrr_trigonometric *f, double low, double c, double
+    s, const double first[3],
+                         const double last[3], int *budget, general_rpprrr_waiting *waiting,
                          general_rpprrr_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -1833,23 +2028,30 @@ static void general_rpprrr_many(const general_rpprrr_trigonometric *f, double li
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = general_rpprrr_kind(f, at_low, at[top], h);
-        if (kind != GENERAL_RPPRRR_ROOTLESS) {
-            if (kind == GENERAL_RPPRRR_TAME) {
-                general_rpprrr_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == GENERAL_RPPRRR_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == GENERAL_RPPRRR_TAME) {
+            general_rpprrr_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != GENERAL_RPPRRR_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == GENERAL_RPPRRR_FLAT || depth[top] == 14 || *budget == 0) {
+                general_rpprrr_solve_parts(f, waiting, roots); /* of neighbouring double roots the
+                    first is kept */
                 roots->complete = 0;
-                general_rpprrr_add_root(roots, low + 0.5 * h, 1);
+                general_rpprrr_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                general_rpprrr_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                general_rpprrr_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -1857,79 +2059,12 @@ static void general_rpprrr_many(const general_rpprrr_trigonometric *f, double li
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void general_rpprrr_refine(const general_rpprrr_trigonometric *f, const general_rpprrr_grid
-    *g, const int *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void general_rpprrr_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += GENERAL_RPPRRR_LANES) {
-        double in[8][GENERAL_RPPRRR_LANES];
-        general_rpprrr_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < GENERAL_RPPRRR_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? general_rpprrr_grid_c[0][half] : -general_rpprrr_grid_c[0][half];
-            in[7][k] = i < 128 ? general_rpprrr_grid_s[0][half] : -general_rpprrr_grid_s[0][half];
-        }
-        const general_rpprrr_lane f0 = GENERAL_RPPRRR_LOAD(in[0]), f1 = GENERAL_RPPRRR_LOAD(in[1]),
-            d0 = GENERAL_RPPRRR_LOAD(in[2]);
-        const general_rpprrr_lane s0 = GENERAL_RPPRRR_LOAD(in[4]);
-        const general_rpprrr_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = GENERAL_RPPRRR_LOAD(in[3]) - d0
-            - s0;
-        const general_rpprrr_lane D2 = GENERAL_RPPRRR_LOAD(in[5]) - s0;
-        const general_rpprrr_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D -
-            D2;
-        const general_rpprrr_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const general_rpprrr_lane rising = general_rpprrr_with_sign(general_rpprrr_all(1.0), f1 -
-            f0);
-        low = general_rpprrr_all(0.0);
-        high = general_rpprrr_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = general_rpprrr_select(value * rising < 0.0, x, low);
-            high = general_rpprrr_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = general_rpprrr_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const general_rpprrr_lane u = x * x, c0 = i ? c : GENERAL_RPPRRR_LOAD(in[6]), s_0 = i ?
-                s : GENERAL_RPPRRR_LOAD(in[7]);
-            const general_rpprrr_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-            const general_rpprrr_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = general_rpprrr_all(f->a[0]);
-            slope = general_rpprrr_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const general_rpprrr_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = general_rpprrr_max(general_rpprrr_min(-value / slope, general_rpprrr_all(1e-3 * h)),
-                general_rpprrr_all(-1e-3 * h));
-        }
-        GENERAL_RPPRRR_STORE(cosine + from, c);
-        GENERAL_RPPRRR_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? general_rpprrr_grid_c[0][half] : -general_rpprrr_grid_c[0][half];
+    *s = cell < 128 ? general_rpprrr_grid_s[0][half] : -general_rpprrr_grid_s[0][half];
 }
 
 static int general_rpprrr_lowest(unsigned long long bits)
@@ -1945,51 +2080,79 @@ static int general_rpprrr_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void general_rpprrr_search_cells(const general_rpprrr_trigonometric *f, const
+    general_rpprrr_grid *g, const int *cell, int count,
+                                 int *budget, general_rpprrr_waiting *waiting, general_rpprrr_roots
+                                     *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][GENERAL_RPPRRR_LANES], bend[2][GENERAL_RPPRRR_LANES];
+    int kind[GENERAL_RPPRRR_LANES];
+    general_rpprrr_spans part;
+    for (int k = 0; k < GENERAL_RPPRRR_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        general_rpprrr_edge(i, &in[4][k], &in[5][k]);
+        general_rpprrr_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = general_rpprrr_all(h);
+    for (int end = 0; end < 2; end++) {
+        general_rpprrr_lane at[3], *const to = end ? part.high : part.low;
+        general_rpprrr_at_all(f, GENERAL_RPPRRR_LOAD(in[4 + 2 * end]), GENERAL_RPPRRR_LOAD(in[5 + 2
+            * end]), at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = GENERAL_RPPRRR_LOAD(in[2 * end]);
+        to[1] = GENERAL_RPPRRR_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        GENERAL_RPPRRR_STORE(bend[end], at[2]);
+    }
+    general_rpprrr_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == GENERAL_RPPRRR_TAME) {
+            general_rpprrr_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != GENERAL_RPPRRR_ROOTLESS) {
+            general_rpprrr_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting,
+                roots);
+        }
+    }
+}
+
 static void general_rpprrr_find_roots(const general_rpprrr_trigonometric *f, const
     general_rpprrr_window *window,
                                general_rpprrr_roots *roots)
 {
     general_rpprrr_grid g;
-    int plain[GENERAL_RPPRRR_ROOTS], special[256], plains = 0, specials = 0;
+    general_rpprrr_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    general_rpprrr_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    general_rpprrr_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            general_rpprrr_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            general_rpprrr_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_rpprrr_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < GENERAL_RPPRRR_ROOTS &&
-                general_rpprrr_kind(f, low, high, h) == GENERAL_RPPRRR_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    general_rpprrr_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (general_rpprrr_kind(f, low, high, h) == GENERAL_RPPRRR_TAME) {
-            general_rpprrr_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            general_rpprrr_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += GENERAL_RPPRRR_LANES) {
+        general_rpprrr_search_cells(f, &g, open + k, count - k < GENERAL_RPPRRR_LANES ? count - k :
+            GENERAL_RPPRRR_LANES, &budget,
+                             &waiting, roots);
     }
+    general_rpprrr_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2385,20 +2548,17 @@ typedef struct {
     double q[8][6], residual[8];
 } general_rpprrr_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double general_rpprrr_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int general_rpprrr_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        if (general_rpprrr_slides(j)) {
-            most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (general_rpprrr_slides(j) ? gap < most : gap < most || 6.283185307179586 - gap < most) {
             continue;
         }
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        return 0;
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2408,7 +2568,7 @@ static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], dou
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (general_rpprrr_gap(found->q[i], theta) < 1e-06) {
+        if (general_rpprrr_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3009,7 +3169,7 @@ static void general_rpprrr_merge(general_rpprrr_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && general_rpprrr_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && general_rpprrr_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

@@ -457,6 +457,8 @@ typedef long long kinova_jaco2_mask __attribute__((vector_size(8 * KINOVA_JACO2_
 /* the same where it lies between other doubles */
 typedef double kinova_jaco2_packed
     __attribute__((vector_size(8 * KINOVA_JACO2_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define KINOVA_JACO2_ALIGNED __attribute__((aligned(8 * KINOVA_JACO2_LANES)))
 #define KINOVA_JACO2_LOAD(from) \
     (kinova_jaco2_lane)(*(const kinova_jaco2_packed *)(from))
 #define KINOVA_JACO2_STORE(to, x) \
@@ -480,6 +482,13 @@ static inline kinova_jaco2_lane kinova_jaco2_with_sign(kinova_jaco2_lane x, kino
     return (kinova_jaco2_lane)(((kinova_jaco2_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline kinova_jaco2_lane kinova_jaco2_facing(kinova_jaco2_lane x, kinova_jaco2_lane y)
+{
+    const kinova_jaco2_mask sign = (kinova_jaco2_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (kinova_jaco2_lane)((kinova_jaco2_mask)x ^ sign);
+}
+
 static inline kinova_jaco2_lane kinova_jaco2_sqrt(kinova_jaco2_lane x)
 {
     kinova_jaco2_lane r = x;
@@ -491,6 +500,7 @@ static inline kinova_jaco2_lane kinova_jaco2_sqrt(kinova_jaco2_lane x)
 #else
 typedef double kinova_jaco2_lane;
 typedef int kinova_jaco2_mask;
+#define KINOVA_JACO2_ALIGNED
 #define KINOVA_JACO2_LOAD(from) (*(from))
 #define KINOVA_JACO2_STORE(to, x) (*(to) = (x))
 
@@ -508,6 +518,11 @@ static inline kinova_jaco2_lane kinova_jaco2_abs(kinova_jaco2_lane x)
 static inline kinova_jaco2_lane kinova_jaco2_with_sign(kinova_jaco2_lane x, kinova_jaco2_lane y)
 {
     return copysign(x, y);
+}
+
+static inline kinova_jaco2_lane kinova_jaco2_facing(kinova_jaco2_lane x, kinova_jaco2_lane y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline kinova_jaco2_lane kinova_jaco2_sqrt(kinova_jaco2_lane x)
@@ -579,11 +594,202 @@ typedef struct {
 typedef struct {
     int joint[6];
     double sign;
+    const double (*left)[32]; /* the features of the left side if they are constant */
 } kinova_jaco2_formulation;
 
+/* the features of the left side of the formulation that has the joints 4, 3, 2, 1, 0, 5 */
+static const double kinova_jaco2_left_0[15][32] KINOVA_JACO2_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { -0.19864864864864867, 0.0, -0.19864864864864867, 1.3621621621621622, 0.0, 1.3621621621621622,
+        0.19864864864864867, 0.0, 0.19864864864864867, -0.035526561043802474, 0.0,
+        -0.035526561043802474, -0.6051444547996274, 0.0, -0.6051444547996274, 0.035526561043802474,
+        0.0, 0.035526561043802474, 0.5552376514445481, 0.0, 0.5552376514445481, 0.2001118359739049,
+        0.0, 0.2001118359739049, -0.5552376514445481, 0.0, -0.5552376514445481 },
+    { -0.06810810810810812, 0.0, -0.06810810810810812, 0.4670270270270271, 0.0, 0.4670270270270271,
+        0.06810810810810812, 0.0, 0.06810810810810812, -0.8192544268406339, 0.0,
+        -0.8192544268406339, 0.11914259086672882, 0.0, 0.11914259086672882, 0.8192544268406339, 0.0,
+        0.8192544268406339, -0.4424603914259087, 0.0, -0.4424603914259087, -1.059981360671016, 0.0,
+        -1.059981360671016, 0.4424603914259087, 0.0, 0.4424603914259087 },
+    { -0.12124355652982145, 0.0, -0.12124355652982145, 0.8313843876330613, 0.0, 0.8313843876330613,
+        0.12124355652982145, 0.0, 0.12124355652982145, 0.5184207244723399, 0.0, 0.5184207244723399,
+        0.9245567759022836, 0.0, 0.9245567759022836, -0.5184207244723399, 0.0, -0.5184207244723399,
+        -0.6611656013719819, 0.0, -0.6611656013719819, 0.26757198682443356, 0.0,
+        0.26757198682443356, 0.6611656013719819, 0.0, 0.6611656013719819 },
+    { 0.5175803960627718, 1.7651910441527094, 0.42660013165755706, -0.2320377962461728,
+        0.7796287406113428, 0.18376419874654337, 1.2233439164149225, -0.9078217808004659,
+        -0.2932431879653189, 0.9653940397493814, -0.085238147738441, -0.3047246776281696,
+        -0.026458419934057398, 0.139429733014799, 0.04790410434050191, 0.6474700480943608,
+        1.1022554808183436, 0.010681265947094717, 0.1086008808269921, 0.30404190861962566,
+        0.011381245790531347, 0.5775527734156825, -2.1791199380437236, -0.5846445268743033,
+        0.2329940879439003, -0.08864371930453002, -0.07365788198544343 },
+    { 0.1774561357929504, 0.6052083579952147, 0.146262902282591, -0.07955581585583067,
+        0.2673012824953176, 0.06300486814167201, 0.41943219991368774, -0.3112531819887312,
+        -0.10054052158810935, -0.8405028882779149, -0.4025911602721262, 0.19588630918213146,
+        -0.8595235338674214, 3.2152964612798822, 0.855301245481849, -0.80719049049933,
+        -0.6363883411300995, 0.1045068771697972, 1.39167782953459, -0.3422958652796111,
+        -0.47122517326040964, -0.4442863122061126, 1.736507346435097, 0.4818509392259391,
+        0.821321732855661, 1.7377382525287794, 0.06777025955846974 },
+    { 0.20105596557916958, 1.0773697259134083, 0.14552691513985866, -0.14162234607488944,
+        0.4758399411604951, 0.1121589558773746, 0.6318128816649606, -0.5540815009225748,
+        -0.293823489753541, -1.1095778091644475, 0.3658104925174216, 0.3892305772674087,
+        0.5261842604863943, -2.0346259553069435, -0.5589495823439754, -0.6073958485830274,
+        -1.4484757856019044, -0.07620681048147841, -0.9597042978140802, -0.30586689753942514,
+        0.24606162010858593, -0.6967015831380801, 2.5948513047520585, 0.6872191127296845,
+        -0.8431180428207684, -0.8309316601992817, 0.08261333501664087 },
+    { 3.209397319591355, 2.1756665104175843, 0.5072876095050051, -0.09928613359271617,
+        0.3335935978763443, 0.07863045194133403, 3.5113848935993763, 1.0319170319844044,
+        0.1992754616819972, 0.254858793933468, -0.08402296816065889, -0.08940232461849582,
+        -0.12085919969444998, 0.4673329916950478, 0.1283850625429088, 0.13951267962598848,
+        0.3327002295028977, 0.01750393316125475, 0.22043436508328054, 0.07025453101821755,
+        -0.05651786401659659, 0.16002530308696286, -0.5960110850304353, -0.157847275595936,
+        0.19365568215414894, 0.19085659339113314, -0.018975447013506536 },
+    { -0.060219138230214804, 0.0, -0.060219138230214804, 0.2914262602802285, 0.0,
+        0.2914262602802285, 0.024780187684851913, 0.0, 0.024780187684851913, -0.05953799701916784,
+        0.0, -0.05953799701916784, -0.10618066749501362, 0.0, -0.10618066749501362,
+        0.05953799701916784, 0.0, 0.05953799701916784, 0.07593152384817832, 0.0,
+        0.07593152384817832, -0.030729288784086643, 0.0, -0.030729288784086643,
+        -0.07593152384817832, 0.0, -0.07593152384817832 },
+    { -1.3525825199363661, 0.09098026440521478, 0.41260852421634303, -0.605775003044472,
+        -0.4158019949927162, 0.17385373756687084, 0.9238978882602443, 1.5165871043802412,
+        0.016076107459778617, 0.28304724239076756, 1.270118717377551, 0.19780909465232657,
+        -0.05768322246924412, -0.07436252427455936, 0.0817465105455549, -0.7915559089307188,
+        0.6367887821472661, 0.3106995718876247, -0.2624642051738343, 0.09721963503646058,
+        0.041577703445791335, 1.8621780479371692, 1.162197300289986, -0.3169418901065545,
+        0.15476511051628647, 0.3066519699293436, 0.06612139121175645 },
+    { -0.438247001574311, 0.03119323351035936, 0.1669613564209036, -0.3825210983438371,
+        -0.1425606839975027, -0.11521981584851954, 0.2912694135710692, 0.5199727215017971,
+        -0.019983768417661876, 0.06199670825904066, -1.036389197460046, -0.34059445201308547,
+        -2.8966479529697597, -1.7148247793492706, 0.3186485083101221, 0.4574930424420721,
+        -0.9116973676691271, -0.1788952986880273, 0.6576513148550879, 1.8629030027949995,
+        0.3153554495754769, -1.519444382248331, -0.9261372514320517, 0.21706296418676624,
+        -1.3553725084796724, 0.7535514732971913, 0.3823657440491072 },
+    { -0.8207635178781412, 0.055529050439310904, 0.25660620803526707, -0.4024658526177524,
+        -0.25378130195226406, 0.07337408854274265, 0.5591194053827243, 0.9256363714185017,
+        0.005037904460149623, -0.6504415490473767, -1.4988083864318562, -0.2846310565299552,
+        1.7831492974693661, 1.0851338428303698, -0.2514766578375779, 1.1917741955896182,
+        -0.5311890381015492, -0.2567015900122862, -0.05848083304908326, -1.2057659179226659,
+        -0.36434773058850833, -2.4098609641759925, -1.3839206958677646, 0.18499034057606595,
+        0.6268801119184366, -0.9257313778374092, -0.20405154828084499 },
+    { -0.46930495126029614, -0.2267614152879361, -0.08250225026331298, 4.113752507916471,
+        1.995138519413756, 0.43940816606964306, 0.5647607464372602, 0.1305484400965642,
+        0.053469015831855905, 0.013255589609130997, 0.1393230426350107, 0.013834786511179534,
+        -2.051039197093711, -1.0015645929346333, -0.161205424121958, -0.02529831647425586,
+        0.15622250000057636, 0.04494556107467614, 1.6726676080777225, 0.962606987637144,
+        0.2294783197056835, 0.9288984168129023, 0.38512349793806305, 0.020806573561205105,
+        -1.7369502010067823, -0.6685171513564095, -0.15529697820205024 },
+    { -0.5060913805254129, -0.054393032340861736, 0.07963385970885398, 1.2411651948339288,
+        0.5773152118023418, 0.18151301798018263, 0.42877995509107064, 0.4340524514529858,
+        0.02045101512394784, -2.7267688653116617, -1.7531233732222598, -0.36849998663782335,
+        1.0055552805472177, 0.697094407541998, -0.02707502001974871, 2.8762799206566294,
+        0.9366646068942608, 0.1712420264037373, -1.2943823122720848, -1.1005654687955468,
+        -0.2995708272724161, -4.107585588789992, -1.9751119326798032, -0.2560418865661934,
+        1.5898294954061643, 0.33619047847509276, 0.06825200745282795 },
+    { -0.3649039113780892, -0.13402899264619741, -0.043978343121850304, 2.546037901589445,
+        1.1977307772754189, 0.34090506497406164, 0.39441990926634735, 0.15257377817261833,
+        0.038722868148069294, 1.5232233969769124, 1.3104443083207689, 0.33803488778560215,
+        3.878262710505427, 1.885144927432027, 0.16996307583839707, -1.848590667658864,
+        -0.3568646070845167, -0.06242212785760466, -2.294787458484115, -1.6474444979870524,
+        -0.3210136139921397, 1.5975733921299862, 0.9770036412270335, -0.012840974830493176,
+        2.482820684938327, 0.66244495677164, 0.08073815124627656 },
+};
+
+/* the features of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0 */
+static const double kinova_jaco2_left_1[15][32] KINOVA_JACO2_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8751337795442238, -0.48277977260743377,
+        -0.7801111551098345, 0.8374744602688303, 0.09216704749778276, 1.1534757659755142,
+        -0.8751337795442238, 0.48277977260743377, 0.7801111551098345, 0.41873723013441516,
+        0.04608352374889138, 0.5767378829877571, -1.7502675590884476, 0.9655595452148675,
+        1.560222310219669, -0.41873723013441516, -0.04608352374889138, -0.5767378829877571 },
+    { 0.24248711305964285, 1.6627687752661222, -0.24248711305964285, 0.0, 0.0, 0.0,
+        0.24248711305964285, 1.6627687752661222, -0.24248711305964285, -0.0, 0.0, 0.0, 0.0, -0.0,
+        -0.0, 0.0, 0.0, 0.0, 0.0, -0.0, -0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.41873723013441516, -0.04608352374889138,
+        -0.5767378829877571, 1.7502675590884476, -0.9655595452148675, -1.560222310219669,
+        0.41873723013441516, 0.04608352374889138, 0.5767378829877571, 0.8751337795442238,
+        -0.48277977260743377, -0.7801111551098345, 0.8374744602688303, 0.09216704749778276,
+        1.1534757659755142, -0.8751337795442238, 0.48277977260743377, 0.7801111551098345 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.3605835738732836, 0.0014474924109784866,
+        0.36554640499663843, -1.3535215582298836, -0.0002763394602777109, -1.3544690078079786,
+        0.4947914092848092, -0.0014474924109784866, 0.48982857816145436, -1.703210758904653,
+        -0.00013816973013885546, -1.7036844836937006, 0.1342078354115256, -0.002894984821956973,
+        0.12428217316481593, -0.3496892006747696, 0.00013816973013885546, -0.349215475885722 },
+    { -0.027306248852271432, -0.004985389446642787, -0.025852176930333953, 0.0, 0.0, 0.0,
+        -0.027306248852271432, -0.004985389446642787, -0.025852176930333953, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0 },
+    { 7.472013737079356e-10, 0.0, 7.472013737079356e-10, 0.0, 0.0, 0.0, 7.472013737079356e-10, 0.0,
+        7.472013737079356e-10, 1.703210758904653, 0.00013816973013885546, 1.7036844836937006,
+        -0.1342078354115256, 0.002894984821956973, -0.12428217316481593, 0.3496892006747696,
+        -0.00013816973013885546, 0.349215475885722, 0.3605835738732836, 0.0014474924109784866,
+        0.36554640499663843, -1.3535215582298836, -0.0002763394602777109, -1.3544690078079786,
+        0.4947914092848092, -0.0014474924109784866, 0.48982857816145436 },
+    { 3.031693034222176, 0.001786812884976091, 3.036833329236675, -1.4332837399665646,
+        0.005706740362797548, -1.4137177730084016, 0.3678467069969891, -0.0012567819751826013,
+        0.3625518196338005, 2.5452828375353843e-09, 2.064812243292151e-13, 2.545990773161656e-09,
+        -2.005605579637209e-10, 4.326273271659747e-12, -1.8572762103231599e-10,
+        5.225765022300356e-10, -2.064812243292151e-13, 5.218685666037638e-10, 5.388570834692688e-10,
+        2.1631366358298736e-12, 5.462735519349712e-10, -2.022706335305349e-09,
+        -4.129624486584302e-13, -2.0241222065578926e-09, 7.394176414329896e-10,
+        -2.1631366358298736e-12, 7.320011729672872e-10 },
+    { -0.4042603031262545, -0.29797638721907294, -1.261477390902626, 2.1547394518268157,
+        -0.95167988232099, -1.1081630018451492, -0.29320220224763277, 0.2095862166854551,
+        0.5897953519343772, -3.12881033579091e-10, -3.443367225047391e-11, -4.3093933843785873e-10,
+        1.3078023245073233e-09, -7.214674185813585e-10, -1.1658002534859055e-09,
+        3.12881033579091e-10, 3.443367225047391e-11, 4.3093933843785873e-10, 6.539011622536616e-10,
+        -3.6073370929067927e-10, -5.829001267429527e-10, 6.25762067158182e-10,
+        6.886734450094783e-11, 8.618786768757175e-10, -6.539011622536616e-10,
+        3.6073370929067927e-10, 5.829001267429527e-10 },
+    { -1.8118670398463663e-10, -1.2424231130375083e-09, 1.8118670398463663e-10, 0.0, 0.0, 0.0,
+        -1.8118670398463663e-10, -1.2424231130375083e-09, 1.8118670398463663e-10,
+        -0.4015725168491515, -2.828733235647441, 0.4280314618088194, -0.015249570967602339,
+        0.2400946454119543, 0.010198317838938454, -0.09622926774952022, -0.5847647158863076,
+        0.06977032278985235, -0.11133349060852446, -0.5910980838635538, 0.1088078640441925,
+        0.30534324909963134, 2.2439685197611334, -0.35826113901896706, -0.09608391964092211,
+        -0.8311927292755081, 0.09860954620525406 },
+    { 1.6415270357562814, -0.8049317052355047, -1.1182388107654484, 0.11105810087862175,
+        0.507562603904528, 1.8512727428370033, -0.5132124160705341, 0.14674817708548527,
+        -0.010075808920299134, 6.539011622536616e-10, -3.6073370929067927e-10,
+        -5.829001267429527e-10, 6.25762067158182e-10, 6.886734450094783e-11, 8.618786768757175e-10,
+        -6.539011622536616e-10, 3.6073370929067927e-10, 5.829001267429527e-10, 3.12881033579091e-10,
+        3.443367225047391e-11, 4.3093933843785873e-10, -1.3078023245073233e-09,
+        7.214674185813585e-10, 1.1658002534859055e-09, -3.12881033579091e-10,
+        -3.443367225047391e-11, -4.3093933843785873e-10 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.11133349060852446, 0.5910980838635538,
+        -0.1088078640441925, -0.30534324909963134, -2.2439685197611334, 0.35826113901896706,
+        0.09608391964092211, 0.8311927292755081, -0.09860954620525406, -0.4015725168491515,
+        -2.828733235647441, 0.4280314618088194, -0.015249570967602339, 0.2400946454119543,
+        0.010198317838938454, -0.09622926774952022, -0.5847647158863076, 0.06977032278985235 },
+    { 2.453102512191618e-09, -1.2028921517860805e-09, -1.6710991510749426e-09,
+        1.6596553107580131e-10, 7.585029497604803e-10, 2.7665470731117332e-09,
+        -7.669460445837435e-10, 2.1930087901481998e-10, -1.505731653293237e-11, 2.944676233209473,
+        -1.2460152646556801, -1.4468105058888785, -1.3636269044270435, 0.8510971396218721,
+        1.9986765983755308, -0.031767217276139674, -0.029562933047802453, -0.2949665184868047,
+        -0.10759825159739118, -0.874685587275956, -2.546862089531812, 1.5420174042424661,
+        -0.3030949065749194, 0.46042859693199367, -0.35909039868209847, 0.1302356854540166,
+        0.2028339600729437 },
+    { 0.7130688266750441, 5.021133767733684, -0.8016168202563666, -0.2298771329330401,
+        -2.4123248226594063, 0.2855114894752131, 0.07318558143098042, 0.6198618374941549,
+        -0.05741915649572844, 6.001110724660782e-10, 4.227266719058123e-09, -6.396513925075313e-10,
+        2.278900075089824e-11, -3.587980977434639e-10, -1.5240394197529915e-11,
+        1.438052821067005e-10, 8.738739980123596e-10, -1.0426496206524751e-10,
+        1.6637707424477805e-10, 8.833386005179517e-10, -1.6260277096809388e-10,
+        -4.5630579035937783e-10, -3.3533927210457634e-09, 5.353864304422837e-10,
+        1.435880734938798e-10, 1.2421366982614159e-09, -1.4736237677056395e-10 },
+    { 6.041277076630476e-10, 4.4529673172523806e-10, 1.8851552787678895e-09,
+        -3.2200485567753618e-09, 1.4221930308009003e-09, 1.65604183454201e-09,
+        4.3816217658724636e-10, -3.132062180352422e-10, -8.81391794343844e-10, 0.10759825159739118,
+        0.874685587275956, 2.546862089531812, -1.5420174042424661, 0.3030949065749194,
+        -0.46042859693199367, 0.35909039868209847, -0.1302356854540166, -0.2028339600729437,
+        2.944676233209473, -1.2460152646556801, -1.4468105058888785, -1.3636269044270435,
+        0.8510971396218721, 1.9986765983755308, -0.031767217276139674, -0.029562933047802453,
+        -0.2949665184868047 },
+};
+
 static const kinova_jaco2_formulation kinova_jaco2_formulations[2] = {
-    { { 4, 3, 2, 1, 0, 5 }, -1.0 },
-    { { 1, 2, 3, 4, 5, 0 }, 1.0 },
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, kinova_jaco2_left_0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0, kinova_jaco2_left_1 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -648,7 +854,7 @@ static const double kinova_jaco2_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double kinova_jaco2_sample_c[24] = {
+static const double kinova_jaco2_sample_c[24] KINOVA_JACO2_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -656,7 +862,7 @@ static const double kinova_jaco2_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double kinova_jaco2_sample_s[24] = {
+static const double kinova_jaco2_sample_s[24] KINOVA_JACO2_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -666,7 +872,7 @@ static const double kinova_jaco2_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double kinova_jaco2_harmonics[24][24] = {
+static const double kinova_jaco2_harmonics[24][24] KINOVA_JACO2_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -804,7 +1010,7 @@ static const double kinova_jaco2_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double kinova_jaco2_grid_c[8][128] = {
+static const double kinova_jaco2_grid_c[8][128] KINOVA_JACO2_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1055,7 +1261,7 @@ static const double kinova_jaco2_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double kinova_jaco2_grid_s[8][128] = {
+static const double kinova_jaco2_grid_s[8][128] KINOVA_JACO2_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1411,24 +1617,29 @@ static inline void kinova_jaco2_to_unit(kinova_jaco2_lane *c, kinova_jaco2_lane 
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline kinova_jaco2_lane kinova_jaco2_reflect(kinova_jaco2_lane *const *row, int rows, int
     column, int columns)
 {
-    kinova_jaco2_lane axis[6], square = {0}, length, factor;
+    kinova_jaco2_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = kinova_jaco2_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = kinova_jaco2_with_sign(kinova_jaco2_sqrt(square), axis[0]);
+    length = kinova_jaco2_with_sign(kinova_jaco2_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        kinova_jaco2_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        kinova_jaco2_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1480,19 +1691,6 @@ static inline void kinova_jaco2_cosines(const kinova_jaco2_lane x[15], kinova_ja
         part[1][at] = part[2][at + 1] = x[at];
         part[1][at + 1] = x[at + 1];
         part[2][at] = -x[at + 1];
-    }
-}
-
-/* The same by x^2, x and 1 for x = tan(phi/2), times 1 + x^2. */
-static inline void kinova_jaco2_tangents(const kinova_jaco2_lane x[15], kinova_jaco2_lane
-    part[3][15])
-{
-    kinova_jaco2_cosines(x, part);
-    for (int i = 0; i < 15; i++) {
-        const kinova_jaco2_lane one = part[0][i], cosine = part[1][i];
-        part[0][i] = one - cosine;
-        part[1][i] = 2.0 * part[2][i];
-        part[2][i] = one + cosine;
     }
 }
 
@@ -1565,9 +1763,12 @@ static inline void kinova_jaco2_mirror(double axis[6][8], const double factor[6]
 }
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
-static void kinova_jaco2_equations(const kinova_jaco2_formulation *form, double link[6][12], double
-    E[192])
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
+ * left
+ * side's features have columns like these. */
+static void kinova_jaco2_equations(const kinova_jaco2_formulation *form, double link[6][12], const
+    double (*left)[32],
+                         double E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
@@ -1592,15 +1793,11 @@ static void kinova_jaco2_equations(const kinova_jaco2_formulation *form, double 
         }
     }
     kinova_jaco2_clear(A, 8, 6, pair_axis, pair_factor);
-    kinova_jaco2_pass(link[2], x, 1, kinova_jaco2_tangents, y);
-    kinova_jaco2_pass(link[1], y, 3, kinova_jaco2_tangents, x);
-    kinova_jaco2_pass(link[0], x, 9, kinova_jaco2_cosines, y);
     for (int k = 0; k < 32; k += KINOVA_JACO2_LANES) {
         kinova_jaco2_lane z[15], alone[8], mixed[8];
         for (int i = 0; i < 15; i++) {
-            z[i] = KINOVA_JACO2_LOAD(&y[i][k]);
+            z[i] = KINOVA_JACO2_LOAD(&left[i][k]);
         }
-        kinova_jaco2_act(link[5], z);
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
             alone[i] = z[still[i]] - right[still[i]][0] * z[0];
@@ -1673,9 +1870,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } kinova_jaco2_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] KINOVA_JACO2_ALIGNED, slope[264] KINOVA_JACO2_ALIGNED;
 } kinova_jaco2_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1739,39 +1936,43 @@ static void kinova_jaco2_at(const kinova_jaco2_trigonometric *f, double cosine, 
     }
 }
 
-static void kinova_jaco2_fill_grid(const kinova_jaco2_trigonometric *f, kinova_jaco2_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void kinova_jaco2_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += KINOVA_JACO2_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        kinova_jaco2_lane value[2], slope[2], bend[2];
-        value[0] = kinova_jaco2_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = kinova_jaco2_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const kinova_jaco2_lane c = KINOVA_JACO2_LOAD(&kinova_jaco2_grid_c[m - 1][i]);
-            const kinova_jaco2_lane s = KINOVA_JACO2_LOAD(&kinova_jaco2_grid_s[m - 1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        kinova_jaco2_lane even = kinova_jaco2_all(a[0]), odd = kinova_jaco2_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * KINOVA_JACO2_LOAD(&kinova_jaco2_grid_c[m - 1][i]);
+            even += a[m + 1] * KINOVA_JACO2_LOAD(&kinova_jaco2_grid_c[m][i]);
+            odd += b[m] * KINOVA_JACO2_LOAD(&kinova_jaco2_grid_s[m - 1][i]);
+            even += b[m + 1] * KINOVA_JACO2_LOAD(&kinova_jaco2_grid_s[m][i]);
         }
-        KINOVA_JACO2_STORE(&g->value[i], value[0] + value[1]);
-        KINOVA_JACO2_STORE(&g->slope[i], slope[0] + slope[1]);
-        KINOVA_JACO2_STORE(&g->bend[i], bend[0] + bend[1]);
-        KINOVA_JACO2_STORE(&g->value[i + 128], value[0] - value[1]);
-        KINOVA_JACO2_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        KINOVA_JACO2_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        KINOVA_JACO2_STORE(&out[i], even + odd);
+        KINOVA_JACO2_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void kinova_jaco2_fill_grids(const kinova_jaco2_trigonometric *f, kinova_jaco2_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    kinova_jaco2_fill_grid(f->a, f->b, g->value);
+    kinova_jaco2_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long kinova_jaco2_open_cells(const kinova_jaco2_grid *g, int from, double
     doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if KINOVA_JACO2_LANES > 1
     kinova_jaco2_mask weight, sum = {0};
@@ -1780,25 +1981,21 @@ static unsigned long long kinova_jaco2_open_cells(const kinova_jaco2_grid *g, in
     }
 #endif
     for (int i = 0; i < 64; i += KINOVA_JACO2_LANES) {
-        const kinova_jaco2_lane f0 = KINOVA_JACO2_LOAD(&g->value[from + i]);
-        const kinova_jaco2_lane f1 = KINOVA_JACO2_LOAD(&g->value[from + i + 1]);
-        const kinova_jaco2_lane d0 = KINOVA_JACO2_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const kinova_jaco2_lane d1 = KINOVA_JACO2_LOAD(&g->slope[from + i + 1]) * (h / 5.0);
-        const kinova_jaco2_lane s0 = KINOVA_JACO2_LOAD(&g->bend[from + i]) * (h * h / 20.0);
-        const kinova_jaco2_lane s1 = KINOVA_JACO2_LOAD(&g->bend[from + i + 1]) * (h * h / 20.0);
-        const kinova_jaco2_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const kinova_jaco2_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const kinova_jaco2_lane least = kinova_jaco2_min(
-            kinova_jaco2_min(kinova_jaco2_min(f0, f1), kinova_jaco2_min(b1, b2)),
-                kinova_jaco2_min(b3, b4));
-        const kinova_jaco2_lane most = kinova_jaco2_max(
-            kinova_jaco2_max(kinova_jaco2_max(f0, f1), kinova_jaco2_max(b1, b2)),
-                kinova_jaco2_max(b3, b4));
-        const kinova_jaco2_mask open = (least <= doubt) & (most >= -doubt);
+        const kinova_jaco2_lane first = KINOVA_JACO2_LOAD(&g->value[from + i]);
+        const kinova_jaco2_lane f0 = kinova_jaco2_abs(first) - doubt;
+        const kinova_jaco2_lane f1 = kinova_jaco2_facing(KINOVA_JACO2_LOAD(&g->value[from + i + 1]),
+            first) - doubt;
+        const kinova_jaco2_lane d0 = kinova_jaco2_facing(KINOVA_JACO2_LOAD(&g->slope[from + i]),
+            first);
+        const kinova_jaco2_lane d1 = kinova_jaco2_facing(KINOVA_JACO2_LOAD(&g->slope[from + i + 1]),
+            first);
+        const kinova_jaco2_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if KINOVA_JACO2_LANES > 1
-        sum |= (open & weight) << i;
+        const kinova_jaco2_mask signs = (kinova_jaco2_mask)f0 | (kinova_jaco2_mask)f1 |
+            (kinova_jaco2_mask)b1 | (kinova_jaco2_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if KINOVA_JACO2_LANES > 1
@@ -1809,9 +2006,8 @@ static unsigned long long kinova_jaco2_open_cells(const kinova_jaco2_grid *g, in
     return bits;
 }
 
-static void kinova_jaco2_add_root(kinova_jaco2_roots *roots, double x, int twice)
+static void kinova_jaco2_add_root(kinova_jaco2_roots *roots, double c, double s, int twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1831,151 +2027,321 @@ static void kinova_jaco2_add_root(kinova_jaco2_roots *roots, double x, int twice
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double kinova_jaco2_on_quintic(int order, double h, const double low[3], const double
-    high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} kinova_jaco2_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    kinova_jaco2_parts turning, crossing;
+} kinova_jaco2_waiting;
+
+static void kinova_jaco2_add_part(kinova_jaco2_parts *parts, double c, double s, double width, const
+    double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    kinova_jaco2_lane c, s, width, start, low[3], high[3];
+} kinova_jaco2_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void kinova_jaco2_take_parts(kinova_jaco2_parts *parts, int from, kinova_jaco2_spans *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + KINOVA_JACO2_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        kinova_jaco2_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = KINOVA_JACO2_LOAD(parts->c + from);
+    out->s = KINOVA_JACO2_LOAD(parts->s + from);
+    out->width = KINOVA_JACO2_LOAD(parts->width + from);
+    out->start = KINOVA_JACO2_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = KINOVA_JACO2_LOAD(parts->low[i] + from);
+        out->high[i] = KINOVA_JACO2_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline kinova_jaco2_lane kinova_jaco2_on_quintic(int order, const kinova_jaco2_spans *part)
+{
+    const kinova_jaco2_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const kinova_jaco2_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const kinova_jaco2_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const kinova_jaco2_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const kinova_jaco2_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const kinova_jaco2_mask rising = part->low[order] < 0.0;
+    kinova_jaco2_lane x = part->start, from = kinova_jaco2_all(0.0), to = kinova_jaco2_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const kinova_jaco2_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
+            c5))));
+        const kinova_jaco2_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const kinova_jaco2_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const kinova_jaco2_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const kinova_jaco2_mask before = (value < 0.0) == rising;
+        from = kinova_jaco2_select(before, x, from);
+        to = kinova_jaco2_select(before, to, x);
+        x -= value / slope;
+        x = kinova_jaco2_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double kinova_jaco2_between(const kinova_jaco2_trigonometric *f, int order, double low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void kinova_jaco2_at_all(const kinova_jaco2_trigonometric *f, kinova_jaco2_lane
+    cosine, kinova_jaco2_lane sine,
+                                  kinova_jaco2_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * kinova_jaco2_on_quintic(order, high - low, at_low, at_high);
+    kinova_jaco2_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = kinova_jaco2_all(f->a[0]);
+    out[1] = out[2] = kinova_jaco2_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const kinova_jaco2_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] -
+            f->a[m] * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void kinova_jaco2_turn_on(kinova_jaco2_lane x, kinova_jaco2_lane *c, kinova_jaco2_lane
+    *s)
+{
+    const kinova_jaco2_lane u = x * x, c0 = *c, s0 = *s;
+    const kinova_jaco2_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const kinova_jaco2_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 /
+        5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline kinova_jaco2_lane kinova_jaco2_between(const kinova_jaco2_trigonometric *f, int order,
+    double settled,
+                                           const kinova_jaco2_spans *part, kinova_jaco2_lane *c,
+                                               kinova_jaco2_lane *s,
+                                           kinova_jaco2_lane at[3])
+{
+    const kinova_jaco2_mask rising = part->low[order] < 0.0;
+    kinova_jaco2_lane from = kinova_jaco2_all(0.0), to = part->width, x = part->width *
+        kinova_jaco2_on_quintic(order, part);
+    kinova_jaco2_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        kinova_jaco2_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const kinova_jaco2_mask moving = kinova_jaco2_abs(step) >= settled;
+        if (i && kinova_jaco2_largest(kinova_jaco2_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        kinova_jaco2_turn_on(x, c, s);
+        kinova_jaco2_at_all(f, *c, *s, at);
+        const kinova_jaco2_mask before = (at[order] < 0.0) == rising;
+        from = kinova_jaco2_select(before, x, from);
+        to = kinova_jaco2_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = kinova_jaco2_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to) -
+            x);
+        step = kinova_jaco2_select(moving, step, kinova_jaco2_all(0.0));
+        x += step;
     }
+    kinova_jaco2_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void kinova_jaco2_few(const kinova_jaco2_trigonometric *f, double lifted, double low,
-                        const double at_low[3], double high, const double at_high[3],
-                        kinova_jaco2_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void kinova_jaco2_divide(const kinova_jaco2_trigonometric *f, const kinova_jaco2_parts
+    *parts, int i, double x,
+                           double c, double s, const double at[3], kinova_jaco2_waiting *waiting,
+                           kinova_jaco2_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            kinova_jaco2_add_root(roots, kinova_jaco2_between(f, 0, low, at_low, high, at_high), 0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        kinova_jaco2_add_root(roots, c, s, 1);
         return;
     }
-    x = kinova_jaco2_between(f, 1, low, at_low, high, at_high);
-    kinova_jaco2_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        kinova_jaco2_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        kinova_jaco2_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        kinova_jaco2_add_root(roots, kinova_jaco2_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        kinova_jaco2_add_root(roots, kinova_jaco2_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        kinova_jaco2_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void kinova_jaco2_solve_parts(const kinova_jaco2_trigonometric *f, kinova_jaco2_waiting
+    *waiting, kinova_jaco2_roots *roots)
+{
+    kinova_jaco2_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[KINOVA_JACO2_LANES], c[KINOVA_JACO2_LANES], s[KINOVA_JACO2_LANES],
+        value[3][KINOVA_JACO2_LANES];
+    kinova_jaco2_spans part;
+    kinova_jaco2_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += KINOVA_JACO2_LANES) {
+        kinova_jaco2_take_parts(bent, from, &part);
+        KINOVA_JACO2_STORE(x, kinova_jaco2_between(f, 1, 1e-07, &part, &cosine, &sine, at));
+        KINOVA_JACO2_STORE(c, cosine);
+        KINOVA_JACO2_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            KINOVA_JACO2_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < KINOVA_JACO2_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            kinova_jaco2_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += KINOVA_JACO2_LANES) {
+        kinova_jaco2_take_parts(crossing, from, &part);
+        (void)kinova_jaco2_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        KINOVA_JACO2_STORE(c, cosine);
+        KINOVA_JACO2_STORE(s, sine);
+        for (int k = 0; k < KINOVA_JACO2_LANES && from + k < crossing->count; k++) {
+            kinova_jaco2_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void kinova_jaco2_few(const kinova_jaco2_trigonometric *f, double c, double s, double width,
+    const double low[3],
+                        const double high[3], kinova_jaco2_waiting *waiting, kinova_jaco2_roots
+                            *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        kinova_jaco2_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] -
+            high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        kinova_jaco2_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        kinova_jaco2_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { KINOVA_JACO2_ROOTLESS, KINOVA_JACO2_FLAT, KINOVA_JACO2_TAME, KINOVA_JACO2_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int kinova_jaco2_kind(const kinova_jaco2_trigonometric *f, const double low[3], const double
-    high[3],
-                        double h)
+static inline void kinova_jaco2_kinds(const kinova_jaco2_trigonometric *f, const kinova_jaco2_spans
+    *part, int kind[KINOVA_JACO2_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return KINOVA_JACO2_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return KINOVA_JACO2_FLAT;
+    const kinova_jaco2_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
+        0.2;
+    const kinova_jaco2_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
+    const kinova_jaco2_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const kinova_jaco2_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const kinova_jaco2_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    kinova_jaco2_lane least[3], most[3];
+    double bounds[5][KINOVA_JACO2_LANES];
+    least[0] = kinova_jaco2_min(b[0], b[5]);
+    most[0] = kinova_jaco2_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const kinova_jaco2_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = kinova_jaco2_min(least[0], b[i]);
+        most[0] = kinova_jaco2_max(most[0], b[i]);
+        least[1] = kinova_jaco2_min(least[1], first);
+        most[1] = kinova_jaco2_max(most[1], first);
+        least[2] = kinova_jaco2_min(least[2], second);
+        most[2] = kinova_jaco2_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? KINOVA_JACO2_TAME
-               : KINOVA_JACO2_WILD;
+    KINOVA_JACO2_STORE(bounds[0], least[0]);
+    KINOVA_JACO2_STORE(bounds[1], most[0]);
+    KINOVA_JACO2_STORE(bounds[2], kinova_jaco2_max(least[1], -most[1]) - doubt * share);
+    KINOVA_JACO2_STORE(bounds[3], kinova_jaco2_max(least[2], -most[2]) - doubt * square);
+    KINOVA_JACO2_STORE(bounds[4], kinova_jaco2_max(doubt, kinova_jaco2_all(f->touching)));
+    for (int k = 0; k < KINOVA_JACO2_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = KINOVA_JACO2_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = KINOVA_JACO2_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? KINOVA_JACO2_TAME :
+                KINOVA_JACO2_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int kinova_jaco2_kind(const kinova_jaco2_trigonometric *f, const double low[3], const double
+    high[3], double h)
+{
+    kinova_jaco2_spans part;
+    int kind[KINOVA_JACO2_LANES];
+    part.width = kinova_jaco2_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = kinova_jaco2_all(low[i]);
+        part.high[i] = kinova_jaco2_all(high[i]);
+    }
+    kinova_jaco2_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double lifted, double low, double
-    high,
-                         const double first[3], const double last[3], int *budget,
+static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double low, double c, double s,
+    const double first[3],
+                         const double last[3], int *budget, kinova_jaco2_waiting *waiting,
                          kinova_jaco2_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -1985,23 +2351,30 @@ static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double lifted
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = kinova_jaco2_kind(f, at_low, at[top], h);
-        if (kind != KINOVA_JACO2_ROOTLESS) {
-            if (kind == KINOVA_JACO2_TAME) {
-                kinova_jaco2_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == KINOVA_JACO2_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == KINOVA_JACO2_TAME) {
+            kinova_jaco2_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != KINOVA_JACO2_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == KINOVA_JACO2_FLAT || depth[top] == 14 || *budget == 0) {
+                kinova_jaco2_solve_parts(f, waiting, roots); /* of neighbouring double roots the
+                    first is kept */
                 roots->complete = 0;
-                kinova_jaco2_add_root(roots, low + 0.5 * h, 1);
+                kinova_jaco2_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                kinova_jaco2_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                kinova_jaco2_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -2009,77 +2382,12 @@ static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double lifted
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void kinova_jaco2_refine(const kinova_jaco2_trigonometric *f, const kinova_jaco2_grid *g,
-    const int *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void kinova_jaco2_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += KINOVA_JACO2_LANES) {
-        double in[8][KINOVA_JACO2_LANES];
-        kinova_jaco2_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < KINOVA_JACO2_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? kinova_jaco2_grid_c[0][half] : -kinova_jaco2_grid_c[0][half];
-            in[7][k] = i < 128 ? kinova_jaco2_grid_s[0][half] : -kinova_jaco2_grid_s[0][half];
-        }
-        const kinova_jaco2_lane f0 = KINOVA_JACO2_LOAD(in[0]), f1 = KINOVA_JACO2_LOAD(in[1]), d0 =
-            KINOVA_JACO2_LOAD(in[2]);
-        const kinova_jaco2_lane s0 = KINOVA_JACO2_LOAD(in[4]);
-        const kinova_jaco2_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = KINOVA_JACO2_LOAD(in[3]) - d0 -
-            s0;
-        const kinova_jaco2_lane D2 = KINOVA_JACO2_LOAD(in[5]) - s0;
-        const kinova_jaco2_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D - D2;
-        const kinova_jaco2_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const kinova_jaco2_lane rising = kinova_jaco2_with_sign(kinova_jaco2_all(1.0), f1 - f0);
-        low = kinova_jaco2_all(0.0);
-        high = kinova_jaco2_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = kinova_jaco2_select(value * rising < 0.0, x, low);
-            high = kinova_jaco2_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = kinova_jaco2_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const kinova_jaco2_lane u = x * x, c0 = i ? c : KINOVA_JACO2_LOAD(in[6]), s_0 = i ? s :
-                KINOVA_JACO2_LOAD(in[7]);
-            const kinova_jaco2_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-            const kinova_jaco2_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = kinova_jaco2_all(f->a[0]);
-            slope = kinova_jaco2_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const kinova_jaco2_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = kinova_jaco2_max(kinova_jaco2_min(-value / slope, kinova_jaco2_all(1e-3 * h)),
-                kinova_jaco2_all(-1e-3 * h));
-        }
-        KINOVA_JACO2_STORE(cosine + from, c);
-        KINOVA_JACO2_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? kinova_jaco2_grid_c[0][half] : -kinova_jaco2_grid_c[0][half];
+    *s = cell < 128 ? kinova_jaco2_grid_s[0][half] : -kinova_jaco2_grid_s[0][half];
 }
 
 static int kinova_jaco2_lowest(unsigned long long bits)
@@ -2095,51 +2403,79 @@ static int kinova_jaco2_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void kinova_jaco2_search_cells(const kinova_jaco2_trigonometric *f, const kinova_jaco2_grid
+    *g, const int *cell, int count,
+                                 int *budget, kinova_jaco2_waiting *waiting, kinova_jaco2_roots
+                                     *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][KINOVA_JACO2_LANES], bend[2][KINOVA_JACO2_LANES];
+    int kind[KINOVA_JACO2_LANES];
+    kinova_jaco2_spans part;
+    for (int k = 0; k < KINOVA_JACO2_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        kinova_jaco2_edge(i, &in[4][k], &in[5][k]);
+        kinova_jaco2_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = kinova_jaco2_all(h);
+    for (int end = 0; end < 2; end++) {
+        kinova_jaco2_lane at[3], *const to = end ? part.high : part.low;
+        kinova_jaco2_at_all(f, KINOVA_JACO2_LOAD(in[4 + 2 * end]), KINOVA_JACO2_LOAD(in[5 + 2 *
+            end]), at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = KINOVA_JACO2_LOAD(in[2 * end]);
+        to[1] = KINOVA_JACO2_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        KINOVA_JACO2_STORE(bend[end], at[2]);
+    }
+    kinova_jaco2_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == KINOVA_JACO2_TAME) {
+            kinova_jaco2_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != KINOVA_JACO2_ROOTLESS) {
+            kinova_jaco2_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting,
+                roots);
+        }
+    }
+}
+
 static void kinova_jaco2_find_roots(const kinova_jaco2_trigonometric *f, const kinova_jaco2_window
     *window,
                                kinova_jaco2_roots *roots)
 {
     kinova_jaco2_grid g;
-    int plain[KINOVA_JACO2_ROOTS], special[256], plains = 0, specials = 0;
+    kinova_jaco2_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    kinova_jaco2_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    kinova_jaco2_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            kinova_jaco2_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            kinova_jaco2_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + kinova_jaco2_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < KINOVA_JACO2_ROOTS &&
-                kinova_jaco2_kind(f, low, high, h) == KINOVA_JACO2_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    kinova_jaco2_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (kinova_jaco2_kind(f, low, high, h) == KINOVA_JACO2_TAME) {
-            kinova_jaco2_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            kinova_jaco2_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += KINOVA_JACO2_LANES) {
+        kinova_jaco2_search_cells(f, &g, open + k, count - k < KINOVA_JACO2_LANES ? count - k :
+            KINOVA_JACO2_LANES, &budget,
+                             &waiting, roots);
     }
+    kinova_jaco2_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2838,16 +3174,16 @@ typedef struct {
     double q[16][6], residual[16];
 } kinova_jaco2_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double kinova_jaco2_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int kinova_jaco2_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (!(gap < most || 6.283185307179586 - gap < most)) {
+            return 0;
+        }
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2857,7 +3193,7 @@ static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double 
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (kinova_jaco2_gap(found->q[i], theta) < 1e-06) {
+        if (kinova_jaco2_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3040,7 +3376,7 @@ static int kinova_jaco2_attempt(const kinova_jaco2_formulation *form, const kino
     kinova_jaco2_roots roots;
     kinova_jaco2_candidates all;
     kinova_jaco2_around(form, loop, link);
-    kinova_jaco2_equations(form, link, E);
+    kinova_jaco2_equations(form, link, form->left, E);
     if (!kinova_jaco2_real_roots(kinova_jaco2_sample, E, &roots)) {
         return 0;
     }
@@ -3150,7 +3486,7 @@ static void kinova_jaco2_merge(kinova_jaco2_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && kinova_jaco2_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && kinova_jaco2_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

@@ -457,6 +457,8 @@ typedef long long manseur_doty_mask __attribute__((vector_size(8 * MANSEUR_DOTY_
 /* the same where it lies between other doubles */
 typedef double manseur_doty_packed
     __attribute__((vector_size(8 * MANSEUR_DOTY_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define MANSEUR_DOTY_ALIGNED __attribute__((aligned(8 * MANSEUR_DOTY_LANES)))
 #define MANSEUR_DOTY_LOAD(from) \
     (manseur_doty_lane)(*(const manseur_doty_packed *)(from))
 #define MANSEUR_DOTY_STORE(to, x) \
@@ -480,6 +482,13 @@ static inline manseur_doty_lane manseur_doty_with_sign(manseur_doty_lane x, mans
     return (manseur_doty_lane)(((manseur_doty_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline manseur_doty_lane manseur_doty_facing(manseur_doty_lane x, manseur_doty_lane y)
+{
+    const manseur_doty_mask sign = (manseur_doty_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (manseur_doty_lane)((manseur_doty_mask)x ^ sign);
+}
+
 static inline manseur_doty_lane manseur_doty_sqrt(manseur_doty_lane x)
 {
     manseur_doty_lane r = x;
@@ -491,6 +500,7 @@ static inline manseur_doty_lane manseur_doty_sqrt(manseur_doty_lane x)
 #else
 typedef double manseur_doty_lane;
 typedef int manseur_doty_mask;
+#define MANSEUR_DOTY_ALIGNED
 #define MANSEUR_DOTY_LOAD(from) (*(from))
 #define MANSEUR_DOTY_STORE(to, x) (*(to) = (x))
 
@@ -508,6 +518,11 @@ static inline manseur_doty_lane manseur_doty_abs(manseur_doty_lane x)
 static inline manseur_doty_lane manseur_doty_with_sign(manseur_doty_lane x, manseur_doty_lane y)
 {
     return copysign(x, y);
+}
+
+static inline manseur_doty_lane manseur_doty_facing(manseur_doty_lane x, manseur_doty_lane y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline manseur_doty_lane manseur_doty_sqrt(manseur_doty_lane x)
@@ -579,11 +594,108 @@ typedef struct {
 typedef struct {
     int joint[6];
     double sign;
+    const double (*left)[32]; /* the features of the left side if they are constant */
 } manseur_doty_formulation;
 
+/* the features of the left side of the formulation that has the joints 2, 3, 4, 5, 0, 1 */
+static const double manseur_doty_left_0[15][32] MANSEUR_DOTY_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.4175503608665452, 0.49473811076092117,
+        -0.4175503608665452, 0.4725631775131589, -1.6278526213400133, -0.4725631775131589,
+        -0.39631010962441515, -0.45013358315244806, 0.39631010962441515, -0.7573301240873739,
+        -0.8739226723481909, 0.7573301240873739, -0.886055957837173, 3.052223665012525,
+        0.886055957837173, 0.7686582580831766, 0.8977117537393765, -0.7686582580831766 },
+    { -0.008762824931332168, 0.030185567165599742, 0.008762824931332168, 0.030183125392774925,
+        0.03504185527067891, -0.030183125392774925, 0.008762824931332168, -0.030185567165599742,
+        -0.008762824931332168, 0.7572147790412647, 0.8737895696922527, -0.7572147790412647,
+        0.8859210072230859, -3.0517587965645663, -0.8859210072230859, -0.7685411877073907,
+        -0.8975750278911175, 0.7685411877073907, 0.41748676592413464, 0.4946627597503344,
+        -0.41748676592413464, 0.4724912038523125, -1.627604691501102, -0.4724912038523125,
+        -0.3962497496751482, -0.45006502562746303, 0.3962497496751482 },
+    { 0.502021904093082, -1.729329984719921, -0.502021904093082, -1.729190095648476,
+        -2.0075465439278197, 1.729190095648476, -0.502021904093082, 1.729329984719921,
+        0.502021904093082, 0.013217233132771206, 0.015252053672577575, -0.013217233132771206,
+        0.015463808702350885, -0.053268647939293666, -0.015463808702350885, -0.013414936331441963,
+        -0.015667230389786166, 0.013414936331441963, 0.007287258605877346, 0.008634370589013384,
+        -0.007287258605877346, 0.008247364641253805, -0.028409945567623288, -0.008247364641253805,
+        -0.006916565108369677, -0.007855914244247279, 0.006916565108369677 },
+    { 0.6953580640433468, 0.0, 0.6953580640433468, 0.0, 0.0, 0.0, 0.6953580640433468, 0.0,
+        0.6953580640433468, -0.1374354761873909, 0.0, -0.1374354761873909, -0.9424146938563946, 0.0,
+        -0.9424146938563946, 0.1374354761873909, 0.0, 0.1374354761873909, 0.25769151785135797, 0.0,
+        0.25769151785135797, 1.76702755098074, 0.0, 1.76702755098074, -0.25769151785135797, 0.0,
+        -0.25769151785135797 },
+    { 0.015048232725877613, 0.0, 0.015048232725877613, -0.010193964104626769, 0.0,
+        -0.010193964104626769, -0.019902501347128454, 0.0, -0.019902501347128454,
+        -0.2576522701850323, 0.0, -0.2576522701850323, -1.7667584241259355, 0.0,
+        -1.7667584241259355, 0.2576522701850323, 0.0, 0.2576522701850323, -0.1374145440986839, 0.0,
+        -0.1374145440986839, -0.9422711595338323, 0.0, -0.9422711595338323, 0.1374145440986839, 0.0,
+        0.1374145440986839 },
+    { -0.9084581138591411, 0.0, -0.9084581138591411, 0.5840118124194066, 0.0, 0.5840118124194066,
+        1.0938681001502528, 0.0, 1.0938681001502528, -0.004497337104982398, 0.0,
+        -0.004497337104982398, -0.030838883005593586, 0.0, -0.030838883005593586,
+        0.004497337104982398, 0.0, 0.004497337104982398, -0.0023985797893239457, 0.0,
+        -0.0023985797893239457, -0.016447404269649912, 0.0, -0.016447404269649912,
+        0.0023985797893239457, 0.0, 0.0023985797893239457 },
+    { 1.3943388596621829, 0.0, 1.3943388596621829, 0.10833110637460869, 0.0, 0.10833110637460869,
+        1.7657597958036981, 0.0, 1.7657597958036981, -0.19071687118570732, 0.0,
+        -0.19071687118570732, -1.307772830987707, 0.0, -1.307772830987707, 0.19071687118570732, 0.0,
+        0.19071687118570732, 0.35859807641068864, 0.0, 0.35859807641068864, 2.458958238244722, 0.0,
+        2.458958238244722, -0.35859807641068864, 0.0, -0.35859807641068864 },
+    { -0.7087415190058218, 1.2782810678357894, 0.7087415190058218, -0.16037781446369773,
+        -0.18619463988344825, 0.16037781446369773, -0.8018639304676557, 1.599062645447025,
+        0.8018639304676557, 0.2897344521090147, 0.3433132717934823, -0.2897344521090147,
+        0.32788393926034326, -1.1294716884820695, -0.32788393926034326, -0.2749557094840808,
+        -0.312277912281121, 0.2749557094840808, -0.5269533401218027, -0.6080893412577341,
+        0.5269533401218027, -0.6165083832055321, 2.1237050101121633, 0.6165083832055321,
+        0.5348132694937, 0.6245951929387185, -0.5348132694937 },
+    { -0.0004061169629149695, 0.0013989633431254163, 0.0004061169629149695, 0.0013988501780934181,
+        0.001624030144268848, -0.0013988501780934181, 0.0004061169629149695, -0.0013989633431254163,
+        -0.0004061169629149695, 0.5587103133043643, 1.2397322919790106, -0.5587103133043643,
+        -0.07885844772648563, 0.28999017890475054, 0.07885844772648563, 0.7115631870232071,
+        1.427842058708889, -0.7115631870232071, 0.3103727708827452, 0.6872178236750158,
+        -0.3103727708827452, -0.05002553486923625, 0.1379292669774681, 0.05002553486923625,
+        0.3645764883952727, 0.7301756208088214, -0.3645764883952727 },
+    { -0.34914632733916195, 1.202374719463507, 0.34914632733916195, 1.2019856052617963,
+        1.3950802670389195, -1.2019856052617963, 0.34914632733916195, -1.202374719463507,
+        -0.34914632733916195, -0.31952210347170523, -0.6977257794056658, 0.31952210347170523,
+        0.03925836086227607, -0.10084449669265927, -0.03925836086227607, -0.3551871830829677,
+        -0.7191637223591473, 0.3551871830829677, 0.5535686556003837, 1.2335518319915106,
+        -0.5535686556003837, -0.0845688009751665, 0.3096580109626984, 0.0845688009751665,
+        0.7162534512974577, 1.4330745924939559, -0.7162534512974577 },
+    { -0.0025786763196232678, 0.028370489332696997, 0.0025786763196232678, 0.045088363023979665,
+        0.07497723174807887, -0.045088363023979665, 0.0025786763196232678, -0.028370489332696997,
+        -0.0025786763196232678, 0.5214563308312348, 0.5960031215359919, -0.5214563308312348,
+        0.617287551959425, -2.1257887571796137, -0.617287551959425, -0.5410945518952818,
+        -0.6372433857704906, 0.5410945518952818, 0.29944116361708806, 0.3648972953523557,
+        -0.29944116361708806, 0.3264577312675165, -1.1242386380081282, -0.3264577312675165,
+        -0.26249534245201067, -0.2873110709056934, 0.26249534245201067 },
+    { 0.9856639475261181, -1.777714155826987, -0.9856639475261181, 0.2230790056195141,
+        0.2590257728100694, -0.2230790056195141, 1.115159414232296, -2.223854152284278,
+        -1.115159414232296, -0.01554413770485677, 0.5637436036390754, 0.01554413770485677,
+        -1.1317866337739297, 1.7127540769783467, 1.1317866337739297, -0.09699401631368762,
+        -0.8000737270780187, 0.09699401631368762, 0.042141042842510246, -1.031669065412678,
+        -0.042141042842510246, 2.127271073635935, -3.2138639251264767, -2.127271073635935,
+        0.20022534273118064, 1.540638475117429, -0.20022534273118064 },
+    { 0.014000112517891846, 0.013881642222257436, -0.014000112517891846, 0.06502990505895369,
+        0.15418053046177416, -0.06502990505895369, -0.021332997150361473, 8.575707768471164e-05,
+        0.021332997150361473, 0.6835475044608418, 1.8609733773658306, -0.6835475044608418,
+        -1.2679472220019177, 0.25518707149698017, 1.2679472220019177, -0.9531284007471286,
+        -2.427093259567033, 0.9531284007471286, 0.4000523365180866, 1.0701621548525908,
+        -0.4000523365180866, -0.6786027981952021, 0.15243525406168212, 0.6786027981952021,
+        -0.46116043273605123, -1.1984891569103164, 0.46116043273605123 },
+    { -0.5876500002054882, -0.08856321606194606, 0.5876500002054882, -1.8196735380223927,
+        -4.816674364208902, 1.8196735380223927, 0.8677313358836443, -0.44492504237263697,
+        -0.8677313358836443, 0.44273358366231497, 0.9863481115253225, -0.44273358366231497,
+        -0.09158642983171082, 0.19583480021828445, 0.09158642983171082, 0.48931146188026065,
+        0.9709464841140858, -0.48931146188026065, -0.770645024105946, -1.7068104413238285,
+        0.770645024105946, 0.0979223025364333, -0.40091784376840706, -0.0979223025364333,
+        -0.9983725843072296, -2.00812653634384, 0.9983725843072296 },
+};
+
 static const manseur_doty_formulation manseur_doty_formulations[2] = {
-    { { 2, 3, 4, 5, 0, 1 }, 1.0 },
-    { { 5, 4, 3, 2, 1, 0 }, -1.0 },
+    { { 2, 3, 4, 5, 0, 1 }, 1.0, manseur_doty_left_0 },
+    { { 5, 4, 3, 2, 1, 0 }, -1.0, 0 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -648,7 +760,7 @@ static const double manseur_doty_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double manseur_doty_sample_c[24] = {
+static const double manseur_doty_sample_c[24] MANSEUR_DOTY_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -656,7 +768,7 @@ static const double manseur_doty_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double manseur_doty_sample_s[24] = {
+static const double manseur_doty_sample_s[24] MANSEUR_DOTY_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -666,7 +778,7 @@ static const double manseur_doty_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double manseur_doty_harmonics[24][24] = {
+static const double manseur_doty_harmonics[24][24] MANSEUR_DOTY_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -804,7 +916,7 @@ static const double manseur_doty_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double manseur_doty_grid_c[8][128] = {
+static const double manseur_doty_grid_c[8][128] MANSEUR_DOTY_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1055,7 +1167,7 @@ static const double manseur_doty_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double manseur_doty_grid_s[8][128] = {
+static const double manseur_doty_grid_s[8][128] MANSEUR_DOTY_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1411,24 +1523,29 @@ static inline void manseur_doty_to_unit(manseur_doty_lane *c, manseur_doty_lane 
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline manseur_doty_lane manseur_doty_reflect(manseur_doty_lane *const *row, int rows, int
     column, int columns)
 {
-    manseur_doty_lane axis[6], square = {0}, length, factor;
+    manseur_doty_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = manseur_doty_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = manseur_doty_with_sign(manseur_doty_sqrt(square), axis[0]);
+    length = manseur_doty_with_sign(manseur_doty_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        manseur_doty_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        manseur_doty_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1564,10 +1681,37 @@ static inline void manseur_doty_mirror(double axis[6][8], const double factor[6]
     }
 }
 
+/* The features of the left side: column 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3, 1 (i)
+ * and
+ * x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+static void manseur_doty_left_side(const manseur_doty_formulation *form, double link[6][12], double
+    to[15][32])
+{
+    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} };
+    (void)form;
+    x[0][0] = x[3][0] = 1.0; /* the origin and z */
+    manseur_doty_pass(link[2], x, 1, manseur_doty_tangents, y);
+    manseur_doty_pass(link[1], y, 3, manseur_doty_tangents, x);
+    manseur_doty_pass(link[0], x, 9, manseur_doty_cosines, y);
+    for (int k = 0; k < 32; k += MANSEUR_DOTY_LANES) {
+        manseur_doty_lane z[15];
+        for (int i = 0; i < 15; i++) {
+            z[i] = MANSEUR_DOTY_LOAD(&y[i][k]);
+        }
+        manseur_doty_act(link[5], z);
+        for (int i = 0; i < 15; i++) {
+            MANSEUR_DOTY_STORE(&to[i][k], z[i]);
+        }
+    }
+}
+
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
-static void manseur_doty_equations(const manseur_doty_formulation *form, double link[6][12], double
-    E[192])
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
+ * left
+ * side's features have columns like these. */
+static void manseur_doty_equations(const manseur_doty_formulation *form, double link[6][12], const
+    double (*left)[32],
+                         double E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
@@ -1592,15 +1736,11 @@ static void manseur_doty_equations(const manseur_doty_formulation *form, double 
         }
     }
     manseur_doty_clear(A, 8, 6, pair_axis, pair_factor);
-    manseur_doty_pass(link[2], x, 1, manseur_doty_tangents, y);
-    manseur_doty_pass(link[1], y, 3, manseur_doty_tangents, x);
-    manseur_doty_pass(link[0], x, 9, manseur_doty_cosines, y);
     for (int k = 0; k < 32; k += MANSEUR_DOTY_LANES) {
         manseur_doty_lane z[15], alone[8], mixed[8];
         for (int i = 0; i < 15; i++) {
-            z[i] = MANSEUR_DOTY_LOAD(&y[i][k]);
+            z[i] = MANSEUR_DOTY_LOAD(&left[i][k]);
         }
-        manseur_doty_act(link[5], z);
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
             alone[i] = z[still[i]] - right[still[i]][0] * z[0];
@@ -1673,9 +1813,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } manseur_doty_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] MANSEUR_DOTY_ALIGNED, slope[264] MANSEUR_DOTY_ALIGNED;
 } manseur_doty_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1739,39 +1879,43 @@ static void manseur_doty_at(const manseur_doty_trigonometric *f, double cosine, 
     }
 }
 
-static void manseur_doty_fill_grid(const manseur_doty_trigonometric *f, manseur_doty_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void manseur_doty_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += MANSEUR_DOTY_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        manseur_doty_lane value[2], slope[2], bend[2];
-        value[0] = manseur_doty_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = manseur_doty_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const manseur_doty_lane c = MANSEUR_DOTY_LOAD(&manseur_doty_grid_c[m - 1][i]);
-            const manseur_doty_lane s = MANSEUR_DOTY_LOAD(&manseur_doty_grid_s[m - 1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        manseur_doty_lane even = manseur_doty_all(a[0]), odd = manseur_doty_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * MANSEUR_DOTY_LOAD(&manseur_doty_grid_c[m - 1][i]);
+            even += a[m + 1] * MANSEUR_DOTY_LOAD(&manseur_doty_grid_c[m][i]);
+            odd += b[m] * MANSEUR_DOTY_LOAD(&manseur_doty_grid_s[m - 1][i]);
+            even += b[m + 1] * MANSEUR_DOTY_LOAD(&manseur_doty_grid_s[m][i]);
         }
-        MANSEUR_DOTY_STORE(&g->value[i], value[0] + value[1]);
-        MANSEUR_DOTY_STORE(&g->slope[i], slope[0] + slope[1]);
-        MANSEUR_DOTY_STORE(&g->bend[i], bend[0] + bend[1]);
-        MANSEUR_DOTY_STORE(&g->value[i + 128], value[0] - value[1]);
-        MANSEUR_DOTY_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        MANSEUR_DOTY_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        MANSEUR_DOTY_STORE(&out[i], even + odd);
+        MANSEUR_DOTY_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void manseur_doty_fill_grids(const manseur_doty_trigonometric *f, manseur_doty_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    manseur_doty_fill_grid(f->a, f->b, g->value);
+    manseur_doty_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long manseur_doty_open_cells(const manseur_doty_grid *g, int from, double
     doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if MANSEUR_DOTY_LANES > 1
     manseur_doty_mask weight, sum = {0};
@@ -1780,25 +1924,21 @@ static unsigned long long manseur_doty_open_cells(const manseur_doty_grid *g, in
     }
 #endif
     for (int i = 0; i < 64; i += MANSEUR_DOTY_LANES) {
-        const manseur_doty_lane f0 = MANSEUR_DOTY_LOAD(&g->value[from + i]);
-        const manseur_doty_lane f1 = MANSEUR_DOTY_LOAD(&g->value[from + i + 1]);
-        const manseur_doty_lane d0 = MANSEUR_DOTY_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const manseur_doty_lane d1 = MANSEUR_DOTY_LOAD(&g->slope[from + i + 1]) * (h / 5.0);
-        const manseur_doty_lane s0 = MANSEUR_DOTY_LOAD(&g->bend[from + i]) * (h * h / 20.0);
-        const manseur_doty_lane s1 = MANSEUR_DOTY_LOAD(&g->bend[from + i + 1]) * (h * h / 20.0);
-        const manseur_doty_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const manseur_doty_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const manseur_doty_lane least = manseur_doty_min(
-            manseur_doty_min(manseur_doty_min(f0, f1), manseur_doty_min(b1, b2)),
-                manseur_doty_min(b3, b4));
-        const manseur_doty_lane most = manseur_doty_max(
-            manseur_doty_max(manseur_doty_max(f0, f1), manseur_doty_max(b1, b2)),
-                manseur_doty_max(b3, b4));
-        const manseur_doty_mask open = (least <= doubt) & (most >= -doubt);
+        const manseur_doty_lane first = MANSEUR_DOTY_LOAD(&g->value[from + i]);
+        const manseur_doty_lane f0 = manseur_doty_abs(first) - doubt;
+        const manseur_doty_lane f1 = manseur_doty_facing(MANSEUR_DOTY_LOAD(&g->value[from + i + 1]),
+            first) - doubt;
+        const manseur_doty_lane d0 = manseur_doty_facing(MANSEUR_DOTY_LOAD(&g->slope[from + i]),
+            first);
+        const manseur_doty_lane d1 = manseur_doty_facing(MANSEUR_DOTY_LOAD(&g->slope[from + i + 1]),
+            first);
+        const manseur_doty_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if MANSEUR_DOTY_LANES > 1
-        sum |= (open & weight) << i;
+        const manseur_doty_mask signs = (manseur_doty_mask)f0 | (manseur_doty_mask)f1 |
+            (manseur_doty_mask)b1 | (manseur_doty_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if MANSEUR_DOTY_LANES > 1
@@ -1809,9 +1949,8 @@ static unsigned long long manseur_doty_open_cells(const manseur_doty_grid *g, in
     return bits;
 }
 
-static void manseur_doty_add_root(manseur_doty_roots *roots, double x, int twice)
+static void manseur_doty_add_root(manseur_doty_roots *roots, double c, double s, int twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1831,151 +1970,321 @@ static void manseur_doty_add_root(manseur_doty_roots *roots, double x, int twice
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double manseur_doty_on_quintic(int order, double h, const double low[3], const double
-    high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} manseur_doty_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    manseur_doty_parts turning, crossing;
+} manseur_doty_waiting;
+
+static void manseur_doty_add_part(manseur_doty_parts *parts, double c, double s, double width, const
+    double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    manseur_doty_lane c, s, width, start, low[3], high[3];
+} manseur_doty_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void manseur_doty_take_parts(manseur_doty_parts *parts, int from, manseur_doty_spans *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + MANSEUR_DOTY_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        manseur_doty_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = MANSEUR_DOTY_LOAD(parts->c + from);
+    out->s = MANSEUR_DOTY_LOAD(parts->s + from);
+    out->width = MANSEUR_DOTY_LOAD(parts->width + from);
+    out->start = MANSEUR_DOTY_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = MANSEUR_DOTY_LOAD(parts->low[i] + from);
+        out->high[i] = MANSEUR_DOTY_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline manseur_doty_lane manseur_doty_on_quintic(int order, const manseur_doty_spans *part)
+{
+    const manseur_doty_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const manseur_doty_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const manseur_doty_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const manseur_doty_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const manseur_doty_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const manseur_doty_mask rising = part->low[order] < 0.0;
+    manseur_doty_lane x = part->start, from = manseur_doty_all(0.0), to = manseur_doty_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const manseur_doty_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
+            c5))));
+        const manseur_doty_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const manseur_doty_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const manseur_doty_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const manseur_doty_mask before = (value < 0.0) == rising;
+        from = manseur_doty_select(before, x, from);
+        to = manseur_doty_select(before, to, x);
+        x -= value / slope;
+        x = manseur_doty_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double manseur_doty_between(const manseur_doty_trigonometric *f, int order, double low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void manseur_doty_at_all(const manseur_doty_trigonometric *f, manseur_doty_lane
+    cosine, manseur_doty_lane sine,
+                                  manseur_doty_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * manseur_doty_on_quintic(order, high - low, at_low, at_high);
+    manseur_doty_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = manseur_doty_all(f->a[0]);
+    out[1] = out[2] = manseur_doty_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const manseur_doty_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] -
+            f->a[m] * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void manseur_doty_turn_on(manseur_doty_lane x, manseur_doty_lane *c, manseur_doty_lane
+    *s)
+{
+    const manseur_doty_lane u = x * x, c0 = *c, s0 = *s;
+    const manseur_doty_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const manseur_doty_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 /
+        5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline manseur_doty_lane manseur_doty_between(const manseur_doty_trigonometric *f, int order,
+    double settled,
+                                           const manseur_doty_spans *part, manseur_doty_lane *c,
+                                               manseur_doty_lane *s,
+                                           manseur_doty_lane at[3])
+{
+    const manseur_doty_mask rising = part->low[order] < 0.0;
+    manseur_doty_lane from = manseur_doty_all(0.0), to = part->width, x = part->width *
+        manseur_doty_on_quintic(order, part);
+    manseur_doty_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        manseur_doty_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const manseur_doty_mask moving = manseur_doty_abs(step) >= settled;
+        if (i && manseur_doty_largest(manseur_doty_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        manseur_doty_turn_on(x, c, s);
+        manseur_doty_at_all(f, *c, *s, at);
+        const manseur_doty_mask before = (at[order] < 0.0) == rising;
+        from = manseur_doty_select(before, x, from);
+        to = manseur_doty_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = manseur_doty_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to) -
+            x);
+        step = manseur_doty_select(moving, step, manseur_doty_all(0.0));
+        x += step;
     }
+    manseur_doty_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void manseur_doty_few(const manseur_doty_trigonometric *f, double lifted, double low,
-                        const double at_low[3], double high, const double at_high[3],
-                        manseur_doty_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void manseur_doty_divide(const manseur_doty_trigonometric *f, const manseur_doty_parts
+    *parts, int i, double x,
+                           double c, double s, const double at[3], manseur_doty_waiting *waiting,
+                           manseur_doty_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            manseur_doty_add_root(roots, manseur_doty_between(f, 0, low, at_low, high, at_high), 0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        manseur_doty_add_root(roots, c, s, 1);
         return;
     }
-    x = manseur_doty_between(f, 1, low, at_low, high, at_high);
-    manseur_doty_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        manseur_doty_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        manseur_doty_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        manseur_doty_add_root(roots, manseur_doty_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        manseur_doty_add_root(roots, manseur_doty_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        manseur_doty_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void manseur_doty_solve_parts(const manseur_doty_trigonometric *f, manseur_doty_waiting
+    *waiting, manseur_doty_roots *roots)
+{
+    manseur_doty_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[MANSEUR_DOTY_LANES], c[MANSEUR_DOTY_LANES], s[MANSEUR_DOTY_LANES],
+        value[3][MANSEUR_DOTY_LANES];
+    manseur_doty_spans part;
+    manseur_doty_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += MANSEUR_DOTY_LANES) {
+        manseur_doty_take_parts(bent, from, &part);
+        MANSEUR_DOTY_STORE(x, manseur_doty_between(f, 1, 1e-07, &part, &cosine, &sine, at));
+        MANSEUR_DOTY_STORE(c, cosine);
+        MANSEUR_DOTY_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            MANSEUR_DOTY_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < MANSEUR_DOTY_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            manseur_doty_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += MANSEUR_DOTY_LANES) {
+        manseur_doty_take_parts(crossing, from, &part);
+        (void)manseur_doty_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        MANSEUR_DOTY_STORE(c, cosine);
+        MANSEUR_DOTY_STORE(s, sine);
+        for (int k = 0; k < MANSEUR_DOTY_LANES && from + k < crossing->count; k++) {
+            manseur_doty_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void manseur_doty_few(const manseur_doty_trigonometric *f, double c, double s, double width,
+    const double low[3],
+                        const double high[3], manseur_doty_waiting *waiting, manseur_doty_roots
+                            *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        manseur_doty_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] -
+            high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        manseur_doty_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        manseur_doty_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { MANSEUR_DOTY_ROOTLESS, MANSEUR_DOTY_FLAT, MANSEUR_DOTY_TAME, MANSEUR_DOTY_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int manseur_doty_kind(const manseur_doty_trigonometric *f, const double low[3], const double
-    high[3],
-                        double h)
+static inline void manseur_doty_kinds(const manseur_doty_trigonometric *f, const manseur_doty_spans
+    *part, int kind[MANSEUR_DOTY_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return MANSEUR_DOTY_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return MANSEUR_DOTY_FLAT;
+    const manseur_doty_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
+        0.2;
+    const manseur_doty_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
+    const manseur_doty_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const manseur_doty_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const manseur_doty_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    manseur_doty_lane least[3], most[3];
+    double bounds[5][MANSEUR_DOTY_LANES];
+    least[0] = manseur_doty_min(b[0], b[5]);
+    most[0] = manseur_doty_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const manseur_doty_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = manseur_doty_min(least[0], b[i]);
+        most[0] = manseur_doty_max(most[0], b[i]);
+        least[1] = manseur_doty_min(least[1], first);
+        most[1] = manseur_doty_max(most[1], first);
+        least[2] = manseur_doty_min(least[2], second);
+        most[2] = manseur_doty_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? MANSEUR_DOTY_TAME
-               : MANSEUR_DOTY_WILD;
+    MANSEUR_DOTY_STORE(bounds[0], least[0]);
+    MANSEUR_DOTY_STORE(bounds[1], most[0]);
+    MANSEUR_DOTY_STORE(bounds[2], manseur_doty_max(least[1], -most[1]) - doubt * share);
+    MANSEUR_DOTY_STORE(bounds[3], manseur_doty_max(least[2], -most[2]) - doubt * square);
+    MANSEUR_DOTY_STORE(bounds[4], manseur_doty_max(doubt, manseur_doty_all(f->touching)));
+    for (int k = 0; k < MANSEUR_DOTY_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = MANSEUR_DOTY_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = MANSEUR_DOTY_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? MANSEUR_DOTY_TAME :
+                MANSEUR_DOTY_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int manseur_doty_kind(const manseur_doty_trigonometric *f, const double low[3], const double
+    high[3], double h)
+{
+    manseur_doty_spans part;
+    int kind[MANSEUR_DOTY_LANES];
+    part.width = manseur_doty_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = manseur_doty_all(low[i]);
+        part.high[i] = manseur_doty_all(high[i]);
+    }
+    manseur_doty_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void manseur_doty_many(const manseur_doty_trigonometric *f, double lifted, double low, double
-    high,
-                         const double first[3], const double last[3], int *budget,
+static void manseur_doty_many(const manseur_doty_trigonometric *f, double low, double c, double s,
+    const double first[3],
+                         const double last[3], int *budget, manseur_doty_waiting *waiting,
                          manseur_doty_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -1985,23 +2294,30 @@ static void manseur_doty_many(const manseur_doty_trigonometric *f, double lifted
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = manseur_doty_kind(f, at_low, at[top], h);
-        if (kind != MANSEUR_DOTY_ROOTLESS) {
-            if (kind == MANSEUR_DOTY_TAME) {
-                manseur_doty_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == MANSEUR_DOTY_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == MANSEUR_DOTY_TAME) {
+            manseur_doty_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != MANSEUR_DOTY_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == MANSEUR_DOTY_FLAT || depth[top] == 14 || *budget == 0) {
+                manseur_doty_solve_parts(f, waiting, roots); /* of neighbouring double roots the
+                    first is kept */
                 roots->complete = 0;
-                manseur_doty_add_root(roots, low + 0.5 * h, 1);
+                manseur_doty_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                manseur_doty_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                manseur_doty_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -2009,77 +2325,12 @@ static void manseur_doty_many(const manseur_doty_trigonometric *f, double lifted
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void manseur_doty_refine(const manseur_doty_trigonometric *f, const manseur_doty_grid *g,
-    const int *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void manseur_doty_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += MANSEUR_DOTY_LANES) {
-        double in[8][MANSEUR_DOTY_LANES];
-        manseur_doty_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < MANSEUR_DOTY_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? manseur_doty_grid_c[0][half] : -manseur_doty_grid_c[0][half];
-            in[7][k] = i < 128 ? manseur_doty_grid_s[0][half] : -manseur_doty_grid_s[0][half];
-        }
-        const manseur_doty_lane f0 = MANSEUR_DOTY_LOAD(in[0]), f1 = MANSEUR_DOTY_LOAD(in[1]), d0 =
-            MANSEUR_DOTY_LOAD(in[2]);
-        const manseur_doty_lane s0 = MANSEUR_DOTY_LOAD(in[4]);
-        const manseur_doty_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = MANSEUR_DOTY_LOAD(in[3]) - d0 -
-            s0;
-        const manseur_doty_lane D2 = MANSEUR_DOTY_LOAD(in[5]) - s0;
-        const manseur_doty_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D - D2;
-        const manseur_doty_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const manseur_doty_lane rising = manseur_doty_with_sign(manseur_doty_all(1.0), f1 - f0);
-        low = manseur_doty_all(0.0);
-        high = manseur_doty_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = manseur_doty_select(value * rising < 0.0, x, low);
-            high = manseur_doty_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = manseur_doty_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const manseur_doty_lane u = x * x, c0 = i ? c : MANSEUR_DOTY_LOAD(in[6]), s_0 = i ? s :
-                MANSEUR_DOTY_LOAD(in[7]);
-            const manseur_doty_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-            const manseur_doty_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = manseur_doty_all(f->a[0]);
-            slope = manseur_doty_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const manseur_doty_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = manseur_doty_max(manseur_doty_min(-value / slope, manseur_doty_all(1e-3 * h)),
-                manseur_doty_all(-1e-3 * h));
-        }
-        MANSEUR_DOTY_STORE(cosine + from, c);
-        MANSEUR_DOTY_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? manseur_doty_grid_c[0][half] : -manseur_doty_grid_c[0][half];
+    *s = cell < 128 ? manseur_doty_grid_s[0][half] : -manseur_doty_grid_s[0][half];
 }
 
 static int manseur_doty_lowest(unsigned long long bits)
@@ -2095,51 +2346,79 @@ static int manseur_doty_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void manseur_doty_search_cells(const manseur_doty_trigonometric *f, const manseur_doty_grid
+    *g, const int *cell, int count,
+                                 int *budget, manseur_doty_waiting *waiting, manseur_doty_roots
+                                     *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][MANSEUR_DOTY_LANES], bend[2][MANSEUR_DOTY_LANES];
+    int kind[MANSEUR_DOTY_LANES];
+    manseur_doty_spans part;
+    for (int k = 0; k < MANSEUR_DOTY_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        manseur_doty_edge(i, &in[4][k], &in[5][k]);
+        manseur_doty_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = manseur_doty_all(h);
+    for (int end = 0; end < 2; end++) {
+        manseur_doty_lane at[3], *const to = end ? part.high : part.low;
+        manseur_doty_at_all(f, MANSEUR_DOTY_LOAD(in[4 + 2 * end]), MANSEUR_DOTY_LOAD(in[5 + 2 *
+            end]), at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = MANSEUR_DOTY_LOAD(in[2 * end]);
+        to[1] = MANSEUR_DOTY_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        MANSEUR_DOTY_STORE(bend[end], at[2]);
+    }
+    manseur_doty_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == MANSEUR_DOTY_TAME) {
+            manseur_doty_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != MANSEUR_DOTY_ROOTLESS) {
+            manseur_doty_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting,
+                roots);
+        }
+    }
+}
+
 static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, const manseur_doty_window
     *window,
                                manseur_doty_roots *roots)
 {
     manseur_doty_grid g;
-    int plain[MANSEUR_DOTY_ROOTS], special[256], plains = 0, specials = 0;
+    manseur_doty_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    manseur_doty_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    manseur_doty_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            manseur_doty_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            manseur_doty_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + manseur_doty_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < MANSEUR_DOTY_ROOTS &&
-                manseur_doty_kind(f, low, high, h) == MANSEUR_DOTY_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    manseur_doty_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (manseur_doty_kind(f, low, high, h) == MANSEUR_DOTY_TAME) {
-            manseur_doty_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            manseur_doty_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += MANSEUR_DOTY_LANES) {
+        manseur_doty_search_cells(f, &g, open + k, count - k < MANSEUR_DOTY_LANES ? count - k :
+            MANSEUR_DOTY_LANES, &budget,
+                             &waiting, roots);
     }
+    manseur_doty_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2838,16 +3117,16 @@ typedef struct {
     double q[16][6], residual[16];
 } manseur_doty_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double manseur_doty_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int manseur_doty_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (!(gap < most || 6.283185307179586 - gap < most)) {
+            return 0;
+        }
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2857,7 +3136,7 @@ static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double 
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (manseur_doty_gap(found->q[i], theta) < 1e-06) {
+        if (manseur_doty_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3040,7 +3319,13 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
     manseur_doty_roots roots;
     manseur_doty_candidates all;
     manseur_doty_around(form, loop, link);
-    manseur_doty_equations(form, link, E);
+    if (form->left) {
+        manseur_doty_equations(form, link, form->left, E);
+    } else {
+        double left[15][32];
+        manseur_doty_left_side(form, link, left);
+        manseur_doty_equations(form, link, (const double (*)[32])left, E);
+    }
     if (!manseur_doty_real_roots(manseur_doty_sample, E, &roots)) {
         return 0;
     }
@@ -3150,7 +3435,7 @@ static void manseur_doty_merge(manseur_doty_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && manseur_doty_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && manseur_doty_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

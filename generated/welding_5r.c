@@ -484,6 +484,8 @@ typedef long long welding_5r_mask __attribute__((vector_size(8 * WELDING_5R_LANE
 /* the same where it lies between other doubles */
 typedef double welding_5r_packed
     __attribute__((vector_size(8 * WELDING_5R_LANES), aligned(8), may_alias));
+/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
+#define WELDING_5R_ALIGNED __attribute__((aligned(8 * WELDING_5R_LANES)))
 #define WELDING_5R_LOAD(from) \
     (welding_5r_lane)(*(const welding_5r_packed *)(from))
 #define WELDING_5R_STORE(to, x) \
@@ -507,6 +509,13 @@ static inline welding_5r_lane welding_5r_with_sign(welding_5r_lane x, welding_5r
     return (welding_5r_lane)(((welding_5r_mask)x & 0x7fffffffffffffffLL) | sign);
 }
 
+/* the first, turned round where the second is negative */
+static inline welding_5r_lane welding_5r_facing(welding_5r_lane x, welding_5r_lane y)
+{
+    const welding_5r_mask sign = (welding_5r_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (welding_5r_lane)((welding_5r_mask)x ^ sign);
+}
+
 static inline welding_5r_lane welding_5r_sqrt(welding_5r_lane x)
 {
     welding_5r_lane r = x;
@@ -518,6 +527,7 @@ static inline welding_5r_lane welding_5r_sqrt(welding_5r_lane x)
 #else
 typedef double welding_5r_lane;
 typedef int welding_5r_mask;
+#define WELDING_5R_ALIGNED
 #define WELDING_5R_LOAD(from) (*(from))
 #define WELDING_5R_STORE(to, x) (*(to) = (x))
 
@@ -535,6 +545,11 @@ static inline welding_5r_lane welding_5r_abs(welding_5r_lane x)
 static inline welding_5r_lane welding_5r_with_sign(welding_5r_lane x, welding_5r_lane y)
 {
     return copysign(x, y);
+}
+
+static inline welding_5r_lane welding_5r_facing(welding_5r_lane x, welding_5r_lane y)
+{
+    return y < 0.0 ? -x : x;
 }
 
 static inline welding_5r_lane welding_5r_sqrt(welding_5r_lane x)
@@ -606,11 +621,190 @@ typedef struct {
 typedef struct {
     int joint[6];
     double sign;
+    const double (*left)[32]; /* the features of the left side if they are constant */
 } welding_5r_formulation;
 
+/* the features of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4 */
+static const double welding_5r_left_0[15][32] WELDING_5R_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.26999531908254015, -1.26921516617257,
+        0.26999531908254015, -1.26921516617257, 1.0799812763301606, 1.26921516617257,
+        0.26999531908254015, 1.26921516617257, -0.26999531908254015, 0.634607583086285,
+        -0.5399906381650803, -0.634607583086285, -0.5399906381650803, -2.53843033234514,
+        0.5399906381650803, -0.634607583086285, 0.5399906381650803, 0.634607583086285 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.28349508503666715, 1.3326759244811983,
+        -0.28349508503666715, 1.3326759244811983, -1.1339803401466686, -1.3326759244811983,
+        -0.28349508503666715, -1.3326759244811983, 0.28349508503666715, -0.6663379622405992,
+        0.5669901700733343, 0.6663379622405992, 0.5669901700733343, 2.6653518489623966,
+        -0.5669901700733343, 0.6663379622405992, -0.5669901700733343, -0.6663379622405992 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9201809954751131, -0.7829864253393664,
+        -0.9201809954751131, -0.7829864253393664, -3.6807239819004525, 0.7829864253393664,
+        -0.9201809954751131, 0.7829864253393664, 0.9201809954751131, 0.3914932126696832,
+        1.8403619909502262, -0.3914932126696832, 1.8403619909502262, -1.5659728506787327,
+        -1.8403619909502262, -0.3914932126696832, -1.8403619909502262, 0.3914932126696832 },
+    { -0.0376442147130227, 0.0, -0.0376442147130227, 0.0, 0.0, 0.0, -0.0376442147130227, 0.0,
+        -0.0376442147130227, -0.4900112522467611, -0.07485691137285341, -0.6659578733198969,
+        -0.9099890697121806, -0.3518932421462714, -0.7602752469664739, 0.18885753454257945,
+        0.07485691137285341, 0.3648041556157152, -0.06126898120822103, 0.1759466210731357,
+        -0.13612589258107438, -0.6788687867893406, -0.14971382274570683, -1.030762028935612,
+        -0.9712580509204016, -0.1759466210731357, -0.8964011395475483 },
+    { -0.03585163306002162, 0.0, -0.03585163306002162, 0.0, 0.0, 0.0, -0.03585163306002162, 0.0,
+        -0.03585163306002162, 0.5145118148590991, 0.07859975694149607, 0.6992557669858916,
+        0.9554885231977895, 0.36948790425358496, 0.7982890093147975, -0.19830041126970843,
+        -0.07859975694149607, -0.383044363396501, 0.06433243026863208, -0.18474395212679248,
+        0.1429321872101281, 0.7128122261288076, 0.15719951388299214, 1.0823001303823927,
+        1.0198209534664215, 0.18474395212679248, 0.9412211965249256 },
+    { -0.10396973582207782, 0.0, -0.10396973582207782, 0.0, 0.0, 0.0, -0.10396973582207782, 0.0,
+        -0.10396973582207782, -0.08884002275192049, 0.25512260055604674, -0.19738254424255786,
+        -0.9843597408445438, -0.21708504298127487, -1.4946049419566374, -1.4083241738345822,
+        -0.25512260055604674, -1.299781652343945, 0.7105163157578036, 0.10854252149063744,
+        0.9656389163138503, 1.3194841510826618, 0.5102452011120935, 1.102399108101387,
+        -0.2738434250867402, -0.10854252149063744, -0.528966025642787 },
+    { 0.5262381170619481, 0.10891226966932332, 0.9849305179327961, 2.0499311190015397,
+        0.5478222008866628, 2.7190568123465604, 2.0718793325314397, 0.7780379630143439,
+        1.9827495325156248, 0.018473347391889113, -0.05305005876410732, 0.041043621961576654,
+        0.20468724441899241, 0.04514054913937511, 0.3107873619472071, 0.292846184610855,
+        0.05305005876410732, 0.27027591004116747, -0.14774438729322972, -0.022570274569687555,
+        -0.20079444605733707, -0.27437283721896594, -0.10610011752821465, -0.22923228807959084,
+        0.05694285712576267, 0.022570274569687555, 0.10999291588987002 },
+    { 0.19641341453635575, 1.6544203823097459, -0.19641341557605319, 0.9879477164503695,
+        2.413415135900188, -0.9879477164503695, 1.40312098248645, -0.3214750505909931,
+        -1.4031209835261471, -0.0956709750080441, 0.08140689179480698, 0.0956709750080441,
+        0.08140689179480698, 0.3826839000321764, -0.08140689179480698, 0.0956709750080441,
+        -0.08140689179480698, -0.0956709750080441, -0.04070344589740349, -0.1913419500160882,
+        0.04070344589740349, -0.1913419500160882, 0.16281378358961396, 0.1913419500160882,
+        0.04070344589740349, 0.1913419500160882, -0.04070344589740349 },
+    { 0.4986297037854681, -0.28446080801243406, -0.6993988489215892, 0.8738227216190336,
+        -1.430820830721225, -0.8738227216190336, -0.21678071157514428, -2.0321062512505015,
+        0.016011566439023163, -0.0035150823004593997, 0.16662930581699847, 0.0035150823004593997,
+        0.16662930581699847, 0.014060329201837599, -0.16662930581699847, 0.0035150823004593997,
+        -0.16662930581699847, -0.0035150823004593997, -0.08331465290849924, -0.007030164600918799,
+        0.08331465290849924, -0.007030164600918799, 0.33325861163399695, 0.007030164600918799,
+        0.08331465290849924, 0.007030164600918799, -0.08331465290849924 },
+    { 0.4748854321766363, -0.2709150552499372, -0.666094141830085, 0.8322121158276511,
+        -1.3626865054487856, -0.8322121158276511, -0.20645782054775647, -1.9353392869052395,
+        0.015249110894307775, 0.06271083296671744, 0.10248505641547948, -0.06271083296671744,
+        0.10248505641547948, -0.25084333186686975, -0.10248505641547948, -0.06271083296671744,
+        -0.10248505641547948, 0.06271083296671744, -0.05124252820773974, 0.12542166593343487,
+        0.05124252820773974, 0.12542166593343487, 0.20497011283095895, -0.12542166593343487,
+        0.05124252820773974, -0.12542166593343487, -0.05124252820773974 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.020351722958877605, -0.0956709750558796,
+        0.020351722958877605, -0.0956709750558796, 0.08140689183551042, 0.0956709750558796,
+        0.020351722958877605, 0.0956709750558796, -0.020351722958877605, 0.0478354875279398,
+        -0.04070344591775521, -0.0478354875279398, -0.04070344591775521, -0.1913419501117592,
+        0.04070344591775521, -0.0478354875279398, 0.04070344591775521, 0.0478354875279398 },
+    { -0.08395976835966724, 0.1808926456436575, 0.12371960634048892, -0.09866871573447028,
+        0.46505854709461236, 0.09866871573447028, 0.14856950518763895, 0.37823007711259804,
+        -0.10880966720681726, 0.04320482065049371, 0.9595888045182969, 0.011523425856359976,
+        0.11042690739272673, 3.371545393773283, 0.36357272914558825, 0.036620700102654974,
+        2.744957647263478, 0.4811927211015685, 0.354958300691258, -0.09584018994955915,
+        -0.6754537799997866, 1.3900713143825312, 0.11149926940736536, -1.853156489079901,
+        1.4138192641602578, 0.5087308161543392, -1.2603151069304717 },
+    { 0.11776828048327875, 0.059476714825604224, -0.1595161105198823, 0.2525413130694498,
+        -0.12447437981003184, -0.2525413130694498, 0.05553109057826286, -0.4456059113132954,
+        -0.09727892061486637, -0.05978804638649897, -0.9952956578387716, 0.002323387554302603,
+        -0.10367566585692306, -3.482430724648025, -0.39402395250830763, -0.02402875040430715,
+        -2.8944781165320914, -0.5196753418601274, -0.37884250917854095, 0.07178623004007595,
+        0.7153627624524959, -1.4884208495086186, -0.09252905906685363, 1.9746602829408568,
+        -1.4783739339155508, -0.505321387555095, 1.3171945688242752 },
+    { 0.04084210164251433, 0.3440193001748105, -0.040842101858708464, 0.20543332617073992,
+        0.5018442682170932, -0.20543332617073992, 0.2917642357510609, -0.06684735216666932,
+        -0.29176423596725504, 0.49923928685254326, -0.1011521087538148, -0.9639577318499098,
+        2.053419572527716, 0.22347493723980305, -2.724893075838902, 2.0654881821821545,
+        0.6998435167507459, -1.8429071541989648, -0.08155507327973885, -1.4223042648510917,
+        0.0021991158448010093, -0.1910195140190154, -4.813108487625168, -0.4962799589615413,
+        -0.03419193181232674, -3.9492880902324807, -0.7166375289337974 },
+};
+
+/* the features of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0 */
+static const double welding_5r_left_1[15][32] WELDING_5R_ALIGNED = {
+    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.39149321266968334, 1.8403619909502262,
+        0.39149321266968334, 1.8403619909502262, 1.5659728506787334, -1.8403619909502262,
+        0.39149321266968334, -1.8403619909502262, -0.39149321266968334, -0.9201809954751131,
+        -0.7829864253393667, 0.9201809954751131, -0.7829864253393667, 3.6807239819004525,
+        0.7829864253393667, 0.9201809954751131, 0.7829864253393667, -0.9201809954751131 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, -0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9201809954751131, 0.7829864253393667,
+        -0.9201809954751131, 0.7829864253393667, -3.6807239819004525, -0.7829864253393667,
+        -0.9201809954751131, -0.7829864253393667, 0.9201809954751131, -0.39149321266968334,
+        1.8403619909502262, 0.39149321266968334, 1.8403619909502262, 1.5659728506787334,
+        -1.8403619909502262, 0.39149321266968334, -1.8403619909502262, -0.39149321266968334 },
+    { 0.13862631449875026, 0.0, 0.13862631449875026, 0.0, 0.0, 0.0, 0.13862631449875026, 0.0,
+        0.13862631449875026, 0.7865067452574694, 0.1913419500160882, 0.8679136370522765,
+        -1.015365617934006, 0.16281378358961396, -1.3980495179661825, -0.12003407939809307,
+        -0.1913419500160882, -0.20144097119290028, -0.2920843900642487, -0.08140689179480698,
+        -0.1007424400481603, 0.9065408246555624, 0.3826839000321764, 1.0693546082451768,
+        -1.3074500079982545, 0.08140689179480698, -1.4987919580143427 },
+    { -0.051984867937031345, 0.0, -0.051984867937031345, 0.0, 0.0, 0.0, -0.051984867937031345, 0.0,
+        -0.051984867937031345, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.0,
+        0.0, -0.0, 0.0, -0.0, 0.0 },
+    { 5.198487223827861e-10, 0.0, 5.198487223827861e-10, 0.0, 0.0, 0.0, 5.198487223827861e-10, 0.0,
+        5.198487223827861e-10, 0.2920843900642487, 0.08140689179480698, 0.1007424400481603,
+        -0.9065408246555624, -0.3826839000321764, -1.0693546082451768, 1.3074500079982545,
+        -0.08140689179480698, 1.4987919580143427, 0.7865067452574694, 0.1913419500160882,
+        0.8679136370522765, -1.015365617934006, 0.16281378358961396, -1.3980495179661825,
+        -0.12003407939809307, -0.1913419500160882, -0.20144097119290028 },
+    { 0.7258258328206392, 0.3485388333505668, 0.7853428021741048, -2.12675666249095,
+        -0.5036051252985567, -2.64223126885715, 1.7457533851975209, -0.16693577301563267,
+        2.308875479849543, 0.21806106315058021, 0.05305005876410733, 0.24063133772026782,
+        -0.281512787908403, 0.045140549139375104, -0.3876129054366177, -0.03327976272306359,
+        -0.05305005876410733, -0.0558500372927512, -0.08098116421671532, -0.022570274569687552,
+        -0.027931105452607935, 0.25134082587364376, 0.10610011752821466, 0.296481375013019,
+        -0.36249395212511826, 0.022570274569687552, -0.41554401088922566 },
+    { -0.03914154767516154, 1.676155232071654, 0.24708101931931714, 1.2394823414005907,
+        -2.4218832591840482, -1.2394823414005907, -1.2500831772671857, -0.8028094507295273,
+        1.4580226489113413, -0.054271260745318725, 0.25512260055604674, 0.054271260745318725,
+        0.25512260055604674, 0.2170850429812749, -0.25512260055604674, 0.054271260745318725,
+        -0.25512260055604674, -0.054271260745318725, -0.12756130027802337, -0.10854252149063745,
+        0.12756130027802337, -0.10854252149063745, 0.5102452011120935, 0.10854252149063745,
+        0.12756130027802337, 0.10854252149063745, -0.12756130027802337 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.04783548752793979, -0.04070344591775523,
+        0.04783548752793979, -0.04070344591775523, 0.19134195011175917, 0.04070344591775523,
+        0.04783548752793979, 0.04070344591775523, -0.04783548752793979, 0.020351722958877615,
+        -0.09567097505587958, -0.020351722958877615, -0.09567097505587958, -0.08140689183551046,
+        0.09567097505587958, -0.020351722958877615, 0.09567097505587958, 0.020351722958877615 },
+    { -0.838077616035827, -0.2862225669944787, 0.838077616035827, 1.2109416295920241,
+        2.4789646828011813, -1.2109416295920241, 0.4014047253647636, -2.708105826178527,
+        -0.4014047253647636, -0.12756130027802337, -0.10854252149063745, 0.12756130027802337,
+        -0.10854252149063745, 0.5102452011120935, 0.10854252149063745, 0.12756130027802337,
+        0.10854252149063745, -0.12756130027802337, 0.054271260745318725, -0.25512260055604674,
+        -0.054271260745318725, -0.25512260055604674, -0.2170850429812749, 0.25512260055604674,
+        -0.054271260745318725, 0.25512260055604674, 0.054271260745318725 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.020351722958877615, 0.09567097505587958,
+        0.020351722958877615, 0.09567097505587958, 0.08140689183551046, -0.09567097505587958,
+        0.020351722958877615, -0.09567097505587958, -0.020351722958877615, -0.04783548752793979,
+        -0.04070344591775523, 0.04783548752793979, -0.04070344591775523, 0.19134195011175917,
+        0.04070344591775523, 0.04783548752793979, 0.04070344591775523, -0.04783548752793979 },
+    { 0.010852096124622386, -0.46471844499736653, -0.06850386131031573, -0.34364973649027836,
+        0.6714735033111855, 0.34364973649027836, 0.34658884778021515, 0.22258102798319007,
+        -0.4042406129659085, -0.20753885487628937, -1.4930376766847862, -0.13648044529852119,
+        0.06845125365494989, 4.752921089273076, 0.4333930145621435, 0.3682985848706843,
+        -3.8785546783987863, -0.30145123270401464, -0.6553897016837678, 0.11384788830058665,
+        0.7370739051849904, 2.213816697188616, 0.1637936212751368, -2.624683349530096,
+        -1.6978001382482497, -0.7125392962975173, 2.2813286099665655 },
+    { -0.004069536373488575, 0.17426941676241814, 0.025688948318123586, 0.1288686516559842,
+        -0.25180256277517965, -0.1288686516559842, -0.12997081776107838, -0.08346788654955029,
+        0.1515902297057134, -0.005642568645243175, 0.026525029395316178, 0.005642568645243175,
+        0.026525029395316178, 0.0225702745809727, -0.026525029395316178, 0.005642568645243175,
+        -0.026525029395316178, -0.005642568645243175, -0.013262514697658089, -0.01128513729048635,
+        0.013262514697658089, -0.01128513729048635, 0.053050058790632355, 0.01128513729048635,
+        0.013262514697658089, 0.01128513729048635, -0.013262514697658089 },
+    { 0.2323592223905862, 0.07935595743493813, -0.23235922260678035, -0.33573675165559275,
+        -0.6872994729805567, 0.33573675165559275, -0.11129051409969211, 0.7508294607461237,
+        0.11129051388349798, 0.6907564076006151, -0.08375418912454004, -0.7724406111018377,
+        -2.18372299801257, -0.30526044494252585, 2.5945896503540498, 1.6624334323314025,
+        0.6824455971214707, -2.2459619040497185, -0.22258570446431267, -1.4223042648510915,
+        -0.12143359571049787, 0.13918466548864442, 4.813108487625168, 0.362659602728449,
+        0.3833454344587076, -3.9492880902324807, -0.31649808229203796 },
+};
+
 static const welding_5r_formulation welding_5r_formulations[2] = {
-    { { 3, 2, 1, 0, 5, 4 }, -1.0 },
-    { { 1, 2, 3, 4, 5, 0 }, 1.0 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, welding_5r_left_0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0, welding_5r_left_1 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -673,7 +867,7 @@ static const double welding_5r_nudge[10][12] = {
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double welding_5r_sample_c[24] = {
+static const double welding_5r_sample_c[24] WELDING_5R_ALIGNED = {
     1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
         -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
@@ -681,7 +875,7 @@ static const double welding_5r_sample_c[24] = {
         0.9659258262890682
 };
 
-static const double welding_5r_sample_s[24] = {
+static const double welding_5r_sample_s[24] WELDING_5R_ALIGNED = {
     0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
         0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
         -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
@@ -691,7 +885,7 @@ static const double welding_5r_sample_s[24] = {
 
 /* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
  * rounding: one row for each sample */
-static const double welding_5r_harmonics[24][24] = {
+static const double welding_5r_harmonics[24][24] WELDING_5R_ALIGNED = {
     { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
         0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
@@ -829,7 +1023,7 @@ static const double welding_5r_harmonics[24][24] = {
 };
 
 /* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double welding_5r_grid_c[8][128] = {
+static const double welding_5r_grid_c[8][128] WELDING_5R_ALIGNED = {
     { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
         0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
         0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
@@ -1080,7 +1274,7 @@ static const double welding_5r_grid_c[8][128] = {
         0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
 };
 
-static const double welding_5r_grid_s[8][128] = {
+static const double welding_5r_grid_s[8][128] WELDING_5R_ALIGNED = {
     { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
         0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
         0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
@@ -1436,24 +1630,29 @@ static inline void welding_5r_to_unit(welding_5r_lane *c, welding_5r_lane *s)
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
+ * that half
+ * as many operations wait for each other. */
 static inline welding_5r_lane welding_5r_reflect(welding_5r_lane *const *row, int rows, int column,
     int columns)
 {
-    welding_5r_lane axis[6], square = {0}, length, factor;
+    welding_5r_lane axis[6], half[2], length, factor;
+    half[0] = half[1] = welding_5r_all(0.0);
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
-        square += axis[i] * axis[i];
+        half[i % 2] += axis[i] * axis[i];
     }
-    length = welding_5r_with_sign(welding_5r_sqrt(square), axis[0]);
+    length = welding_5r_with_sign(welding_5r_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
     for (int j = column + 1; j < columns; j++) {
-        welding_5r_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
+        welding_5r_lane sum;
+        half[0] = axis[0] * row[0][j];
+        half[1] = axis[1] * row[1][j];
+        for (int i = 2; i < rows; i++) {
+            half[i % 2] += axis[i] * row[i][j];
         }
-        sum *= factor;
+        sum = (half[0] + half[1]) * factor;
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1504,18 +1703,6 @@ static inline void welding_5r_cosines(const welding_5r_lane x[15], welding_5r_la
         part[1][at] = part[2][at + 1] = x[at];
         part[1][at + 1] = x[at + 1];
         part[2][at] = -x[at + 1];
-    }
-}
-
-/* The same by x^2, x and 1 for x = tan(phi/2), times 1 + x^2. */
-static inline void welding_5r_tangents(const welding_5r_lane x[15], welding_5r_lane part[3][15])
-{
-    welding_5r_cosines(x, part);
-    for (int i = 0; i < 15; i++) {
-        const welding_5r_lane one = part[0][i], cosine = part[1][i];
-        part[0][i] = one - cosine;
-        part[1][i] = 2.0 * part[2][i];
-        part[2][i] = one + cosine;
     }
 }
 
@@ -1588,9 +1775,12 @@ static inline void welding_5r_mirror(double axis[6][8], const double factor[6], 
 }
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
-static void welding_5r_equations(const welding_5r_formulation *form, double link[6][12], double
-    E[192])
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
+ * left
+ * side's features have columns like these. */
+static void welding_5r_equations(const welding_5r_formulation *form, double link[6][12], const
+    double (*left)[32],
+                         double E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
@@ -1615,15 +1805,11 @@ static void welding_5r_equations(const welding_5r_formulation *form, double link
         }
     }
     welding_5r_clear(A, 8, 6, pair_axis, pair_factor);
-    welding_5r_pass(link[2], x, 1, welding_5r_tangents, y);
-    welding_5r_pass(link[1], y, 3, welding_5r_tangents, x);
-    welding_5r_pass(link[0], x, 9, welding_5r_cosines, y);
     for (int k = 0; k < 32; k += WELDING_5R_LANES) {
         welding_5r_lane z[15], alone[8], mixed[8];
         for (int i = 0; i < 15; i++) {
-            z[i] = WELDING_5R_LOAD(&y[i][k]);
+            z[i] = WELDING_5R_LOAD(&left[i][k]);
         }
-        welding_5r_act(link[5], z);
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
             alone[i] = z[still[i]] - right[still[i]][0] * z[0];
@@ -1695,9 +1881,9 @@ typedef struct {
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } welding_5r_trigonometric;
 
-/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+/* f and f' at the edges of the cells; the first edge stands at the end again */
 typedef struct {
-    double value[264], slope[264], bend[264];
+    double value[264] WELDING_5R_ALIGNED, slope[264] WELDING_5R_ALIGNED;
 } welding_5r_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -1761,38 +1947,42 @@ static void welding_5r_at(const welding_5r_trigonometric *f, double cosine, doub
     }
 }
 
-static void welding_5r_fill_grid(const welding_5r_trigonometric *f, welding_5r_grid *g)
+/* At the edges of the cells what has these coefficients. */
+static void welding_5r_fill_grid(const double *restrict a, const double *restrict b, double
+    *restrict out)
 {
     for (int i = 0; i < 128; i += WELDING_5R_LANES) {
-        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
-        welding_5r_lane value[2], slope[2], bend[2];
-        value[0] = welding_5r_all(f->a[0]);
-        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = welding_5r_all(0.0);
-        for (int m = 1; m < 9; m++) {
-            const welding_5r_lane c = WELDING_5R_LOAD(&welding_5r_grid_c[m - 1][i]);
-            const welding_5r_lane s = WELDING_5R_LOAD(&welding_5r_grid_s[m - 1][i]);
-            const double ma = m * f->a[m], mb = m * f->b[m];
-            value[m % 2] += f->a[m] * c + f->b[m] * s;
-            slope[m % 2] += mb * c - ma * s;
-            bend[m % 2] -= m * ma * c + m * mb * s;
+        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        welding_5r_lane even = welding_5r_all(a[0]), odd = welding_5r_all(0.0);
+        for (int m = 1; m < 9; m += 2) {
+            odd += a[m] * WELDING_5R_LOAD(&welding_5r_grid_c[m - 1][i]);
+            even += a[m + 1] * WELDING_5R_LOAD(&welding_5r_grid_c[m][i]);
+            odd += b[m] * WELDING_5R_LOAD(&welding_5r_grid_s[m - 1][i]);
+            even += b[m + 1] * WELDING_5R_LOAD(&welding_5r_grid_s[m][i]);
         }
-        WELDING_5R_STORE(&g->value[i], value[0] + value[1]);
-        WELDING_5R_STORE(&g->slope[i], slope[0] + slope[1]);
-        WELDING_5R_STORE(&g->bend[i], bend[0] + bend[1]);
-        WELDING_5R_STORE(&g->value[i + 128], value[0] - value[1]);
-        WELDING_5R_STORE(&g->slope[i + 128], slope[0] - slope[1]);
-        WELDING_5R_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+        WELDING_5R_STORE(&out[i], even + odd);
+        WELDING_5R_STORE(&out[i + 128], even - odd);
     }
-    g->value[256] = g->value[0];
-    g->slope[256] = g->slope[0];
-    g->bend[256] = g->bend[0];
+    out[256] = out[0];
 }
 
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
- * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static void welding_5r_fill_grids(const welding_5r_trigonometric *f, welding_5r_grid *g)
+{
+    double a[9], b[9];
+    for (int m = 0; m < 9; m++) {
+        a[m] = m * f->b[m];
+        b[m] = -m * f->a[m];
+    }
+    welding_5r_fill_grid(f->a, f->b, g->value);
+    welding_5r_fill_grid(a, b, g->slope);
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
+ * and
+ * f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long welding_5r_open_cells(const welding_5r_grid *g, int from, double doubt)
 {
-    const double h = 0.02454369260617026;
+    const double third = 0.02454369260617026 / 3.0;
     unsigned long long bits = 0;
 #if WELDING_5R_LANES > 1
     welding_5r_mask weight, sum = {0};
@@ -1801,23 +1991,20 @@ static unsigned long long welding_5r_open_cells(const welding_5r_grid *g, int fr
     }
 #endif
     for (int i = 0; i < 64; i += WELDING_5R_LANES) {
-        const welding_5r_lane f0 = WELDING_5R_LOAD(&g->value[from + i]);
-        const welding_5r_lane f1 = WELDING_5R_LOAD(&g->value[from + i + 1]);
-        const welding_5r_lane d0 = WELDING_5R_LOAD(&g->slope[from + i]) * (h / 5.0);
-        const welding_5r_lane d1 = WELDING_5R_LOAD(&g->slope[from + i + 1]) * (h / 5.0);
-        const welding_5r_lane s0 = WELDING_5R_LOAD(&g->bend[from + i]) * (h * h / 20.0);
-        const welding_5r_lane s1 = WELDING_5R_LOAD(&g->bend[from + i + 1]) * (h * h / 20.0);
-        const welding_5r_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
-        const welding_5r_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
-        const welding_5r_lane least = welding_5r_min(
-            welding_5r_min(welding_5r_min(f0, f1), welding_5r_min(b1, b2)), welding_5r_min(b3, b4));
-        const welding_5r_lane most = welding_5r_max(
-            welding_5r_max(welding_5r_max(f0, f1), welding_5r_max(b1, b2)), welding_5r_max(b3, b4));
-        const welding_5r_mask open = (least <= doubt) & (most >= -doubt);
+        const welding_5r_lane first = WELDING_5R_LOAD(&g->value[from + i]);
+        const welding_5r_lane f0 = welding_5r_abs(first) - doubt;
+        const welding_5r_lane f1 = welding_5r_facing(WELDING_5R_LOAD(&g->value[from + i + 1]),
+            first) - doubt;
+        const welding_5r_lane d0 = welding_5r_facing(WELDING_5R_LOAD(&g->slope[from + i]), first);
+        const welding_5r_lane d1 = welding_5r_facing(WELDING_5R_LOAD(&g->slope[from + i + 1]),
+            first);
+        const welding_5r_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
 #if WELDING_5R_LANES > 1
-        sum |= (open & weight) << i;
+        const welding_5r_mask signs = (welding_5r_mask)f0 | (welding_5r_mask)f1 |
+            (welding_5r_mask)b1 | (welding_5r_mask)b2;
+        sum |= ((signs < 0) & weight) << i;
 #else
-        bits |= (unsigned long long)(open != 0) << i;
+        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
 #endif
     }
 #if WELDING_5R_LANES > 1
@@ -1828,9 +2015,8 @@ static unsigned long long welding_5r_open_cells(const welding_5r_grid *g, int fr
     return bits;
 }
 
-static void welding_5r_add_root(welding_5r_roots *roots, double x, int twice)
+static void welding_5r_add_root(welding_5r_roots *roots, double c, double s, int twice)
 {
-    const double c = cos(x), s = sin(x);
     int *const count = twice ? &roots->doubles : &roots->simple;
     if (twice) {
         for (int i = 0; i < roots->doubles; i++) {
@@ -1850,150 +2036,316 @@ static void welding_5r_add_root(welding_5r_roots *roots, double x, int twice)
     *count += 1;
 }
 
-/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
- * 1),
- * in parts of the way between them. */
-static double welding_5r_on_quintic(int order, double h, const double low[3], const double high[3])
+/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
+ * about
+ * where what is looked for lies, in parts of the width. */
+typedef struct {
+    int count;
+    double c[48], s[48], width[48], start[48];
+    double low[3][48], high[3][48];
+} welding_5r_parts;
+
+/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
+typedef struct {
+    double lifted; /* as of the window */
+    welding_5r_parts turning, crossing;
+} welding_5r_waiting;
+
+static void welding_5r_add_part(welding_5r_parts *parts, double c, double s, double width, const
+    double low[3],
+                             const double high[3], double start)
 {
-    const double d = h * low[1], s = h * h * low[2];
-    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
-    const double D2 = h * h * high[2] - s;
-    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const int rising = low[order] < 0.0;
-    double x = 0.5, from = 0.0, to = 1.0;
-    for (int i = 0; i < 12; i++) {
-        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
-        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const double value = order ? f1 : f, slope = order ? f2 : f1;
-        double next;
-        if ((value < 0.0) == rising) {
-            from = x;
-        } else {
-            to = x;
-        }
-        next = fabs(slope) > 0.0 ? x - value / slope : from;
-        next = next > from && next < to ? next : 0.5 * (from + to);
-        if (fabs(next - x) < 1e-09) {
-            return next;
-        }
-        x = next;
+    const int n = parts->count++;
+    parts->c[n] = c;
+    parts->s[n] = s;
+    parts->width[n] = width;
+    parts->start[n] = start;
+    for (int i = 0; i < 3; i++) {
+        parts->low[i][n] = low[i];
+        parts->high[i][n] = high[i];
+    }
+}
+
+/* Parts as they lie in lanes. */
+typedef struct {
+    welding_5r_lane c, s, width, start, low[3], high[3];
+} welding_5r_spans;
+
+/* Parts from one on; behind the last one it stands again. */
+static void welding_5r_take_parts(welding_5r_parts *parts, int from, welding_5r_spans *out)
+{
+    const int last = parts->count - 1;
+    while (parts->count < from + WELDING_5R_LANES) {
+        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
+        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
+        welding_5r_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
+                         parts->start[last]);
+    }
+    parts->count = last + 1;
+    out->c = WELDING_5R_LOAD(parts->c + from);
+    out->s = WELDING_5R_LOAD(parts->s + from);
+    out->width = WELDING_5R_LOAD(parts->width + from);
+    out->start = WELDING_5R_LOAD(parts->start + from);
+    for (int i = 0; i < 3; i++) {
+        out->low[i] = WELDING_5R_LOAD(parts->low[i] + from);
+        out->high[i] = WELDING_5R_LOAD(parts->high[i] + from);
+    }
+}
+
+/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
+ * 1), in
+ * parts of the width. */
+static inline welding_5r_lane welding_5r_on_quintic(int order, const welding_5r_spans *part)
+{
+    const welding_5r_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
+    const welding_5r_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
+    const welding_5r_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
+    const welding_5r_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const welding_5r_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const welding_5r_mask rising = part->low[order] < 0.0;
+    welding_5r_lane x = part->start, from = welding_5r_all(0.0), to = welding_5r_all(1.0);
+    for (int i = 0; i < 4; i++) {
+        const welding_5r_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
+            c5))));
+        const welding_5r_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const welding_5r_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const welding_5r_lane value = order ? f1 : f, slope = order ? f2 : f1;
+        const welding_5r_mask before = (value < 0.0) == rising;
+        from = welding_5r_select(before, x, from);
+        to = welding_5r_select(before, to, x);
+        x -= value / slope;
+        x = welding_5r_select((x >= from) & (x <= to), x, 0.5 * (from + to));
     }
     return x;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
- * where the quintic says by Newton, with bisection where it leaves. */
-static double welding_5r_between(const welding_5r_trigonometric *f, int order, double low,
-                              const double at_low[3], double high, const double at_high[3])
+/* f, f', f'' where cosine and sine are given */
+static inline void welding_5r_at_all(const welding_5r_trigonometric *f, welding_5r_lane cosine,
+    welding_5r_lane sine,
+                                  welding_5r_lane out[3])
 {
-    const int rising = at_low[order] < 0.0;
-    double x = low + (high - low) * welding_5r_on_quintic(order, high - low, at_low, at_high);
+    welding_5r_lane c[9], s[9];
+    c[1] = cosine;
+    s[1] = sine;
+    out[0] = welding_5r_all(f->a[0]);
+    out[1] = out[2] = welding_5r_all(0.0);
+    for (int m = 1; m < 9; m++) {
+        const int less = m / 2, more = m - m / 2;
+        if (less) {
+            c[m] = c[less] * c[more] - s[less] * s[more];
+            s[m] = s[less] * c[more] + c[less] * s[more];
+        }
+        const welding_5r_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] - f->a[m]
+            * s[m];
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+    }
+}
+
+/* Turn on by a small angle, no larger than a cell. */
+static inline void welding_5r_turn_on(welding_5r_lane x, welding_5r_lane *c, welding_5r_lane *s)
+{
+    const welding_5r_lane u = x * x, c0 = *c, s0 = *s;
+    const welding_5r_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
+    const welding_5r_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
+    *c = c0 * dc - s0 * ds;
+    *s = s0 * dc + c0 * ds;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
+ * where
+ * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
+ * f''
+ * there, as far as an extremum is concerned. */
+static inline welding_5r_lane welding_5r_between(const welding_5r_trigonometric *f, int order,
+    double settled,
+                                           const welding_5r_spans *part, welding_5r_lane *c,
+                                               welding_5r_lane *s,
+                                           welding_5r_lane at[3])
+{
+    const welding_5r_mask rising = part->low[order] < 0.0;
+    welding_5r_lane from = welding_5r_all(0.0), to = part->width, x = part->width *
+        welding_5r_on_quintic(order, part);
+    welding_5r_lane step = part->width;
     for (int i = 0; i < 48; i++) {
-        double at[3], step;
-        welding_5r_at(f, cos(x), sin(x), at);
-        if ((at[order] < 0.0) == rising) {
-            low = x;
-        } else {
-            high = x;
-        }
-        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (!(x + step > low && x + step < high)) {
-            step = 0.5 * (low + high) - x;
-        }
-        x += step;
-        if (fabs(step) < 1e-09) {
+        const welding_5r_mask moving = welding_5r_abs(step) >= settled;
+        if (i && welding_5r_largest(welding_5r_abs(step)) < settled) {
             break;
         }
+        *c = part->c;
+        *s = part->s;
+        welding_5r_turn_on(x, c, s);
+        welding_5r_at_all(f, *c, *s, at);
+        const welding_5r_mask before = (at[order] < 0.0) == rising;
+        from = welding_5r_select(before, x, from);
+        to = welding_5r_select(before, to, x);
+        step = -at[order] / at[order + 1];
+        step = welding_5r_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to) -
+            x);
+        step = welding_5r_select(moving, step, welding_5r_all(0.0));
+        x += step;
     }
+    welding_5r_turn_on(step, c, s);
+    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
     return x;
 }
 
-/* The roots of a cell where f has one extremum at most. */
-static void welding_5r_few(const welding_5r_trigonometric *f, double lifted, double low,
-                        const double at_low[3], double high, const double at_high[3],
-                        welding_5r_roots *roots)
+/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
+static void welding_5r_divide(const welding_5r_trigonometric *f, const welding_5r_parts *parts, int
+    i, double x,
+                           double c, double s, const double at[3], welding_5r_waiting *waiting,
+                           welding_5r_roots *roots)
 {
-    double x, at[3];
-    if (at_low[1] * at_high[1] >= 0.0) {
-        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            welding_5r_add_root(roots, welding_5r_between(f, 0, low, at_low, high, at_high), 0);
-        }
+    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
+        f->touching;
+    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
+    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
+    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
+        welding_5r_add_root(roots, c, s, 1);
         return;
     }
-    x = welding_5r_between(f, 1, low, at_low, high, at_high);
-    welding_5r_at(f, cos(x), sin(x), at);
-    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
-    if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        welding_5r_add_root(roots, x, 1);
-        return;
+    /* where a parabola with its summit at the extremum has its roots */
+    if ((low[0] < 0.0) != (at[0] < 0.0)) {
+        welding_5r_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
+                         1.0 - sqrt(at[0] / (at[0] - low[0])));
     }
-    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        welding_5r_add_root(roots, welding_5r_between(f, 0, low, at_low, x, at), 0);
-    }
-    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        welding_5r_add_root(roots, welding_5r_between(f, 0, x, at, high, at_high), 0);
+    if ((high[0] < 0.0) != (at[0] < 0.0)) {
+        welding_5r_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
+                         sqrt(at[0] / (at[0] - high[0])));
     }
 }
 
-/* What is known about f between two angles. */
+/* The roots of all parts that wait. */
+static void welding_5r_solve_parts(const welding_5r_trigonometric *f, welding_5r_waiting *waiting,
+    welding_5r_roots *roots)
+{
+    welding_5r_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
+    double x[WELDING_5R_LANES], c[WELDING_5R_LANES], s[WELDING_5R_LANES],
+        value[3][WELDING_5R_LANES];
+    welding_5r_spans part;
+    welding_5r_lane cosine, sine, at[3];
+    for (int from = 0; from < bent->count; from += WELDING_5R_LANES) {
+        welding_5r_take_parts(bent, from, &part);
+        WELDING_5R_STORE(x, welding_5r_between(f, 1, 1e-07, &part, &cosine, &sine, at));
+        WELDING_5R_STORE(c, cosine);
+        WELDING_5R_STORE(s, sine);
+        for (int i = 0; i < 3; i++) {
+            WELDING_5R_STORE(value[i], at[i]);
+        }
+        for (int k = 0; k < WELDING_5R_LANES && from + k < bent->count; k++) {
+            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
+            welding_5r_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
+        }
+    }
+    for (int from = 0; from < crossing->count; from += WELDING_5R_LANES) {
+        welding_5r_take_parts(crossing, from, &part);
+        (void)welding_5r_between(f, 0, 1e-09, &part, &cosine, &sine, at);
+        WELDING_5R_STORE(c, cosine);
+        WELDING_5R_STORE(s, sine);
+        for (int k = 0; k < WELDING_5R_LANES && from + k < crossing->count; k++) {
+            welding_5r_add_root(roots, c[k], s[k], 0);
+        }
+    }
+    bent->count = crossing->count = 0;
+}
+
+/* A part where f has one extremum at most waits for others, to be solved in lanes. */
+static void welding_5r_few(const welding_5r_trigonometric *f, double c, double s, double width,
+    const double low[3],
+                        const double high[3], welding_5r_waiting *waiting, welding_5r_roots *roots)
+{
+    if (low[1] * high[1] < 0.0) {
+        welding_5r_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] - high[1]));
+    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
+        welding_5r_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
+            high[0]));
+    }
+    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
+        welding_5r_solve_parts(f, waiting, roots);
+    }
+}
+
+/* What is known about f in a part of the circle. */
 enum { WELDING_5R_ROOTLESS, WELDING_5R_FLAT, WELDING_5R_TAME, WELDING_5R_WILD };
 
 /* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
  * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
  * f, f' and f''. */
-static int welding_5r_kind(const welding_5r_trigonometric *f, const double low[3], const double
-    high[3],
-                        double h)
+static inline void welding_5r_kinds(const welding_5r_trigonometric *f, const welding_5r_spans *part,
+    int kind[WELDING_5R_LANES])
 {
-    const double part = h / 0.02454369260617026, square = part * part;
-    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const double b[6] = {low[0],
-                         low[0] + h * low[1] / 5.0,
-                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
-                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
-                         high[0] - h * high[1] / 5.0,
-                         high[0]};
-    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 5; i++) {
-        const double first = b[i + 1] - b[i];
-        least[0] = b[i] < least[0] ? b[i] : least[0];
-        most[0] = b[i] > most[0] ? b[i] : most[0];
-        least[1] = first < least[1] ? first : least[1];
-        most[1] = first > most[1] ? first : most[1];
-        if (i < 4) {
-            const double second = b[i + 2] - b[i + 1] - first;
-            least[2] = second < least[2] ? second : least[2];
-            most[2] = second > most[2] ? second : most[2];
-        }
-    }
-    const double zero = doubt > f->touching ? doubt : f->touching;
-    if (least[0] > zero || most[0] < -zero) {
-        return WELDING_5R_ROOTLESS;
-    }
-    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
-        return WELDING_5R_FLAT;
+    const welding_5r_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
+        0.2;
+    const welding_5r_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
+    const welding_5r_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
+    const welding_5r_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const welding_5r_lane b[6] = {part->low[0],
+                           part->low[0] + d0,
+                           part->low[0] + 2.0 * d0 + s0,
+                           part->high[0] - 2.0 * d1 + s1,
+                           part->high[0] - d1,
+                           part->high[0]};
+    welding_5r_lane least[3], most[3];
+    double bounds[5][WELDING_5R_LANES];
+    least[0] = welding_5r_min(b[0], b[5]);
+    most[0] = welding_5r_max(b[0], b[5]);
+    least[1] = most[1] = b[1] - b[0];
+    least[2] = most[2] = b[2] - b[1] - least[1];
+    for (int i = 1; i < 5; i++) {
+        const welding_5r_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
+        least[0] = welding_5r_min(least[0], b[i]);
+        most[0] = welding_5r_max(most[0], b[i]);
+        least[1] = welding_5r_min(least[1], first);
+        most[1] = welding_5r_max(most[1], first);
+        least[2] = welding_5r_min(least[2], second);
+        most[2] = welding_5r_max(most[2], second);
     }
     /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
      * */
-    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
-                   most[2] < -doubt * square
-               ? WELDING_5R_TAME
-               : WELDING_5R_WILD;
+    WELDING_5R_STORE(bounds[0], least[0]);
+    WELDING_5R_STORE(bounds[1], most[0]);
+    WELDING_5R_STORE(bounds[2], welding_5r_max(least[1], -most[1]) - doubt * share);
+    WELDING_5R_STORE(bounds[3], welding_5r_max(least[2], -most[2]) - doubt * square);
+    WELDING_5R_STORE(bounds[4], welding_5r_max(doubt, welding_5r_all(f->touching)));
+    for (int k = 0; k < WELDING_5R_LANES; k++) {
+        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
+            kind[k] = WELDING_5R_ROOTLESS;
+        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
+            kind[k] = WELDING_5R_FLAT;
+        } else {
+            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? WELDING_5R_TAME : WELDING_5R_WILD;
+        }
+    }
+}
+
+/* The same of one part. */
+static int welding_5r_kind(const welding_5r_trigonometric *f, const double low[3], const double
+    high[3], double h)
+{
+    welding_5r_spans part;
+    int kind[WELDING_5R_LANES];
+    part.width = welding_5r_all(h);
+    for (int i = 0; i < 3; i++) {
+        part.low[i] = welding_5r_all(low[i]);
+        part.high[i] = welding_5r_all(high[i]);
+    }
+    welding_5r_kinds(f, &part, kind);
+    return kind[0];
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void welding_5r_many(const welding_5r_trigonometric *f, double lifted, double low, double
-    high,
-                         const double first[3], const double last[3], int *budget,
+static void welding_5r_many(const welding_5r_trigonometric *f, double low, double c, double s, const
+    double first[3],
+                         const double last[3], int *budget, welding_5r_waiting *waiting,
                          welding_5r_roots *roots)
 {
-    double edge[16], at[16][3]; /* the upper edges still to come */
+    /* the upper edges still to come */
+    double edge[16], edge_c[16], edge_s[16], at[16][3];
     double at_low[3];
     int depth[16], open = 1;
-    edge[0] = high;
+    edge[0] = low + 0.02454369260617026;
+    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
     depth[0] = 0;
     for (int i = 0; i < 3; i++) {
         at_low[i] = first[i];
@@ -2003,23 +2355,30 @@ static void welding_5r_many(const welding_5r_trigonometric *f, double lifted, do
         const int top = open - 1;
         const double h = edge[top] - low;
         const int kind = welding_5r_kind(f, at_low, at[top], h);
-        if (kind != WELDING_5R_ROOTLESS) {
-            if (kind == WELDING_5R_TAME) {
-                welding_5r_few(f, lifted, low, at_low, edge[top], at[top], roots);
-            } else if (kind == WELDING_5R_FLAT || depth[top] == 14 || *budget == 0) {
+        if (kind == WELDING_5R_TAME) {
+            welding_5r_few(f, c, s, h, at_low, at[top], waiting, roots);
+        } else if (kind != WELDING_5R_ROOTLESS) {
+            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
+            if (kind == WELDING_5R_FLAT || depth[top] == 14 || *budget == 0) {
+                welding_5r_solve_parts(f, waiting, roots); /* of neighbouring double roots the first
+                    is kept */
                 roots->complete = 0;
-                welding_5r_add_root(roots, low + 0.5 * h, 1);
+                welding_5r_add_root(roots, cosine, sine, 1);
             } else {
                 *budget -= 1;
-                edge[open] = low + 0.5 * h;
+                edge[open] = middle;
+                edge_c[open] = cosine;
+                edge_s[open] = sine;
                 depth[top] += 1;
                 depth[open] = depth[top];
-                welding_5r_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                welding_5r_at(f, cosine, sine, at[open]);
                 open++;
                 continue;
             }
         }
         low = edge[top];
+        c = edge_c[top];
+        s = edge_s[top];
         for (int i = 0; i < 3; i++) {
             at_low[i] = at[top][i];
         }
@@ -2027,76 +2386,12 @@ static void welding_5r_many(const welding_5r_trigonometric *f, double lifted, do
     }
 }
 
-/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
- * then one step of Newton on f itself. */
-static void welding_5r_refine(const welding_5r_trigonometric *f, const welding_5r_grid *g, const int
-    *cell,
-                           int count, double *cosine, double *sine)
+/* Cosine and sine of the angle where a cell begins. */
+static void welding_5r_edge(int cell, double *c, double *s)
 {
-    const double h = 0.02454369260617026;
-    for (int from = 0; from < count; from += WELDING_5R_LANES) {
-        double in[8][WELDING_5R_LANES];
-        welding_5r_lane c, s, low, high, x, value, slope, cm, sm;
-        for (int k = 0; k < WELDING_5R_LANES; k++) {
-            const int i = cell[from + k < count ? from + k : count - 1];
-            const int half = i % 128;
-            in[0][k] = g->value[i];
-            in[1][k] = g->value[i + 1];
-            in[2][k] = h * g->slope[i];
-            in[3][k] = h * g->slope[i + 1];
-            in[4][k] = h * h * g->bend[i];
-            in[5][k] = h * h * g->bend[i + 1];
-            in[6][k] = i < 128 ? welding_5r_grid_c[0][half] : -welding_5r_grid_c[0][half];
-            in[7][k] = i < 128 ? welding_5r_grid_s[0][half] : -welding_5r_grid_s[0][half];
-        }
-        const welding_5r_lane f0 = WELDING_5R_LOAD(in[0]), f1 = WELDING_5R_LOAD(in[1]), d0 =
-            WELDING_5R_LOAD(in[2]);
-        const welding_5r_lane s0 = WELDING_5R_LOAD(in[4]);
-        const welding_5r_lane D = f1 - f0 - d0 - 0.5 * s0, D1 = WELDING_5R_LOAD(in[3]) - d0 - s0;
-        const welding_5r_lane D2 = WELDING_5R_LOAD(in[5]) - s0;
-        const welding_5r_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D - D2;
-        const welding_5r_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-        const welding_5r_lane rising = welding_5r_with_sign(welding_5r_all(1.0), f1 - f0);
-        low = welding_5r_all(0.0);
-        high = welding_5r_all(1.0);
-        x = f0 / (f0 - f1);
-        for (int i = 0; i < 4; i++) {
-            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
-            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
-            low = welding_5r_select(value * rising < 0.0, x, low);
-            high = welding_5r_select(value * rising < 0.0, high, x);
-            x = x - value / slope;
-            x = welding_5r_select((x >= low) & (x <= high), x, 0.5 * (low + high));
-        }
-        x *= h;
-        for (int i = 0; i < 2; i++) {
-            const welding_5r_lane u = x * x, c0 = i ? c : WELDING_5R_LOAD(in[6]), s_0 = i ? s :
-                WELDING_5R_LOAD(in[7]);
-            const welding_5r_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-            const welding_5r_lane ds =
-                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-            c = c0 * dc - s_0 * ds;
-            s = s_0 * dc + c0 * ds;
-            if (i) {
-                break;
-            }
-            value = welding_5r_all(f->a[0]);
-            slope = welding_5r_all(0.0);
-            cm = c;
-            sm = s;
-            for (int m = 1; m < 9; m++) {
-                const welding_5r_lane next = cm * c - sm * s;
-                value += f->a[m] * cm + f->b[m] * sm;
-                slope += m * (f->b[m] * cm - f->a[m] * sm);
-                sm = sm * c + cm * s;
-                cm = next;
-            }
-            x = welding_5r_max(welding_5r_min(-value / slope, welding_5r_all(1e-3 * h)),
-                welding_5r_all(-1e-3 * h));
-        }
-        WELDING_5R_STORE(cosine + from, c);
-        WELDING_5R_STORE(sine + from, s);
-    }
+    const int half = cell % 128;
+    *c = cell < 128 ? welding_5r_grid_c[0][half] : -welding_5r_grid_c[0][half];
+    *s = cell < 128 ? welding_5r_grid_s[0][half] : -welding_5r_grid_s[0][half];
 }
 
 static int welding_5r_lowest(unsigned long long bits)
@@ -2112,51 +2407,77 @@ static int welding_5r_lowest(unsigned long long bits)
 #endif
 }
 
+/* The roots of some cells that are open. */
+static void welding_5r_search_cells(const welding_5r_trigonometric *f, const welding_5r_grid *g,
+    const int *cell, int count,
+                                 int *budget, welding_5r_waiting *waiting, welding_5r_roots *roots)
+{
+    const double h = 0.02454369260617026;
+    double in[8][WELDING_5R_LANES], bend[2][WELDING_5R_LANES];
+    int kind[WELDING_5R_LANES];
+    welding_5r_spans part;
+    for (int k = 0; k < WELDING_5R_LANES; k++) {
+        const int i = cell[k < count ? k : 0];
+        in[0][k] = g->value[i];
+        in[1][k] = g->slope[i];
+        in[2][k] = g->value[i + 1];
+        in[3][k] = g->slope[i + 1];
+        welding_5r_edge(i, &in[4][k], &in[5][k]);
+        welding_5r_edge((i + 1) % 256, &in[6][k], &in[7][k]);
+    }
+    part.width = welding_5r_all(h);
+    for (int end = 0; end < 2; end++) {
+        welding_5r_lane at[3], *const to = end ? part.high : part.low;
+        welding_5r_at_all(f, WELDING_5R_LOAD(in[4 + 2 * end]), WELDING_5R_LOAD(in[5 + 2 * end]),
+            at);
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        to[0] = WELDING_5R_LOAD(in[2 * end]);
+        to[1] = WELDING_5R_LOAD(in[2 * end + 1]);
+        to[2] = at[2];
+        WELDING_5R_STORE(bend[end], at[2]);
+    }
+    welding_5r_kinds(f, &part, kind);
+    for (int k = 0; k < count; k++) {
+        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
+        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
+        if (kind[k] == WELDING_5R_TAME) {
+            welding_5r_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
+        } else if (kind[k] != WELDING_5R_ROOTLESS) {
+            welding_5r_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting, roots);
+        }
+    }
+}
+
 static void welding_5r_find_roots(const welding_5r_trigonometric *f, const welding_5r_window
     *window,
                                welding_5r_roots *roots)
 {
     welding_5r_grid g;
-    int plain[WELDING_5R_ROOTS], special[256], plains = 0, specials = 0;
+    welding_5r_waiting waiting;
+    int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    const double h = 0.02454369260617026;
-    welding_5r_fill_grid(f, &g);
-    roots->doubles = roots->unseen = 0;
+    welding_5r_fill_grids(f, &g);
+    roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
-            welding_5r_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+            welding_5r_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + welding_5r_lowest(bits);
             const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away > window->reach && 256 - away > window->reach) {
-                continue;
-            }
-            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-            if (low[1] * high[1] > 0.0 && plains < WELDING_5R_ROOTS &&
-                welding_5r_kind(f, low, high, h) == WELDING_5R_TAME) {
-                if ((low[0] < 0.0) != (high[0] < 0.0)) {
-                    plain[plains++] = i;
-                }
-            } else {
-                special[specials++] = i;
+            if (away <= window->reach || 256 - away <= window->reach) {
+                open[count++] = i;
             }
         }
     }
-    welding_5r_refine(f, &g, plain, plains, roots->c, roots->s);
-    roots->simple = plains;
-    for (int k = 0; k < specials; k++) {
-        const int i = special[k];
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
-        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
-        if (welding_5r_kind(f, low, high, h) == WELDING_5R_TAME) {
-            welding_5r_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
-        } else {
-            welding_5r_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
-        }
+    waiting.lifted = window->lifted;
+    waiting.turning.count = waiting.crossing.count = 0;
+    for (int k = 0; k < count; k += WELDING_5R_LANES) {
+        welding_5r_search_cells(f, &g, open + k, count - k < WELDING_5R_LANES ? count - k :
+            WELDING_5R_LANES, &budget,
+                             &waiting, roots);
     }
+    welding_5r_solve_parts(f, &waiting, roots);
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
@@ -2849,16 +3170,16 @@ typedef struct {
     double q[16][6], residual[16];
 } welding_5r_found;
 
-/* The largest difference of two joint vectors, modulo turns. */
-static double welding_5r_gap(const double a[6], const double b[6])
+/* Whether two joint vectors differ by less than that, modulo turns. */
+static int welding_5r_alike(const double a[6], const double b[6], double most)
 {
-    double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        double gap = fabs(a[j] - b[j]);
-        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
-        most = gap > most ? gap : most;
+        const double gap = fabs(a[j] - b[j]);
+        if (!(gap < most || 6.283185307179586 - gap < most)) {
+            return 0;
+        }
     }
-    return most;
+    return 1;
 }
 
 /* Add a solution unless it is known or none; its place, or -1. */
@@ -2868,7 +3189,7 @@ static int welding_5r_keep(welding_5r_found *found, double theta[6], double resi
         return -1;
     }
     for (int i = 0; i < found->count; i++) {
-        if (welding_5r_gap(found->q[i], theta) < 1e-06) {
+        if (welding_5r_alike(found->q[i], theta, 1e-06)) {
             if (residual < found->residual[i]) {
                 found->residual[i] = residual;
                 for (int j = 0; j < 6; j++) {
@@ -3050,7 +3371,7 @@ static int welding_5r_attempt(const welding_5r_formulation *form, const welding_
     welding_5r_roots roots;
     welding_5r_candidates all;
     welding_5r_around(form, loop, link);
-    welding_5r_equations(form, link, E);
+    welding_5r_equations(form, link, form->left, E);
     if (!welding_5r_real_roots(welding_5r_sample, E, &roots)) {
         return 0;
     }
@@ -3157,7 +3478,7 @@ static void welding_5r_merge(welding_5r_found *found)
     for (int i = 0; i < found->count; i++) {
         int known = 0;
         for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && welding_5r_gap(found->q[i], found->q[j]) < 0.001;
+            known |= (kept >> j & 1u) && welding_5r_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
             kept |= (singular >> i & 1u) << count;

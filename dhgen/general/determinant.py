@@ -57,12 +57,7 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
     for link, slides_here in ((links[3], slides[4]), (links[4], slides[5])):
         right = act(np.moveaxis(inverses(link), 0, -1), right)
         right = _spread(right, slide(right) if slides_here else turn(right))
-    left = start(count)
-    for at in (2, 1):
-        left = act(K[at], left)
-        left = _spread(left, _powers(left, slides=slides[at]))
-    left = act(K[0], left)
-    left = act(K[5], _spread(left, on_circle(left) if slides[0] else turn(left)))
+    left = left_side([K[0], K[1], K[2], K[5]], slides)
     both = np.empty((FEATURES - 1, 8 + 27, count))
     both[:, :8] = right[1:, 1:]
     # the constant column of the right side goes over to the left, times every (1 + x²)
@@ -71,6 +66,21 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
         reflect(both[column:], column)
     rows = both[8:, 8:].reshape(EQUATIONS, 3, 3, 3, -1)  # equation, φ1, φ2, φ3
     return rows.transpose(1, 0, 3, 2, 4)
+
+
+def left_side(K: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
+    """The features of the left side by 1, c1, s1, then x2², x2, 1, then x3², x3, 1: (15, 27, N).
+
+    Args:
+        K: L0, L1, L2 and L5, (4, 4, N) each, in arm sizes.
+        slides: Which of φ1, φ2, φ3 is a length.
+    """
+    left = start(K[0].shape[-1])
+    for at in (2, 1):
+        left = act(K[at], left)
+        left = _spread(left, _powers(left, slides=slides[at]))
+    left = act(K[0], left)
+    return act(K[3], _spread(left, on_circle(left) if slides[0] else turn(left)))
 
 
 def _powers(x: FloatArray, *, slides: bool) -> FloatArray:

@@ -86,7 +86,7 @@ def algorithm(kernel: GeneralKernel, name: str) -> Algorithm:
         p=name,
         P=name.upper(),
         arm=arm(kernel),
-        tables=tables(kernel),
+        tables=tables(kernel, name),
         equations=equations(kernel),
         wrist=wrist(kernel),
         sizes=Sizes(),

@@ -1,0 +1,41 @@
+"""The left side of a formulation that has the pose on its right: features that are constant."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.general.determinant import left_side
+from dhgen.targets.general.numbers import rows
+
+if TYPE_CHECKING:
+    from dhgen.general.formulation import Formulation
+    from dhgen.general.kernel import GeneralKernel
+
+LEFT = (0, 1, 2, 5)  # the links on that side
+
+
+def constant_left(kernel: GeneralKernel, formulation: Formulation) -> tuple[str, ...]:
+    """The features of the left side, a row for each, 27 numbers in it; none where they vary.
+
+    They do with the pose, and with joints whose values the caller gives. Where a polynomial in
+    closed form is tried before a formulation they are not worth their room.
+    """
+    around = kernel.loop.links
+    links = [_link(formulation, place) for place in LEFT]
+    if kernel.closed or any(link is None or around[link].rest for link in links):
+        return ()
+    constants = [np.array(link.first)[None] for link in around]
+    every = formulation.links(constants, np.eye(4)[None])
+    K = [np.moveaxis(every[place], 0, -1) for place in LEFT]
+    features = left_side(K, formulation.slides(kernel.loop.slides))
+    return rows(features[:, :, 0].tolist())
+
+
+def _link(formulation: Formulation, place: int) -> int | None:
+    """Which of K0 ... K4 it is, backwards or not; None for the pose."""
+    joint = formulation.joints[place]
+    if formulation.sign > 0:
+        return None if joint == 5 else joint
+    return None if joint == 0 else joint - 1
