@@ -99,6 +99,17 @@ def silent_places(pool: Pool, steps: Sequence[Step]) -> Values:
     return np.concatenate(places)
 
 
+def places_without_a_word(pool: Pool, steps: Sequence[Step]) -> Values:
+    """Joint values where steps say nothing, be their angles free or not, (n, dof)."""
+    chain = pool.problem.algebra.chain
+    places = [np.empty((0, chain.dof))]
+    for step in steps:
+        factors = _varying(pool, step)
+        if factors:
+            places.append(_joint_values(chain, _zeros(pool, factors)))
+    return np.concatenate(places)
+
+
 def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowledge, Step]]:
     """Every step with what is known before it."""
     knowledge = initial_knowledge(pool.problem.algebra)
@@ -109,11 +120,17 @@ def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowled
 
 def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> Values:
     """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
-    algebra, factors = pool.problem.algebra, _factors(step)
-    if not factors or any(map(algebra.is_constant, factors)):
-        return np.empty((0, algebra.chain.dof))
-    q = _joint_values(algebra.chain, _zeros(pool, factors))
+    chain, factors = pool.problem.algebra.chain, _varying(pool, step)
+    if not factors:
+        return np.empty((0, chain.dof))
+    q = _joint_values(chain, _zeros(pool, factors))
     return np.asarray(q[_are_fixed(knowledge, step.unknowns[0], q)])
+
+
+def _varying(pool: Pool, step: Step) -> list[Polynomial]:
+    """What vanishes where a step says nothing about its angle; none if something never does."""
+    factors = _factors(step)
+    return [] if any(map(pool.problem.algebra.is_constant, factors)) else factors
 
 
 def _factors(step: Step) -> list[Polynomial]:

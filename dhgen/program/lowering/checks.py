@@ -13,7 +13,7 @@ import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.audit import silent_places
+from dhgen.paul.audit import places_without_a_word, silent_places
 from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
 from dhgen.paul.types.two_lengths import determinant
@@ -81,7 +81,9 @@ def checks_needed(
     if not tolerances.tell_rounding:
         return checks  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
-    q = np.concatenate([q, _beside(chain, silent)])
+    # by what an over-determined arm leaves aside rows may miss their poses beside any such place
+    about = places_without_a_word(derivation.pool, derivation.steps) if checks.rows else silent
+    q = np.concatenate([q, _beside(chain, about)])
     inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, q, enough)
     return replace(checks, tightened=inexact)
 
@@ -115,10 +117,10 @@ def _everywhere(chain: Chain) -> FloatArray:
     return np.concatenate([anywhere, right, mixed])
 
 
-def _beside(chain: Chain, silent: FloatArray) -> FloatArray:
+def _beside(chain: Chain, places: FloatArray) -> FloatArray:
     """Joint vectors beside right angles: all joints as near as each other; and about half of them.
 
-    These each as near as they like, and the others anywhere. And some beside silent places.
+    These each as near as they like, and the others anywhere. And some beside given places.
     """
     source = np.random.default_rng(18)
     shape = len(BESIDE), TRIED, chain.dof
@@ -126,7 +128,7 @@ def _beside(chain: Chain, silent: FloatArray) -> FloatArray:
     near = np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, shape)
     own = source.choice(APART, shape) * source.choice((-1.0, 1.0), shape)
     mixed = np.where(source.random(shape) < 0.5, right + own, source.uniform(-2.5, 2.5, shape))
-    around = silent + np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, silent.shape)
+    around = places + np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, places.shape)
     found = [right + near, mixed, around]
     return np.concatenate([each.reshape(-1, chain.dof) for each in found])
 
