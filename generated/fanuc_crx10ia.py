@@ -336,7 +336,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 6b070ca95c15c3e3"
+_KEY = "fanuc_crx10ia f4b32c764b9531f7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -688,59 +688,71 @@ def _solves_between(T, q, u, way, length):
     return True
 
 
+@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], boolean)")
+def _taken_for(T, q, known, u, loose):
+    """Whether a solution is taken for one that is known; loosely where both are singular."""
+    between, gap = np.empty(6), 0.0
+    for j in range(6):
+        between[j] = u[j] - known[j]
+    _wrap_angles(between)
+    for j in range(6):
+        gap = max(gap, abs(between[j]))
+    if gap < (0.001 if loose else 1e-06):
+        return True
+    return loose and gap < 0.1 and _solves_between(T, q, known, between, gap)
+
+
 @_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
 def _known_as(T, q, kept, kinds, count, u, singular):
     """Which of those found before a solution is; -1 for none."""
-    between = np.empty(6)
     for k in range(count):
-        for j in range(6):
-            between[j] = u[j] - kept[k, j]
-        _wrap_angles(between)
-        gap = 0.0
-        for j in range(6):
-            gap = max(gap, abs(between[j]))
-        loose = singular and kinds[k] >= 0
-        if gap < (0.001 if loose else 1e-06):
-            return k
-        if loose and gap < 0.1 and _solves_between(T, q, kept[k], between, gap):
+        if _taken_for(T, q, kept[k], u, singular and kinds[k] >= 0):
             return k
     return -1
 
 
 @_inner
-def _clamped(u, inside):
-    """The nearest values inside the limits, whole turns aside; returns how far one was beyond."""
+def _clamped(u, seen, inside):
+    """The nearest values inside the limits, whole turns aside, but next to the seed's where they are
+    just beyond an end there; returns how far one was beyond."""
     most = 0.0
     for j in range(6):
         near, middle = u[j], 0.5 * (_LEAST_U[j] + _MOST_U[j])
         if _TURNING[j] and math.isfinite(middle):
-            near -= 6.283185307179586 * math.ceil((near - middle) / 6.283185307179586 - 0.5)
+            near -= 6.283185307179586 * math.floor((near - seen[j]) / 6.283185307179586 + 0.5)
+            past = max(_LEAST_U[j] - near, near - _MOST_U[j])
+            if past >= 0.01 or abs(near - seen[j]) >= 0.15:
+                near -= 6.283185307179586 * math.ceil((near - middle) / 6.283185307179586 - 0.5)
         inside[j] = min(max(near, _LEAST_U[j]), _MOST_U[j])
         most = max(most, abs(inside[j] - near))
     return most
 
 
-@_apart("void(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64, float64[::1])")
-def _move_inside(T, q, near, kept, kinds, count, enough, u):
+@_apart("void(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, boolean, float64, float64[::1])")
+def _move_inside(T, q, near, kept, kinds, count, alone, enough, u):
     """Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
-    inside the limits leads to one, from there or from the seed."""
-    end = np.empty(6)
-    if _clamped(u, end) <= 1e-09:
+    inside the limits leads to one, from there or from the seed; where it stands alone to one that is
+    taken for it and as exact as a row has to be."""
+    end, inside = np.empty(6), np.empty(6)
+    if _clamped(u, near, end) <= 1e-09:
         return
     for from_seed in range(2):
-        _clamped(near if from_seed else u, end)
-        miss = _pulled(T, q, end, near, _LEAST_U, _MOST_U)
-        if miss <= enough and _known_as(T, q, kept, kinds, count, end, True) < 0:
+        _clamped(near if from_seed else u, near, end)
+        if _pulled(T, q, end, near, _LEAST_U, _MOST_U) > enough:
+            continue
+        if alone and (_descend(T, q, end) > 1e-11 or _clamped(end, near, inside) > 1e-09):
+            continue
+        if _known_as(T, q, kept, kinds, count, end, True) < 0 and (not alone or _taken_for(T, q, u, end, True)):
             _take(u, end)
             return
 
 
 @_inner
-def _takes_place(T, q, u, known):
+def _takes_place(T, q, near, u, known):
     """Of two solutions that are taken for one that inside the limits is kept if it is as
     exact as a row has to be."""
     end = np.empty(6)
-    if _clamped(known, end) <= 1e-09 or _clamped(u, end) > 1e-09:
+    if _clamped(known, near, end) <= 1e-09 or _clamped(u, near, end) > 1e-09:
         return False
     e, A = np.empty(6), np.empty((6, 6))
     return _look(T, q, u, e, A) <= 1e-11
@@ -758,10 +770,11 @@ def _keep(T, q, near, kept, kinds, count, u):
         _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST)
         if _descend(T, q, end) <= enough:
             _take(u, end)
-        _move_inside(T, q, near, kept, kinds, count, enough, u)
+    if kind >= 0:
+        _move_inside(T, q, near, kept, kinds, count, kind == 0, enough, u)
     _wrap_angles(u)
     k = _known_as(T, q, kept, kinds, count, u, kind >= 0)
-    if k >= 0 and not _takes_place(T, q, u, kept[k]):
+    if k >= 0 and not _takes_place(T, q, near, u, kept[k]):
         return count
     k = count if k < 0 else k
     kinds[k] = kind

@@ -357,35 +357,46 @@ static int solves_between(
     return 1;
 }
 
+/* Whether a solution is taken for one that is known; loosely where both are singular. */
+static int taken_for(
+    struct descent *d, const double known[6], const double u[6], int loose)
+{
+    static const double none[6] = { 0.0 };
+    double gap[6];
+    for (int j = 0; j < 6; j++)
+        gap[j] = u[j] - known[j];
+    wrap_angles(gap);
+    const double length = distance_between(gap, none);
+    if (length < (loose ? 0.001 : 1e-06))
+        return 1;
+    return loose && length < 0.1 && solves_between(d, known, gap, length);
+}
+
 /* Which of those kept a solution is; -1 for none. */
 static int known_as(
     struct descent *d, const struct kept *kept, const double u[6], int singular)
 {
-    static const double none[6] = { 0.0 };
-    for (int k = 0; k < kept->count; k++) {
-        double gap[6];
-        for (int j = 0; j < 6; j++)
-            gap[j] = u[j] - kept->u[k][j];
-        wrap_angles(gap);
-        const int loose = singular && kept->singular[k];
-        const double length = distance_between(gap, none);
-        if (length < (loose ? 0.001 : 1e-06))
+    for (int k = 0; k < kept->count; k++)
+        if (taken_for(d, kept->u[k], u, singular && kept->singular[k]))
             return k;
-        if (loose && length < 0.1 && solves_between(d, kept->u[k], gap, length))
-            return k;
-    }
     return -1;
 }
 
-/* The nearest values inside the limits, whole turns aside; returns how far one was beyond. */
-static double clamped(const double u[6], double inside[6])
+/* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
+ * just
+ * beyond an end there; returns how far one was beyond. */
+static double clamped(const struct descent *d, const double u[6], double inside[6])
 {
     double most = 0.0;
     for (int j = 0; j < 6; j++) {
-        const double middle = 0.5 * (least_u[j] + most_u[j]);
+        const double middle = 0.5 * (least_u[j] + most_u[j]), seen = d->seed[j];
         double near = u[j];
-        if (turning[j] && isfinite(middle))
-            near -= 6.283185307179586 * ceil((near - middle) / 6.283185307179586 - 0.5);
+        if (turning[j] && isfinite(middle)) {
+            near -= 6.283185307179586 * floor((near - seen) / 6.283185307179586 + 0.5);
+            const double past = fmax(least_u[j] - near, near - most_u[j]);
+            if (past >= 0.01 || fabs(near - seen) >= 0.15)
+                near -= 6.283185307179586 * ceil((near - middle) / 6.283185307179586 - 0.5);
+        }
         inside[j] = fmin(fmax(near, least_u[j]), most_u[j]);
         most = fmax(most, fabs(inside[j] - near));
     }
@@ -394,16 +405,22 @@ static double clamped(const double u[6], double inside[6])
 
 /* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
  * inside
- * the limits leads to one, from there or from the seed. */
+ * the limits leads to one, from there or from the seed; where it stands alone to one that is taken
+ * for it
+ * and as exact as a row has to be. */
 static void move_inside(
-    struct descent *d, const struct kept *kept, double enough, double u[6])
+    struct descent *d, const struct kept *kept, int alone, double enough, double u[6])
 {
-    double end[6];
-    if (clamped(u, end) <= 1e-09)
+    double end[6], inside[6];
+    if (clamped(d, u, end) <= 1e-09)
         return;
     for (int from_seed = 0; from_seed < 2; from_seed++) {
-        (void)clamped(from_seed ? d->seed : u, end);
-        if (pulled(d, end, least_u, most_u) <= enough && known_as(d, kept, end, 1) < 0) {
+        (void)clamped(d, from_seed ? d->seed : u, end);
+        if (pulled(d, end, least_u, most_u) > enough)
+            continue;
+        if (alone && (descend(d, end) > 1e-11 || clamped(d, end, inside) > 1e-09))
+            continue;
+        if (known_as(d, kept, end, 1) < 0 && (!alone || taken_for(d, u, end, 1))) {
             copy(end, u);
             return;
         }
@@ -415,7 +432,7 @@ static void move_inside(
 static int takes_place(struct descent *d, const double u[6], const double known[6])
 {
     double end[6];
-    if (clamped(known, end) <= 1e-09 || clamped(u, end) > 1e-09)
+    if (clamped(d, known, end) <= 1e-09 || clamped(d, u, end) > 1e-09)
         return 0;
     look(d, u);
     return d->length <= 1e-11;
@@ -434,8 +451,9 @@ static void keep(struct descent *d, struct kept *kept, double u[6])
         (void)pulled(d, end, no_lowest, no_highest);
         if (descend(d, end) <= enough)
             copy(end, u);
-        move_inside(d, kept, enough, u);
     }
+    if (kind >= 0)
+        move_inside(d, kept, !kind, enough, u);
     wrap_angles(u);
     int k = known_as(d, kept, u, kind >= 0);
     if (k >= 0 && !takes_place(d, u, kept->u[k]))

@@ -350,23 +350,28 @@ static int solves_between(
     return 1;
 }
 
+/* Whether a solution is taken for one that is known; loosely where both are singular. */
+static int taken_for(
+    struct descent *d, const double known[6], const double u[6], int loose)
+{
+    static const double none[6] = { 0.0 };
+    double gap[6];
+    for (int j = 0; j < 6; j++)
+        gap[j] = u[j] - known[j];
+    wrap_angles(gap);
+    const double length = distance_between(gap, none);
+    if (length < (loose ? 0.001 : 1e-06))
+        return 1;
+    return loose && length < 0.1 && solves_between(d, known, gap, length);
+}
+
 /* Which of those kept a solution is; -1 for none. */
 static int known_as(
     struct descent *d, const struct kept *kept, const double u[6], int singular)
 {
-    static const double none[6] = { 0.0 };
-    for (int k = 0; k < kept->count; k++) {
-        double gap[6];
-        for (int j = 0; j < 6; j++)
-            gap[j] = u[j] - kept->u[k][j];
-        wrap_angles(gap);
-        const int loose = singular && kept->singular[k];
-        const double length = distance_between(gap, none);
-        if (length < (loose ? 0.001 : 1e-06))
+    for (int k = 0; k < kept->count; k++)
+        if (taken_for(d, kept->u[k], u, singular && kept->singular[k]))
             return k;
-        if (loose && length < 0.1 && solves_between(d, kept->u[k], gap, length))
-            return k;
-    }
     return -1;
 }
 

@@ -356,7 +356,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 1c66115b3df3d5fd"
+_KEY = "kinova_jaco2 3c6bb76b87f38235"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -700,21 +700,25 @@ def _solves_between(T, q, u, way, length):
     return True
 
 
+@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], boolean)")
+def _taken_for(T, q, known, u, loose):
+    """Whether a solution is taken for one that is known; loosely where both are singular."""
+    between, gap = np.empty(6), 0.0
+    for j in range(6):
+        between[j] = u[j] - known[j]
+    _wrap_angles(between)
+    for j in range(6):
+        gap = max(gap, abs(between[j]))
+    if gap < (0.001 if loose else 1e-06):
+        return True
+    return loose and gap < 0.1 and _solves_between(T, q, known, between, gap)
+
+
 @_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
 def _known_as(T, q, kept, kinds, count, u, singular):
     """Which of those found before a solution is; -1 for none."""
-    between = np.empty(6)
     for k in range(count):
-        for j in range(6):
-            between[j] = u[j] - kept[k, j]
-        _wrap_angles(between)
-        gap = 0.0
-        for j in range(6):
-            gap = max(gap, abs(between[j]))
-        loose = singular and kinds[k] >= 0
-        if gap < (0.001 if loose else 1e-06):
-            return k
-        if loose and gap < 0.1 and _solves_between(T, q, kept[k], between, gap):
+        if _taken_for(T, q, kept[k], u, singular and kinds[k] >= 0):
             return k
     return -1
 

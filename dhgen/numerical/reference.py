@@ -178,7 +178,8 @@ class Arm:
             singular = True
             chosen = self.continues(u, sideways / np.linalg.norm(sideways), enough)
             if chosen:
-                u = self._inside(self.pulled(u, enough), kept, enough)
+                u = self.pulled(u, enough)
+            u = self._inside(u, kept, enough, alone=not chosen)
         u = self.wrapped(u)
         known = self._known(u, kept, singular=singular)
         if known is None and len(kept) < self.kernel.rows:
@@ -206,14 +207,17 @@ class Arm:
     def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> int | None:
         """Which of those kept a solution is."""
         for number, each in enumerate(kept):
-            loose = singular and each.singular
-            way = self.wrapped(u - each.u)
-            gap = float(np.abs(way).max())
-            if gap < (constants.TOGETHER if loose else constants.SAME):
-                return number
-            if loose and gap < constants.NEIGHBOURS and self._solves_between(each.u, way):
+            if self._taken_for(each.u, u, loose=singular and each.singular):
                 return number
         return None
+
+    def _taken_for(self, known: FloatArray, u: FloatArray, *, loose: bool) -> bool:
+        """Whether a solution is taken for one that is known; loosely where both are singular."""
+        way = self.wrapped(u - known)
+        gap = float(np.abs(way).max())
+        if gap < (constants.TOGETHER if loose else constants.SAME):
+            return True
+        return loose and gap < constants.NEIGHBOURS and self._solves_between(known, way)
 
     def _solves_between(self, u: FloatArray, way: FloatArray) -> bool:
         """Whether solutions lie all along the way from one to another.
@@ -284,27 +288,45 @@ class Arm:
         ends, length = self.descend(end[None])
         return ends[0] if length[0] <= enough else u
 
-    def _inside(self, u: FloatArray, kept: list[_Kept], enough: float) -> FloatArray:
+    def _inside(
+        self, u: FloatArray, kept: list[_Kept], enough: float, *, alone: bool
+    ) -> FloatArray:
         """Instead of one that is beyond a limit a solution that keeps all of them.
 
-        If the way to the seed inside the limits leads to one, from there or from the seed.
+        If the way to the seed inside the limits leads to one, from there or from the seed; where
+        it stands alone to one that is taken for it and as exact as a row has to be.
         """
         if not self._beyond(u):
             return u
         for start in (u, self.seed):
             end, length = self._pull(self._clamped(start)[0], self.limits)
-            if length <= enough and self._known(end, kept, singular=True) is None:
+            if length > enough:
+                continue
+            if alone:
+                ends, lengths = self.descend(end[None])
+                end = ends[0]
+                if lengths[0] > TOLERANCES.promised or self._beyond(end):
+                    continue
+            new = self._known(end, kept, singular=True) is None
+            if new and (not alone or self._taken_for(u, end, loose=True)):
                 return end
         return u
 
     def _clamped(self, u: FloatArray) -> tuple[FloatArray, float]:
-        """The nearest values inside the limits, whole turns aside, and how far one was beyond."""
+        """The nearest values inside the limits, whole turns aside, and how far one was beyond.
+
+        Values just beyond an end, next to the seed's, stay there.
+        """
         with np.errstate(invalid="ignore"):  # joints without limits have no middle
             middle = np.mean(self.limits, axis=0)
         turns = self.turns & np.isfinite(middle)
-        whole = 2 * np.pi * np.ceil((u - np.where(turns, middle, 0.0)) / (2 * np.pi) - 0.5)
-        near = u - np.where(turns, whole, 0.0)
-        inside = np.clip(near, *self.limits)
+        near = np.where(turns, u - 2 * np.pi * np.floor((u - self.seed) / (2 * np.pi) + 0.5), u)
+        low, high = self.limits
+        past = np.maximum(low - near, near - high)
+        far = np.abs(near - self.seed) >= constants.BESIDE_SEED
+        whole = 2 * np.pi * np.ceil((near - np.where(turns, middle, 0.0)) / (2 * np.pi) - 0.5)
+        near = near - np.where(turns & ((past >= TOLERANCES.doubtful) | far), whole, 0.0)
+        inside = np.clip(near, low, high)
         return inside, float(np.abs(inside - near).max())
 
     def nearest(self) -> Found:

@@ -177,3 +177,31 @@ def test_a_solution_beyond_a_limit_is_not_led_to_its_neighbour(
     assert gap(rows[near & (status == OK)], q).max() < 1e-9
     assert gap(rows[near & (status == OUT_OF_LIMITS)], q).min() > 0.01
     assert residual("close_pair", rows, T) < 1e-9
+
+
+# Of an arm without a closed form: joint values beside a singular pose, and a seed, both inside the
+# limits, a joint next to the end of a whole turn; the pose has solutions just beyond that, too.
+NEXT_TO_AN_END = (
+    (
+        (-3.1415919592, -3.1415873285, -3.1415918249, 1.5707985130, -0.1710473692, 1.5707962793),
+        (-3.1415926535, -3.1402580106, -3.1422616272, 1.5747907961, -0.1711619284, 1.5719403325),
+    ),
+    (
+        (0.7853996232, 3.1415778299, -1.5707847908, 2.30421778, -5.3938e-06, 2.2257976658),
+        (0.7865, 3.1371, -1.5723, 2.3051, -0.0004, 2.2263),
+    ),
+)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(("joints", "near"), NEXT_TO_AN_END)
+def test_a_general_arm_does_not_turn_to_the_other_end(
+    joints: tuple[float, ...], near: tuple[float, ...], language: str
+) -> None:
+    q, seed = np.array(joints), np.array(near)
+    T = poses_of("abb_gofa_5", q[None])[0]
+    status, nearest = Solver("abb_gofa_5", language).nearest(T, seed)
+    assert status in {OK, FREE_JOINT}
+    assert inside("abb_gofa_5", nearest[None], SLACK)
+    assert residual("abb_gofa_5", nearest[None], T) < 1e-11
+    assert np.abs(nearest - seed).max() < 0.01

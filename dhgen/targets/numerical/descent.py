@@ -60,6 +60,7 @@ class Descent:
     promised: str = repr(TOLERANCES.promised)
     limit: str = repr(TOLERANCES.limit)
     doubtful: str = repr(TOLERANCES.doubtful)
+    beside_seed: str = repr(kernel.BESIDE_SEED)
     tightenings: int = kernel.TIGHTENINGS
     spare: str = repr(kernel.SPARE)
     sure: str = repr(kernel.SURE)

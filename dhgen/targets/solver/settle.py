@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.kernel import DAMPING, TOGETHER
+from dhgen.numerical.kernel import BESIDE_SEED, DAMPING, TOGETHER
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ IN_VAIN = 4  # such steps lead nowhere
 FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
 # Joints that move by more lead to another solution: from a seed [rad, arm sizes], where a step may
 # be longer than the whole way; and times what a joint is beyond its limit.
-MOVED = 0.15
+MOVED = BESIDE_SEED
 LED = 10.0
 ASIDE = 0.25  # times the whole way: from half way to the same solution steps lead no farther
 NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
