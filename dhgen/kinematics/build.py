@@ -29,6 +29,7 @@ class _RowCells:
     d: Polynomial
     a: Polynomial
     alpha: tuple[Polynomial, Polynomial]  # cosine and sine
+    b: Polynomial
 
 
 def build_chain(robot: Robot) -> Chain:
@@ -89,6 +90,7 @@ def _row_cells(number: int, row: DhRow, table: ConstantTable) -> _RowCells:
         d=table.length(fixed, f"d{number}", f"joint offset {number}"),
         a=table.length(row.a, f"a{number}", f"link length {number}"),
         alpha=table.cosine_sine(row.alpha, str(number), f"twist {number}"),
+        b=table.length(row.b, f"b{number}", f"shift along y of link {number}"),
     )
 
 
@@ -108,7 +110,8 @@ def _link(
     )
     parts: tuple[Element, ...]
     if convention is Convention.MODIFIED:
-        parts = (Fixed(compose(along_x, along_z, normal)), move)
+        along_y = translation(ring, (ring.zero, cells.b, ring.zero))
+        parts = (Fixed(compose(compose(along_x, along_y, normal), along_z, normal)), move)
     elif isinstance(move, Turn):
         parts = (move, Fixed(compose(along_z, along_x, normal)))
     else:
@@ -123,5 +126,7 @@ def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
 
 
 def _lengths(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> list[float]:
-    lengths = [evaluate(cell, parameters) for row in geometry.rows for cell in (row.a, row.d)]
+    lengths = [
+        evaluate(cell, parameters) for row in geometry.rows for cell in (row.a, row.b, row.d)
+    ]
     return lengths + [evaluate(cell, parameters) for cell in tool.xyz]

@@ -2,6 +2,8 @@
 
 In floating point, for axes whose directions are not exact: what comes out near a multiple of
 15 degrees or near zero becomes exact, so that parallel and concurrent axes stay what they are.
+The common normal of nearly parallel axes may be hundreds of metres away; there frames stand beside
+each other instead, and a row has a shift along y besides.
 """
 
 from __future__ import annotations
@@ -29,17 +31,19 @@ if TYPE_CHECKING:
     Vector = NDArray[np.float64]
 
 ROUNDING = 1e-12  # of the entries of a rotation
+FAR = 10.0  # arm sizes: where axes are nearly parallel their common normal is no place for a frame
 DIGITS = 14  # of lengths: those behind are rounding
 
 
 @dataclass(frozen=True, slots=True)
 class _Passage:
-    """From one axis to the next: Rz(turn) Tz(offset) Rx(twist) Tx(length)."""
+    """From one axis to the next: Rz(turn) Tz(offset) Rx(twist) Tx(length) Ty(shift)."""
 
     turn: float
     offset: float
     twist: float
     length: float
+    shift: float = 0.0
 
 
 _NONE = _Passage(0.0, 0.0, 0.0, 0.0)
@@ -103,6 +107,8 @@ def _common_normal(
         lean = z @ direction
         along = (between @ z - lean * (between @ direction)) / (1.0 - lean * lean)
         foot = origin + along * z
+        if abs(along) > FAR * size:
+            foot = origin
         landing = point + direction * ((foot - point) @ direction)
     axis = _unit(list(normal))
     passage = _Passage(
@@ -110,6 +116,7 @@ def _common_normal(
         offset=float((foot - origin) @ z),
         twist=math.atan2(np.cross(z, direction) @ axis, z @ direction),
         length=float((landing - foot) @ axis),
+        shift=float((landing - foot) @ np.cross(direction, axis)),
     )
     return passage, _pose(axis, direction, landing)
 
@@ -131,6 +138,7 @@ def _row(axis: AxisJoint, before: _Passage, after: _Passage, size: float) -> DhR
         a=_length(before.length, size),
         alpha=_angle(before.twist),
         limits=axis.limits,
+        b=_length(before.shift, size),
     )
 
 

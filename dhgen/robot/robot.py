@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING
 
+from dhgen.robot.expression import ZERO
+
 if TYPE_CHECKING:
     from dhgen.errors import Diagnostic
     from dhgen.robot.expression import Expression
@@ -57,6 +59,8 @@ class DhRow:
         a: Link length [length].
         alpha: Twist [rad].
         limits: Lowest and highest q [rad or length], or None.
+        b: A shift along y after the twist, of modified rows that the compiler makes from axes that
+            are nearly parallel: their common normal is far away [length].
     """
 
     kind: JointKind
@@ -66,6 +70,7 @@ class DhRow:
     a: Expression
     alpha: Expression
     limits: tuple[float, float] | None = None
+    b: Expression = ZERO
 
 
 @dataclass(frozen=True, slots=True)

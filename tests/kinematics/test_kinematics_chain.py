@@ -138,6 +138,23 @@ def test_what_lies_level_with_slanting_axes_is_level() -> None:
     assert not any("offset 2" in meaning or "offset 3" in meaning for meaning in found)
 
 
+def test_nearly_parallel_axes_have_frames_inside_the_arm() -> None:
+    """Their common normals are hundreds of metres away: there the tool loses digits."""
+    tilted = axes(
+        "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
+        "type: revolute, direction: [0.0003, 1, -0.0002], point: [0, 0, 0.0892]",
+        "type: revolute, direction: [-0.0004, 1, 0.0006], point: [-0.425, 0, 0.0892]",
+        "type: revolute, direction: [0.0001, 1, -0.0003], point: [-0.8171, 0, 0.0890]",
+        "type: revolute, direction: [0.0002, 0.0005, -1], point: [-0.8171, 0.1092, 0.089]",
+        "type: revolute, direction: [-0.0002, 1, 0.0001], point: [-0.8173, 0.1092, -0.0057]",
+        home="{xyz: [-0.8173, 0.1917, -0.0057], rpy: [-pi/2, 0, 0]}",
+    )
+    chain = build_chain(tilted)
+    assert chain.size < 3.0
+    q = random_joints(tilted, 20, seed=1)
+    np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(tilted, q), atol=1e-12)
+
+
 def test_coordinates_that_agree_by_value_are_one() -> None:
     arm = axes(
         "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
