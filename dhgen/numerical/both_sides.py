@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.numerical import kernel as constants
-from dhgen.numerical.tighten import descended, exactness, gaps
+from dhgen.numerical.descent import descended
+from dhgen.numerical.tighten import exactness, gaps
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator

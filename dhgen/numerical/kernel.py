@@ -42,6 +42,10 @@ REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
 # Steps of a row that is not exact. Double roots take a quarter off with each; beside a singular
 # place a joint that is nearly free may be anywhere, and three steps are one of it.
 TIGHTENINGS = 72
+# Where many solutions meet steps stay where the arm is singular and get slow. From both sides of it
+# they lead further, as often as this, while less than this part of the miss is left.
+ESCAPES = 8
+STUCK = 0.9
 SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
 LOOSE = TOLERANCES.promised / TOLERANCES.exact  # times what counts as exact is still a solution
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet

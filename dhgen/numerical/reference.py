@@ -173,10 +173,10 @@ class Arm:
             kept.clear()
         if self._known(u, kept, singular=False) is not None:
             return
-        sideways = self.sideways(u, self.directions)
-        if np.linalg.norm(sideways) > constants.SINGULAR:
+        along = sideways(self.miss(u[None])[2])
+        if np.linalg.norm(along) > constants.SINGULAR:
             singular = True
-            chosen = self.continues(u, sideways / np.linalg.norm(sideways), enough)
+            chosen = self.continues(u, along / np.linalg.norm(along), enough)
             if chosen:
                 u = self.pulled(u, enough)
             u = self._inside(u, kept, enough, alone=not chosen)
@@ -265,18 +265,12 @@ class Arm:
             last, left = length, 0.5 * way**2
         return best, least
 
-    def sideways(self, u: FloatArray, direction: FloatArray) -> FloatArray:
-        """The part of a direction that leaves the tool where it is, to first order."""
-        _, _, A = self.miss(u[None])
-        moved = A @ direction
-        return np.asarray(direction - damped_step(moved, np.zeros(1), A, constants.FLOOR)[0])
-
-    def continues(self, u: FloatArray, sideways: FloatArray, enough: float) -> bool:
+    def continues(self, u: FloatArray, along: FloatArray, enough: float) -> bool:
         """Whether solutions, that miss by no more than `enough`, lie to both sides of u.
 
         Along a direction: u is one of a continuum then.
         """
-        feelers = np.array([u + constants.FEELER * sideways, u - constants.FEELER * sideways])
+        feelers = np.array([u + constants.FEELER * along, u - constants.FEELER * along])
         ends, length = self.descend(feelers)
         apart = np.abs([*(ends - u), ends[0] - ends[1]]).max(axis=1)
         return bool((length <= enough).all() and (apart > constants.FELT).all())
@@ -397,6 +391,16 @@ def damped_step(
     parts = (np.swapaxes(U, 1, 2) @ e[..., None])[..., 0]
     parts *= values / (values**2 + damping[..., None])
     return np.asarray((parts[:, None, :] @ across)[:, 0])
+
+
+def sideways(A: FloatArray) -> FloatArray:
+    """The part of a generic direction (k,) that leaves the tool where it is, to first order.
+
+    `A` (1, m, k) tells how joints move it.
+    """
+    direction = np.array(directions(A.shape[-1]))
+    step = damped_step(A @ direction, np.zeros(1), A, constants.FLOOR)[0]
+    return np.asarray(direction - step)
 
 
 def shortened(steps: FloatArray) -> FloatArray:

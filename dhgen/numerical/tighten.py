@@ -6,14 +6,13 @@ from roots that nearly meet, it is good to few digits, and the entries that were
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.numerical import kernel as constants
+from dhgen.numerical.descent import escaped
 from dhgen.numerical.miss import miss
-from dhgen.numerical.reference import damped_step, shortened
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -81,61 +80,6 @@ def exactness(kernel: NumericalKernel, T: FloatArray) -> float:
     return TOLERANCES.exact * max(1.0, float(distance))
 
 
-@dataclass(frozen=True, slots=True)
-class End:
-    """Where steps from a row lead.
-
-    Attributes:
-        q: Joint values (n,), angles in (-pi, pi].
-        miss: By how much they miss the pose [arm sizes, rad].
-        ahead: How long another step would be [rad, arm sizes].
-    """
-
-    q: FloatArray
-    miss: float
-    ahead: float
-
-    def solves(self, exact: float) -> bool:
-        """Whether this is a solution.
-
-        Beside a singular place joint values may miss a pose by next to nothing and be far from any.
-        """
-        return self.miss <= exact and self.ahead <= constants.SURE
-
-
-def descended(
-    kernel: NumericalKernel,
-    T: FloatArray,
-    q: FloatArray,
-    exact: float,
-    steps: int = constants.TIGHTENINGS,
-    psi: float = 0.0,
-) -> End:
-    """Takes a row (n,) as far as steps of damped least squares help.
-
-    Half of the square of a step may be left by the curvature of the motion. Beside a singular place
-    a step that is right may be long, and what it leaves far more than was missed.
-    """
-    solved, units = list(kernel.solved), np.array(kernel.units)
-    best, least, there, ahead = q.copy(), np.inf, q.copy(), np.inf
-    last, left = np.inf, 0.0  # the miss before a step, and what its curvature leaves
-    for _ in range(steps + 1):
-        e, length, A = miss(kernel, T, there[None], psi)
-        step = damped_step(e, length, A, constants.FINE)[0]
-        slow = not length[0] <= max(0.5 * last, left)
-        if length[0] < least:
-            least, best = float(length[0]), there.copy()
-            ahead = float(np.abs(step).max())
-        if slow or (least <= constants.SPARE * exact and ahead <= constants.SURE):
-            break
-        step = shortened(step)
-        last, left = float(length[0]), 0.5 * float(np.abs(step).sum()) ** 2
-        there[solved] += units * step
-    turning = [place for place, turns in zip(solved, kernel.turns, strict=True) if turns]
-    best[turning] -= 2 * np.pi * np.ceil(best[turning] / (2 * np.pi) - 0.5)
-    return End(best, least, ahead)
-
-
 def _missed(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> float:
     """By how much a row (n,) misses the pose [arm sizes, rad]: its arm angle is right."""
     return float(np.linalg.norm(miss(kernel, T, q[None])[0][0, : kernel.entries]))
@@ -151,7 +95,7 @@ def _tightened(
     turned = miss(kernel, T, q[None], psi)[0][0, kernel.entries :]
     if (np.abs(turned) > TOLERANCES.doubtful).any():
         return q, np.inf  # out of reach: it was not led here by rounding
-    end = descended(kernel, T, q, exact, psi=psi)
+    end = escaped(kernel, T, q, exact, psi)
     if kernel.checked and end.miss > exact:
         return q, first  # the pose is rounded, or this is no solution
     return end.q, end.miss

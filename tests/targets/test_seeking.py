@@ -1,4 +1,4 @@
-"""Where several joints are free, and few of their values serve, a pose has a row all the same."""
+"""Where a pose fixes few joints, or several solutions meet, it has a row all the same."""
 
 from __future__ import annotations
 
@@ -55,3 +55,18 @@ def test_a_free_turn_before_a_slide_that_it_leaves_open(language: str) -> None:
             held = rows[np.isin(status, HELD)]
             assert len(held), (values.tolist(), seed.tolist())
             assert residual("telescope", held, T) < 1e-11
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_where_four_solutions_meet(language: str) -> None:
+    """The arm is stretched and vertical: its turn is free, and steps get slow beside solutions."""
+    source = np.random.default_rng(16)
+    q = source.choice([-np.pi / 2, 0.0, np.pi / 2, np.pi], (COUNT, 7))
+    q[:, :2] = source.uniform(-0.25, 0.25, (COUNT, 2))
+    q[:, 3:6] = [np.pi / 2, 0.0, 0.0]
+    solver = Solver("trolley", language)
+    for values, T in zip(q, poses_of("trolley", q), strict=True):
+        rows, status = solver.all(T, np.zeros(7), values[:1])
+        held = rows[np.isin(status, HELD)]
+        assert len(held), values.tolist()
+        assert residual("trolley", held, T) < 1e-11

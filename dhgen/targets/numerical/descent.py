@@ -62,6 +62,8 @@ class Descent:
     doubtful: str = repr(TOLERANCES.doubtful)
     beside_seed: str = repr(kernel.BESIDE_SEED)
     tightenings: int = kernel.TIGHTENINGS
+    escapes: int = kernel.ESCAPES
+    stuck: str = repr(kernel.STUCK)
     spare: str = repr(kernel.SPARE)
     sure: str = repr(kernel.SURE)
     loose: str = repr(kernel.LOOSE)
