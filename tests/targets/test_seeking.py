@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.targets.calling import HELD, LANGUAGES, Solver
+from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OUT_OF_LIMITS, Solver
 from tests.targets.made import poses_of, residual
 
 NAME = "two_free"
@@ -70,3 +70,17 @@ def test_where_four_solutions_meet(language: str) -> None:
         held = rows[np.isin(status, HELD)]
         assert len(held), values.tolist()
         assert residual("trolley", held, T) < 1e-11
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_joints_that_keep_their_limits_only_together(language: str) -> None:
+    """The turn is free, but only half a turn lets the slides keep their limits, at few lengths."""
+    source, solver = np.random.default_rng(17), Solver("turret", language)
+    for length in np.linspace(0.3, 0.55, 6):
+        q = np.array([0.02, source.choice([-np.pi, np.pi]), length, 0.0, source.uniform(-3, 3)])
+        q[3] = source.choice([-np.pi / 2, np.pi / 2])
+        T = poses_of("turret", q[None])[0]
+        rows, status = solver.all(T, np.zeros(5), q[4:])
+        assert FREE_JOINT in status, q.tolist()
+        assert OUT_OF_LIMITS not in status
+        assert residual("turret", rows[np.isin(status, HELD)], T) < 1e-11

@@ -75,6 +75,7 @@ def c_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:
         kernel,
         common.module,
         searches=common.searches,
+        standing=common.standing,
         calls=calls,
         arrays=c_arrays(kernel),
     )
@@ -87,6 +88,7 @@ def python_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str
         kernel,
         common.module,
         searches=common.searches,
+        standing=common.standing,
         calls=calls,
         arrays=python_arrays(kernel),
     )
