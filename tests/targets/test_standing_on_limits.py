@@ -22,7 +22,7 @@ from tests.targets.calling import (
     gap,
     in_single,
 )
-from tests.targets.made import apart, poses_of, residual, robot, without_numba
+from tests.targets.made import apart, poses_of, residual, robot, robot_path, without_numba
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -205,3 +205,25 @@ def test_a_general_arm_does_not_turn_to_the_other_end(
     assert inside("abb_gofa_5", nearest[None], SLACK)
     assert residual("abb_gofa_5", nearest[None], T) < 1e-11
     assert np.abs(nearest - seed).max() < 0.01
+
+
+# The largest angle, and the number of a generator whose joint values rounding puts beyond it.
+@pytest.mark.parametrize(("most", "number"), [(270, 20), (90, 31)])
+def test_the_seed_is_a_solution_with_several_joints_on_limits(
+    most: int, number: int, tmp_path: Path
+) -> None:
+    """Two singular places at once: which of a row's joints are beyond limits rounding decides."""
+    path = tmp_path / "walker.yaml"
+    text = robot_path("walker").read_text(encoding="utf-8")
+    path.write_text(text.replace("270 deg", f"{most} deg"), encoding="utf-8")
+    compilation = written(path, tmp_path)
+    solver = library(compilation.module, tmp_path)
+    python = without_numba(compilation.files["walker.py"], "walker")
+    source, high = np.random.default_rng(number), np.deg2rad(most)
+    right = source.integers(-3, 4, (40, 7)) * (np.pi / 2)
+    off = 10.0 ** source.uniform(-10.0, -6.0, right.shape) * source.choice((-1.0, 1.0), right.shape)
+    right = np.where(source.random(right.shape) < 0.6, right + off, right)
+    for q in np.clip(right, -high, high):
+        T = poses_of("walker", q[None])[0]
+        for nearest in (solver.nearest(T, q, q[:1]), python.ik(T, q[:1], q)):
+            assert np.abs(nearest - q).max() < 1e-2, q.tolist()
