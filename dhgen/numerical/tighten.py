@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.numerical import kernel as constants
-from dhgen.numerical.descent import escaped
+from dhgen.numerical.descent import descended, escaped
 from dhgen.numerical.miss import miss
 from dhgen.tolerances import TOLERANCES
 
@@ -95,7 +95,9 @@ def _tightened(
     turned = miss(kernel, T, q[None], psi)[0][0, kernel.entries :]
     if (np.abs(turned) > TOLERANCES.doubtful).any():
         return q, np.inf  # out of reach: it was not led here by rounding
-    end = escaped(kernel, T, q, exact, psi)
-    if kernel.checked and end.miss > exact:
-        return q, first  # the pose is rounded, or this is no solution
-    return end.q, end.miss
+    if not kernel.checked:
+        end = escaped(kernel, T, q, exact, psi)
+        return end.q, end.miss
+    end = descended(kernel, T, q, exact, psi=psi)
+    # otherwise the pose is rounded, or this is no solution
+    return (end.q, end.miss) if end.miss <= exact else (q, first)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.numerical.kernel import LOOSE, REDUNDANT_STARTS, STARTS
 from dhgen.targets.numerical.texts import position_rows
 from dhgen.targets.solver.given import given_places
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.numerical.kernel import NumericalKernel
@@ -41,6 +42,7 @@ class NumericalProblem:
         size: The arm's.
         residual: What counts as a solution of a descent [arm sizes, rad].
         enough: What counts as one of a family.
+        near_sought: What a descent that seeks may miss before steps take it further.
         enough_sought: What counts as one that is sought where equations ended every branch.
         kept: Solutions that are kept while rows are told apart.
         starts: Of descents.
@@ -67,6 +69,7 @@ class NumericalProblem:
     size: str
     residual: str
     enough: str
+    near_sought: str
     enough_sought: str
     kept: int
     starts: int
@@ -98,6 +101,7 @@ def problem_of(kernel: NumericalKernel) -> NumericalProblem:
         size=repr(chain.size),
         residual=residual,
         enough="enough" if kernel.checked else residual,
+        near_sought=residual if kernel.checked else repr(TOLERANCES.doubtful),
         # a pose that is checked may have been rounded
         enough_sought=residual if kernel.checked else f"{LOOSE!r} * exact",
         kept=2 * kernel.rows,
