@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 1f272a4b9c259137"
+_KEY = "abb_irb4600 ed3ef87f84182671"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -938,8 +938,8 @@ def _stand(pose, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     for i in range(6):
@@ -955,6 +955,11 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
+                for i in range(6):
+                    half[i] += half[i] - x[i]  # the same row, not turned
+                if _past_ends(half) > 0.0:
+                    for i in range(6):
+                        q[row, i] = x[i]
                 return
             between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:

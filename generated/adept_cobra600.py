@@ -265,7 +265,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 ea532d2ff18e175b"
+_KEY = "adept_cobra600 e26a0604d3d68cfe"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -580,8 +580,8 @@ def _settle(pose, enough, most, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
     for i in range(4):

@@ -178,6 +178,9 @@ static void look(struct descent *d, const double u[3])
     d->length = sqrt(square);
 }
 
+/* What is added from start to start, in parts of the range: a direction that is like no other. */
+static const double stride[3] = { 0.8191725133961644, 0.6710436067037892, 0.5497004779019702 };
+
 static void copy(const double from[3], double to[3])
 {
     for (int j = 0; j < 3; j++)
@@ -285,16 +288,69 @@ static double descended(struct descent *d, int steps, double exact, double q[3],
     return least;
 }
 
+/* The part of a generic direction that leaves the tool where it is, to first order, one long;
+ * returns how long it was. */
+static double sideways(const struct descent *d, double along[3])
+{
+    double moved[3], square = 0.0;
+    for (int i = 0; i < 3; i++) {
+        moved[i] = 0.0;
+        for (int j = 0; j < 3; j++)
+            moved[i] += d->A[i][j] * stride[j];
+    }
+    damped_step(d, moved, 0.0, 1e-13, along);
+    for (int j = 0; j < 3; j++) {
+        along[j] = stride[j] - along[j];
+        square += along[j] * along[j];
+    }
+    const double length = sqrt(square);
+    for (int j = 0; j < 3; j++)
+        along[j] /= length;
+    return length;
+}
+
+/* Takes a row as far as steps help, also from both sides of where they get slow: where many
+ * solutions meet, joint values between them are singular. A root of four is missed by the fourth
+ * power of the way to it. */
+static double escaped(struct descent *d, double exact, double q[3])
+{
+    double ahead, least = descended(d, 72, exact, q, &ahead);
+    for (int k = 0; k < 8 && least > exact; k++) {
+        double u[3], along[3], end[2][3], miss[2];
+        for (int j = 0; j < 3; j++)
+            u[j] = q[solved[j]] / unit[j];
+        look(d, u);
+        if (sideways(d, along) <= 0.0001)
+            break;
+        double pace = sqrt(sqrt(least));
+        for (int side = 0; side < 2; side++) {
+            for (int i = 0; i < 3; i++)
+                end[side][i] = q[i];
+            for (int j = 0; j < 3; j++)
+                end[side][solved[j]] += pace * unit[j] * along[j];
+            pace = -pace;
+            miss[side] = descended(d, 72, exact, end[side], &ahead);
+        }
+        const int other = miss[1] < miss[0];
+        if (!(miss[other] < 0.9 * least))
+            break;
+        least = miss[other];
+        for (int i = 0; i < 3; i++)
+            q[i] = end[other][i];
+    }
+    return least;
+}
+
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
  * it misses the pose then, `first` being what it misses before. */
 static double tightened(struct descent *d, double exact, double first, double q[3], int *moved)
 {
-    double end[3], ahead;
+    double end[3];
     if (first <= exact)
         return first;
     for (int i = 0; i < 3; i++)
         end[i] = q[i];
-    const double least = descended(d, 72, exact, end, &ahead);
+    const double least = escaped(d, exact, end);
     for (int i = 0; i < 3; i++) {
         *moved = *moved || q[i] < end[i] || q[i] > end[i];
         q[i] = end[i];
@@ -619,10 +675,9 @@ static void both_sides(
 }
 
 
-/* Between which values starts lie, and what is added from start to start. */
+/* Between which values starts lie. */
 static const double span_low[3] = { -3.141592653589793, -3.141592653589793, -3.141592653589793 };
 static const double span_width[3] = { 6.283185307179586, 6.283185307179586, 6.283185307179586 };
-static const double stride[3] = { 0.8191725133961644, 0.6710436067037892, 0.5497004779019702 };
 
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[3])
@@ -666,11 +721,10 @@ static double descend(struct descent *d, double u[3])
     return least;
 }
 
-/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
- * of
- * their values serve. Steps of damped least squares from the seed and from evenly spread starts
- * lead to
- * some that do, if the arm can take the pose. */
+/* A pose was left without a row after a joint had been chosen: several joints may be free, and few
+ * of their values serve. Steps
+ * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
+ * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
 static void seek(
     const double T[16], const double seed[3], int begun, double q[4][3],
     unsigned char status[4])
@@ -678,22 +732,29 @@ static void seek(
     struct descent d = { .T = T };
     const double exact = exactness(T);
     double found[3] = { 0.0 };
-    int least = 4; /* what is wrong with the values found: nothing is 0 */
-    for (int row = 0; row < 4; row++)
-        if (status[row] != CUSPIDAL_3R_UNREACHABLE)
-            return;
+    int before = 4, chosen = -1;
+    for (int row = 4 - 1; row >= 0; row--) {
+        int fault = 0;
+        if (status[row] == CUSPIDAL_3R_UNREACHABLE)
+            continue;
+        before = fault < before ? fault : before;
+        chosen = status[row] == CUSPIDAL_3R_FREE_JOINT ? row : chosen;
+    }
+    if (before == 0 || (before < 4 && chosen < 0))
+        return;
+    int least = before;
     take(seed, d.q);
     for (int j = 0; j < 3; j++)
         d.seed[j] = seed[solved[j]] / unit[j];
     for (int k = 0; k < 12 && least; k++) {
-        double u[3], end[3], ahead;
+        double u[3], end[3];
         start_of(&d, k, u);
-        if (descend(&d, u) > 1e-10)
+        if (descend(&d, u) > 0.01)
             continue;
         take(d.q, end);
         for (int j = 0; j < 3; j++)
             end[solved[j]] = unit[j] * u[j];
-        const double miss = descended(&d, 72, exact, end, &ahead);
+        const double miss = escaped(&d, exact, end);
         if (miss > 10.0 * exact)
             continue;
         const int fault = 2 * (miss > exact);
@@ -702,7 +763,7 @@ static void seek(
         least = fault;
         take(end, found);
     }
-    if (least == 4)
+    if (least == before)
         return;
     for (int row = 0; row < 4; row++) {
         status[row] = row == begun ? CUSPIDAL_3R_FREE_JOINT : CUSPIDAL_3R_UNREACHABLE;
@@ -724,8 +785,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static double half_way(const double x[3], const double q[3], double half[3])
 {
     double most = 0.0;
@@ -740,11 +801,10 @@ static double half_way(const double x[3], const double q[3], double half[3])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const double pace[3] = { 1.0, 1.0, 1.0 };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static double off_pose(const double T[16], const double x[3], double e[6])
 {
     double P[16], square = 0.0;
@@ -757,9 +817,9 @@ static double off_pose(const double T[16], const double x[3], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[3], double damping, double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
@@ -815,8 +875,8 @@ static int settle(const double T[16], double enough, double most, double q[3])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
+ * told from by nothing, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])

@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 194880ceda3da8fd"
+_KEY = "cuspidal_3r baf4eaa6cf02a99b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -497,6 +497,10 @@ def _look(T, q, u, e, A):
     return math.sqrt(square)
 
 
+# What is added from start to start, in parts of the range: a direction that is like no other.
+_STRIDE = np.array([0.8191725133961644, 0.6710436067037892, 0.5497004779019702])
+
+
 @_inner
 def _wrap_angles(u):
     """Moves angles by whole turns to (-pi, pi]."""
@@ -597,6 +601,61 @@ def _descended(T, steps, exact, q, ahead):
 
 
 @_inner
+def _sideways(A, along):
+    """The part of a generic direction that leaves the tool where it is, to first order, one long.
+
+    Returns how long it was.
+    """
+    moved, square = np.empty(3), 0.0
+    for i in range(3):
+        moved[i] = 0.0
+        for j in range(3):
+            moved[i] += A[i, j] * _STRIDE[j]
+    _damped_step(A, moved, 0.0, 1e-13, along)
+    for j in range(3):
+        along[j] = _STRIDE[j] - along[j]
+        square += along[j] * along[j]
+    length = math.sqrt(square)
+    for j in range(3):
+        along[j] /= length
+    return length
+
+
+@_apart("float64(float64[:, ::1], float64, float64[::1])")
+def _escaped(T, exact, q):
+    """Takes a row as far as steps help, also from both sides of where they get slow.
+
+    Where many solutions meet, joint values between them are singular. A root of four is missed by
+    the fourth power of the way to it. Returns by how much the row misses the pose then.
+    """
+    e, A = np.empty(3), np.empty((3, 3))
+    u, along, ahead = np.empty(3), np.empty(3), np.empty(1)
+    ends, miss = np.empty((2, 3)), np.empty(2)
+    least = _descended(T, 72, exact, q, ahead)
+    for _ in range(8):
+        if least <= exact:
+            break
+        for j in range(3):
+            u[j] = q[_SOLVED[j]] / _UNIT[j]
+        _look(T, q.copy(), u, e, A)
+        if _sideways(A, along) <= 0.0001:
+            break
+        pace = math.sqrt(math.sqrt(least))
+        for side in range(2):
+            _take(ends[side], q)
+            for j in range(3):
+                ends[side, _SOLVED[j]] += pace * _UNIT[j] * along[j]
+            pace = -pace
+            miss[side] = _descended(T, 72, exact, ends[side], ahead)
+        other = 1 if miss[1] < miss[0] else 0
+        if not miss[other] < 0.9 * least:
+            break
+        least = miss[other]
+        _take(q, ends[other])
+    return least
+
+
+@_inner
 def _tightened(T, exact, first, q):
     """Takes a row to where damped least squares lead, unless it is exact.
 
@@ -606,7 +665,7 @@ def _tightened(T, exact, first, q):
     if first <= exact:
         return first, False
     end, moved = q.copy(), False
-    least = _descended(T, 72, exact, end, np.empty(1))
+    least = _escaped(T, exact, end)
     for i in range(3):
         moved = moved or q[i] != end[i]
         q[i] = end[i]
@@ -892,99 +951,6 @@ def _both_sides(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
-# Between which values starts lie, and what is added from start to start.
-_SPAN_LOW = np.array([-3.141592653589793, -3.141592653589793, -3.141592653589793])
-_SPAN_WIDTH = np.array([6.283185307179586, 6.283185307179586, 6.283185307179586])
-_STRIDE = np.array([0.8191725133961644, 0.6710436067037892, 0.5497004779019702])
-
-
-@_inner
-def _start_of(k, near, u):
-    """Start number k; number 0 is the seed."""
-    for j in range(3):
-        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
-def _descend(T, q, u):
-    """Takes u to where damped least squares lead; returns by how much that misses the pose.
-
-    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
-    that is right may be long, and what it leaves, half of its square, far more than was missed.
-    """
-    e, A = np.empty(3), np.empty((3, 3))
-    least, best, step, little = math.inf, u.copy(), np.empty(3), 1e-13
-    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
-    for _ in range(40 + 1):
-        length = _look(T, q, u, e, A)
-        slow = length >= max(0.5 * last, left)
-        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
-        if slow and least <= 1e-06:
-            little = 1e-26
-        if length < least:
-            least = length
-            _take(best, u)
-        if stalled:
-            break
-        _damped_step(A, e, length, little, step)
-        _shorten(step)
-        way = 0.0
-        for j in range(3):
-            u[j] += step[j]
-            way += abs(step[j])
-        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
-    _take(u, best)
-    return least
-
-
-@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1])")
-def _sought(pose, seed, q):
-    """Joint values that serve, into q, and what is wrong with them: nothing is 0, 4 that there are none.
-
-    Several joints may be free at once, and few of their values serve. Steps of damped least squares
-    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
-    exact ones come first.
-    """
-    T, exact, least = _upper_rows(pose), _exactness(pose), 4
-    joints, near = seed.copy(), np.empty(3)
-    for j in range(3):
-        near[j] = seed[_SOLVED[j]] / _UNIT[j]
-    u, end = np.empty(3), np.empty(3)
-    for k in range(12):
-        if least == 0:
-            break
-        _start_of(k, near, u)
-        if _descend(T, joints, u) > 1e-10:
-            continue
-        _take(end, joints)
-        for j in range(3):
-            end[_SOLVED[j]] = _UNIT[j] * u[j]
-        miss = _descended(T, 72, exact, end, np.empty(1))
-        if miss > 10.0 * exact:
-            continue
-        fault = 2 * (miss > exact)
-        if fault < least:
-            least = fault
-            _take(q, end)
-    return least
-
-
-@_inner
-def _seek(pose, seed, begun, q, status):
-    """The same into a row, if there is none."""
-    for row in range(4):
-        if status[row] != UNREACHABLE:
-            return
-    found = np.empty(3)
-    fault = _sought(pose, seed.copy(), found)
-    if fault == 4:
-        return
-    for row in range(4):
-        status[row] = FREE_JOINT if row == begun else UNREACHABLE
-        for i in range(3):
-            q[row, i] = found[i] if row == begun else math.nan
-
-
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
@@ -1093,12 +1059,111 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+# Between which values starts lie.
+_SPAN_LOW = np.array([-3.141592653589793, -3.141592653589793, -3.141592653589793])
+_SPAN_WIDTH = np.array([6.283185307179586, 6.283185307179586, 6.283185307179586])
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(3):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
+    that is right may be long, and what it leaves, half of its square, far more than was missed.
+    """
+    e, A = np.empty(3), np.empty((3, 3))
+    least, best, step, little = math.inf, u.copy(), np.empty(3), 1e-13
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        slow = length >= max(0.5 * last, left)
+        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
+        if slow and least <= 1e-06:
+            little = 1e-26
+        if length < least:
+            least = length
+            _take(best, u)
+        if stalled:
+            break
+        _damped_step(A, e, length, little, step)
+        _shorten(step)
+        way = 0.0
+        for j in range(3):
+            u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
+    _take(u, best)
+    return least
+
+
+@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
+def _sought(pose, seed, least, q):
+    """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
+
+    Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
+
+    Several joints may be free at once, and few of their values serve. Steps of damped least squares
+    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose.
+    """
+    T, exact = _upper_rows(pose), _exactness(pose)
+    joints, near = seed.copy(), np.empty(3)
+    for j in range(3):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    u, end = np.empty(3), np.empty(3)
+    for k in range(12):
+        if least == 0:
+            break
+        _start_of(k, near, u)
+        if _descend(T, joints, u) > 0.01:
+            continue
+        _take(end, joints)
+        for j in range(3):
+            end[_SOLVED[j]] = _UNIT[j] * u[j]
+        miss = _escaped(T, exact, end)
+        if miss > 10.0 * exact:
+            continue
+        fault = 2 * (miss > exact)
+        if fault < least:
+            least = fault
+            _take(q, end)
+    return least
+
+
+@_inner
+def _seek(pose, seed, begun, q, status):
+    """The same into a row, if there is none."""
+    before, chosen = 4, -1
+    for row in range(4 - 1, -1, -1):
+        fault = 0
+        if status[row] == UNREACHABLE:
+            continue
+        before = min(before, fault)
+        chosen = row if status[row] == FREE_JOINT else chosen
+    if before == 0 or (before < 4 and chosen < 0):
+        return
+    found = np.empty(3)
+    least = _sought(pose, seed.copy(), before, found)
+    if least == before:
+        return
+    for row in range(4):
+        status[row] = FREE_JOINT if row == begun else UNREACHABLE
+        for i in range(3):
+            q[row, i] = found[i] if row == begun else math.nan
+
+
 @_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
     for i in range(3):

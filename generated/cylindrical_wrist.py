@@ -287,7 +287,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist 8414cf733bd778e5"
+_KEY = "cylindrical_wrist d145350d8248249b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -591,8 +591,8 @@ def _settle(pose, enough, most, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     for i in range(6):

@@ -386,7 +386,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id cc20af30a416a45d"
+_KEY = "fanuc_lrmate200id 1610687f0147b39d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -958,8 +958,8 @@ def _stand(pose, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     for i in range(6):
@@ -975,6 +975,11 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
+                for i in range(6):
+                    half[i] += half[i] - x[i]  # the same row, not turned
+                if _past_ends(half) > 0.0:
+                    for i in range(6):
+                        q[row, i] = x[i]
                 return
             between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:

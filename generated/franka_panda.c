@@ -1017,8 +1017,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static double half_way(const double x[7], const double q[7], double half[7])
 {
     double most = 0.0;
@@ -1033,11 +1033,10 @@ static double half_way(const double x[7], const double q[7], double half[7])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const double pace[7] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0 };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static double off_pose(const double T[16], const double x[7], double e[6])
 {
     double P[16], square = 0.0;
@@ -1055,9 +1054,9 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -1135,8 +1134,8 @@ static void stand(const double T[16], double q[7])
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
+ * told from by nothing, one left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
@@ -1152,8 +1151,11 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != FRANKA_PANDA_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
+            if (half_way(x, q[row], half) < 0.001) {
+                if (beyond_limits(q[row]) > 0.0)
+                    take(x, q[row]);
                 return;
+            }
             between = fmax(off_pose(T, half, e), 1e-12);
         }
         if (between <= 2.0 * least)

@@ -86,6 +86,12 @@ static void look(struct descent *d, const double u[6])
     d->length = sqrt(square);
 }
 
+/* What is added from start to start, in parts of the range: a direction that is like no other. */
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+
 static void copy(const double from[6], double to[6])
 {
     for (int j = 0; j < 6; j++)
@@ -258,7 +264,7 @@ static double pulled(
     return least;
 }
 
-/* Between which values starts lie, and what is added from start to start. */
+/* Between which values starts lie. */
 static const double span_low[6] = {
     -3.141592653589793, -0.5555555555555556, 0.0, -3.141592653589793, -3.141592653589793,
     -3.141592653589793,
@@ -266,10 +272,6 @@ static const double span_low[6] = {
 static const double span_width[6] = {
     6.283185307179586, 1.1111111111111112, 0.625, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
 };
 
 /* Start number k; number 0 is the seed. */
@@ -297,14 +299,12 @@ static double distance_between(const double a[6], const double b[6])
         most = fmax(most, fabs(a[j] - b[j]));
     return most;
 }
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
-static int continuum(struct descent *d, const double u[6], double enough)
+
+/* The part of a generic direction that leaves the tool where it is, to first order, one long;
+ * returns how long it was. */
+static double sideways(const struct descent *d, double along[6])
 {
-    double along[6], moved[6], square = 0.0;
-    look(d, u);
+    double moved[6], square = 0.0;
     for (int i = 0; i < 6; i++) {
         moved[i] = 0.0;
         for (int j = 0; j < 6; j++)
@@ -312,15 +312,28 @@ static int continuum(struct descent *d, const double u[6], double enough)
     }
     damped_step(d, moved, 0.0, 1e-13, along);
     for (int j = 0; j < 6; j++) {
-        along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
+        along[j] = stride[j] - along[j];
         square += along[j] * along[j];
     }
-    if (sqrt(square) <= 0.0001)
+    const double length = sqrt(square);
+    for (int j = 0; j < 6; j++)
+        along[j] /= length;
+    return length;
+}
+
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
+ * pose
+ * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
+ * one. */
+static int continuum(struct descent *d, const double u[6], double enough)
+{
+    double along[6], end[2][6];
+    look(d, u);
+    if (sideways(d, along) <= 0.0001)
         return -1;
-    double end[2][6];
     for (int side = 0; side < 2; side++) {
         for (int j = 0; j < 6; j++)
-            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j] / sqrt(square);
+            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j];
         if (descend(d, end[side]) > enough || distance_between(end[side], u) <= 0.01)
             return 0;
     }
@@ -3530,8 +3543,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static double half_way(const double x[6], const double q[6], double half[6])
 {
     double most = 0.0;
@@ -3546,11 +3559,10 @@ static double half_way(const double x[6], const double q[6], double half[6])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const double pace[6] = { 1.0, 1.44, 1.44, 1.0, 1.0, 1.0 };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
@@ -3568,9 +3580,9 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];

@@ -407,7 +407,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 9230ce283a390120"
+_KEY = "kuka_iiwa14 43dba482b3c853ea"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1009,8 +1009,8 @@ def _stand(pose, q):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
     for i in range(7):
@@ -1024,6 +1024,9 @@ def _stay(pose, q_free, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
+                if _beyond_limits(q[row]) > 0.0:
+                    for i in range(7):
+                        q[row, i] = x[i]
                 return
             between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:

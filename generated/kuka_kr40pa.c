@@ -302,6 +302,11 @@ static void look(struct descent *d, const double u[4])
     d->length = sqrt(square);
 }
 
+/* What is added from start to start, in parts of the range: a direction that is like no other. */
+static const double stride[4] = {
+    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
+};
+
 static void copy(const double from[4], double to[4])
 {
     for (int j = 0; j < 4; j++)
@@ -414,11 +419,12 @@ static double descended(struct descent *d, int steps, double exact, double q[4],
  * it misses the pose then, `first` being what it misses before. */
 static double tightened(struct descent *d, double exact, double first, double q[4], int *moved)
 {
-    double end[4], ahead;
+    double end[4];
     if (first <= exact)
         return first;
     for (int i = 0; i < 4; i++)
         end[i] = q[i];
+    double ahead;
     const double least = descended(d, 72, exact, end, &ahead);
     if (least > exact) /* the pose is rounded, or this is no solution */
         return first;
@@ -1000,15 +1006,12 @@ static void choose_again(
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
 
-/* Between which values starts lie, and what is added from start to start. */
+/* Between which values starts lie. */
 static const double span_low[4] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
 };
 static const double span_width[4] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-};
-static const double stride[4] = {
-    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
 };
 
 /* Start number k; number 0 is the seed. */
@@ -1053,13 +1056,10 @@ static double descend(struct descent *d, double u[4])
     return least;
 }
 
-/* A pose was left without a row after a joint had been chosen, or with rows that fit it only as one
- * that
- * has been rounded: several may be free at once, and few of their values serve. Steps of damped
- * least
- * squares from the seed and from evenly spread starts lead to some that do, if the arm can take the
- * pose;
- * exact ones come first. */
+/* A pose was left without a row after a joint had been chosen, or with such as fit it if it is
+ * rounded: several joints may be free, and few of their values serve. Steps
+ * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
+ * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
 static void seek(
     const double T[16], const double seed[4], int begun, double q[2][4],
     unsigned char status[2])
@@ -1067,18 +1067,18 @@ static void seek(
     struct descent d = { .T = T };
     const double exact = exactness(T);
     double found[4] = { 0.0 };
-    int least = 4; /* what is wrong with the values found: nothing is 0 */
-    int left = 0, chosen = 0;
-    for (int row = 0; row < 2; row++) {
+    int before = 4, chosen = -1;
+    for (int row = 2 - 1; row >= 0; row--) {
+        int fault = 0;
         if (status[row] == KUKA_KR40PA_UNREACHABLE)
             continue;
-        if (missed_by(T, q[row]) <= exact)
-            return;
-        left = 1;
-        chosen = chosen || status[row] == KUKA_KR40PA_FREE_JOINT;
+        fault += 2 * (missed_by(T, q[row]) > exact);
+        before = fault < before ? fault : before;
+        chosen = status[row] == KUKA_KR40PA_FREE_JOINT ? row : chosen;
     }
-    if (left && !chosen)
+    if (before == 0 || (before < 4 && chosen < 0))
         return;
+    int least = before;
     take(seed, d.q);
     for (int j = 0; j < 4; j++)
         d.seed[j] = seed[solved[j]] / unit[j];
@@ -1099,7 +1099,7 @@ static void seek(
         least = fault;
         take(end, found);
     }
-    if (least == 4 || (left && least > 1))
+    if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
         status[row] = row == begun ? KUKA_KR40PA_FREE_JOINT : KUKA_KR40PA_UNREACHABLE;
@@ -1121,8 +1121,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static double half_way(const double x[4], const double q[4], double half[4])
 {
     double most = 0.0;
@@ -1137,11 +1137,10 @@ static double half_way(const double x[4], const double q[4], double half[4])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static double off_pose(const double T[16], const double x[4], double e[6])
 {
     double P[16], square = 0.0;
@@ -1159,9 +1158,9 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
@@ -1217,8 +1216,8 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
+ * told from by nothing, one left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])

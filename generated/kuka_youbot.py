@@ -347,7 +347,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot f70977e8902292c5"
+_KEY = "kuka_youbot 8bfe528372cc5faf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -878,8 +878,8 @@ def _settle(pose, enough, most, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
     for i in range(5):

@@ -222,6 +222,12 @@ static void look(struct descent *d, const double u[6])
     d->length = sqrt(square);
 }
 
+/* What is added from start to start, in parts of the range: a direction that is like no other. */
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+
 static void copy(const double from[6], double to[6])
 {
     for (int j = 0; j < 6; j++)
@@ -329,16 +335,69 @@ static double descended(struct descent *d, int steps, double exact, double q[6],
     return least;
 }
 
+/* The part of a generic direction that leaves the tool where it is, to first order, one long;
+ * returns how long it was. */
+static double sideways(const struct descent *d, double along[6])
+{
+    double moved[6], square = 0.0;
+    for (int i = 0; i < 6; i++) {
+        moved[i] = 0.0;
+        for (int j = 0; j < 6; j++)
+            moved[i] += d->A[i][j] * stride[j];
+    }
+    damped_step(d, moved, 0.0, 1e-13, along);
+    for (int j = 0; j < 6; j++) {
+        along[j] = stride[j] - along[j];
+        square += along[j] * along[j];
+    }
+    const double length = sqrt(square);
+    for (int j = 0; j < 6; j++)
+        along[j] /= length;
+    return length;
+}
+
+/* Takes a row as far as steps help, also from both sides of where they get slow: where many
+ * solutions meet, joint values between them are singular. A root of four is missed by the fourth
+ * power of the way to it. */
+static double escaped(struct descent *d, double exact, double q[6])
+{
+    double ahead, least = descended(d, 72, exact, q, &ahead);
+    for (int k = 0; k < 8 && least > exact; k++) {
+        double u[6], along[6], end[2][6], miss[2];
+        for (int j = 0; j < 6; j++)
+            u[j] = q[solved[j]] / unit[j];
+        look(d, u);
+        if (sideways(d, along) <= 0.0001)
+            break;
+        double pace = sqrt(sqrt(least));
+        for (int side = 0; side < 2; side++) {
+            for (int i = 0; i < 6; i++)
+                end[side][i] = q[i];
+            for (int j = 0; j < 6; j++)
+                end[side][solved[j]] += pace * unit[j] * along[j];
+            pace = -pace;
+            miss[side] = descended(d, 72, exact, end[side], &ahead);
+        }
+        const int other = miss[1] < miss[0];
+        if (!(miss[other] < 0.9 * least))
+            break;
+        least = miss[other];
+        for (int i = 0; i < 6; i++)
+            q[i] = end[other][i];
+    }
+    return least;
+}
+
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
  * it misses the pose then, `first` being what it misses before. */
 static double tightened(struct descent *d, double exact, double first, double q[6], int *moved)
 {
-    double end[6], ahead;
+    double end[6];
     if (first <= exact)
         return first;
     for (int i = 0; i < 6; i++)
         end[i] = q[i];
-    const double least = descended(d, 72, exact, end, &ahead);
+    const double least = escaped(d, exact, end);
     for (int i = 0; i < 6; i++) {
         *moved = *moved || q[i] < end[i] || q[i] > end[i];
         q[i] = end[i];
@@ -985,7 +1044,7 @@ static void both_sides(
 }
 
 
-/* Between which values starts lie, and what is added from start to start. */
+/* Between which values starts lie. */
 static const double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
@@ -993,10 +1052,6 @@ static const double span_low[6] = {
 static const double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
 };
 
 /* Start number k; number 0 is the seed. */
@@ -1041,11 +1096,10 @@ static double descend(struct descent *d, double u[6])
     return least;
 }
 
-/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
- * of
- * their values serve. Steps of damped least squares from the seed and from evenly spread starts
- * lead to
- * some that do, if the arm can take the pose. */
+/* A pose was left without a row after a joint had been chosen: several joints may be free, and few
+ * of their values serve. Steps
+ * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
+ * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
 static void seek(
     const double T[16], const double seed[6], int begun, double q[8][6],
     unsigned char status[8])
@@ -1053,22 +1107,29 @@ static void seek(
     struct descent d = { .T = T };
     const double exact = exactness(T);
     double found[6] = { 0.0 };
-    int least = 4; /* what is wrong with the values found: nothing is 0 */
-    for (int row = 0; row < 8; row++)
-        if (status[row] != PARALLEL_123_UNREACHABLE)
-            return;
+    int before = 4, chosen = -1;
+    for (int row = 8 - 1; row >= 0; row--) {
+        int fault = 0;
+        if (status[row] == PARALLEL_123_UNREACHABLE)
+            continue;
+        before = fault < before ? fault : before;
+        chosen = status[row] == PARALLEL_123_FREE_JOINT ? row : chosen;
+    }
+    if (before == 0 || (before < 4 && chosen < 0))
+        return;
+    int least = before;
     take(seed, d.q);
     for (int j = 0; j < 6; j++)
         d.seed[j] = seed[solved[j]] / unit[j];
     for (int k = 0; k < 12 && least; k++) {
-        double u[6], end[6], ahead;
+        double u[6], end[6];
         start_of(&d, k, u);
-        if (descend(&d, u) > 1e-10)
+        if (descend(&d, u) > 0.01)
             continue;
         take(d.q, end);
         for (int j = 0; j < 6; j++)
             end[solved[j]] = unit[j] * u[j];
-        const double miss = descended(&d, 72, exact, end, &ahead);
+        const double miss = escaped(&d, exact, end);
         if (miss > 10.0 * exact)
             continue;
         const int fault = 2 * (miss > exact);
@@ -1077,7 +1138,7 @@ static void seek(
         least = fault;
         take(end, found);
     }
-    if (least == 4)
+    if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
         status[row] = row == begun ? PARALLEL_123_FREE_JOINT : PARALLEL_123_UNREACHABLE;
@@ -1099,8 +1160,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static double half_way(const double x[6], const double q[6], double half[6])
 {
     double most = 0.0;
@@ -1115,11 +1176,10 @@ static double half_way(const double x[6], const double q[6], double half[6])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
@@ -1137,9 +1197,9 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1195,8 +1255,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
+ * told from by nothing, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])

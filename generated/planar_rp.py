@@ -232,7 +232,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 6d2af921c4d0fd8a"
+_KEY = "planar_rp e21a0dd2e04e1479"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -651,8 +651,8 @@ def _stand(pose, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(2), np.empty(2), 0, math.inf
     for i in range(2):
@@ -665,6 +665,9 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
+                if _beyond_limits(q[row]) > 0.0:
+                    for i in range(2):
+                        q[row, i] = x[i]
                 return
             between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:

@@ -46,6 +46,11 @@ static void look(struct descent *d, const double u[4])
     d->length = sqrt(square);
 }
 
+/* What is added from start to start, in parts of the range: a direction that is like no other. */
+static const double stride[4] = {
+    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
+};
+
 static void copy(const double from[4], double to[4])
 {
     for (int j = 0; j < 4; j++)
@@ -183,15 +188,12 @@ static double pulled(
     return least;
 }
 
-/* Between which values starts lie, and what is added from start to start. */
+/* Between which values starts lie. */
 static const double span_low[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 };
 static const double span_width[4] = {
     4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
-};
-static const double stride[4] = {
-    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
 };
 
 /* Start number k; number 0 is the seed. */
@@ -373,8 +375,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static double half_way(const double x[4], const double q[4], double half[4])
 {
     double most = 0.0;
@@ -389,11 +391,10 @@ static double half_way(const double x[4], const double q[4], double half[4])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static double off_pose(const double T[16], const double x[4], double e[6])
 {
     double P[16], square = 0.0;
@@ -406,9 +407,9 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];

@@ -228,7 +228,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 48f0d42e549151cc"
+_KEY = "planar_rrrr 6da478c15763088d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -309,6 +309,10 @@ def _look(T, q, u, e, A):
     for i in range(2):
         square += e[i] * e[i]
     return math.sqrt(square)
+
+
+# What is added from start to start, in parts of the range: a direction that is like no other.
+_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
 
 
 @_inner
@@ -437,14 +441,13 @@ _LEAST_U = np.array([
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 ])
 _MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
-# Between which values starts lie, and what is added from start to start.
+# Between which values starts lie.
 _SPAN_LOW = np.array([
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 ])
 _SPAN_WIDTH = np.array([
     4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
 ])
-_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
 
 
 @_inner

@@ -618,8 +618,8 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
- * half way. */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
+ * */
 static float half_way(const float x[6], const float q[6], float half[6])
 {
     float most = 0.0f;
@@ -634,11 +634,10 @@ static float half_way(const float x[6], const float q[6], float half[6])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const float weights[6] = { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f };
-/* What a step of one means for each joint; none where the caller gives the value. */
+/* What a step of one means for each joint; none where it is given. */
 static const float pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
 
-/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
- * too. */
+/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
 static float off_pose(const float T[16], const float x[6], float e[6])
 {
     float P[16], square = 0.0f;
@@ -656,9 +655,9 @@ static float off_pose(const float T[16], const float x[6], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
- * its share of the damping's root, are made orthogonal one after another, twice: once would not do
- * beside singular places. */
+/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
+ * the
+ * damping's root, are made orthogonal one after another, twice for singular places. */
 static void add_step(const int held[6], float damping, float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
@@ -767,8 +766,8 @@ static void stand(const float T[16], float q[6])
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
+ * told from by nothing, one left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
@@ -786,8 +785,13 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;
         if (status[row] != PUMA560_F32_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.03f)
+            if (half_way(x, q[row], half) < 0.03f) {
+                for (int i = 0; i < 6; i++)
+                    half[i] += half[i] - x[i]; /* the same row, not turned */
+                if (past_ends(half) > 0.0f)
+                    take(x, q[row]);
                 return;
+            }
             between = fmaxf(off_pose(T, half, e), 5e-05f);
         }
         if (between <= 2.0f * least)

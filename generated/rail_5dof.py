@@ -284,7 +284,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 5daa8ac874ca7568"
+_KEY = "rail_5dof d26652895b76880b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -435,6 +435,13 @@ def _look(T, q, u, e, A):
     for i in range(6):
         square += e[i] * e[i]
     return math.sqrt(square)
+
+
+# What is added from start to start, in parts of the range: a direction that is like no other.
+_STRIDE = np.array([
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+])
 
 
 @_inner
@@ -790,111 +797,6 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-# Between which values starts lie, and what is added from start to start.
-_SPAN_LOW = np.array([
-    -1.0, -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-])
-_SPAN_WIDTH = np.array([
-    2.0, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-])
-_STRIDE = np.array([
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-])
-
-
-@_inner
-def _start_of(k, near, u):
-    """Start number k; number 0 is the seed."""
-    for j in range(5):
-        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
-def _descend(T, q, u):
-    """Takes u to where damped least squares lead; returns by how much that misses the pose.
-
-    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
-    that is right may be long, and what it leaves, half of its square, far more than was missed.
-    """
-    e, A = np.empty(6), np.empty((6, 5))
-    least, best, step, little = math.inf, u.copy(), np.empty(5), 1e-13
-    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
-    for _ in range(40 + 1):
-        length = _look(T, q, u, e, A)
-        slow = length >= max(0.5 * last, left)
-        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
-        if slow and least <= 1e-06:
-            little = 1e-26
-        if length < least:
-            least = length
-            _take(best, u)
-        if stalled:
-            break
-        _damped_step(A, e, length, little, step)
-        _shorten(step)
-        way = 0.0
-        for j in range(5):
-            u[j] += step[j]
-            way += abs(step[j])
-        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
-    _take(u, best)
-    return least
-
-
-@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1])")
-def _sought(pose, seed, q):
-    """Joint values that serve, into q, and what is wrong with them: nothing is 0, 4 that there are none.
-
-    Several joints may be free at once, and few of their values serve. Steps of damped least squares
-    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
-    exact ones come first.
-    """
-    T, exact, least = _upper_rows(pose), _exactness(pose), 4
-    joints, near = seed.copy(), np.empty(5)
-    for j in range(5):
-        near[j] = seed[_SOLVED[j]] / _UNIT[j]
-    u, end = np.empty(5), np.empty(5)
-    for k in range(12):
-        if least == 0:
-            break
-        _start_of(k, near, u)
-        if _descend(T, joints, u) > 1e-05:
-            continue
-        _take(end, joints)
-        for j in range(5):
-            end[_SOLVED[j]] = _UNIT[j] * u[j]
-        miss = _descended(T, 72, exact, end, np.empty(1))
-        if miss > 1e-05:
-            continue
-        fault = 2 * (miss > exact)
-        if fault < least:
-            least = fault
-            _take(q, end)
-    return least
-
-
-@_inner
-def _seek(pose, seed, begun, q, status):
-    """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
-    left, chosen, exact = False, False, _exactness(pose)
-    for row in range(2):
-        if status[row] != UNREACHABLE:
-            if _missed_by(pose, q[row]) <= exact:
-                return
-            left, chosen = True, chosen or status[row] == FREE_JOINT
-    if left and not chosen:
-        return
-    found = np.empty(5)
-    fault = _sought(pose, seed.copy(), found)
-    if fault == 4 or (left and fault > 1):
-        return
-    for row in range(2):
-        status[row] = FREE_JOINT if row == begun else UNREACHABLE
-        for i in range(5):
-            q[row, i] = found[i] if row == begun else math.nan
-
-
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([6.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
@@ -1009,12 +911,117 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+# Between which values starts lie.
+_SPAN_LOW = np.array([
+    -1.0, -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    2.0, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+])
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(5):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
+    that is right may be long, and what it leaves, half of its square, far more than was missed.
+    """
+    e, A = np.empty(6), np.empty((6, 5))
+    least, best, step, little = math.inf, u.copy(), np.empty(5), 1e-13
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        slow = length >= max(0.5 * last, left)
+        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
+        if slow and least <= 1e-06:
+            little = 1e-26
+        if length < least:
+            least = length
+            _take(best, u)
+        if stalled:
+            break
+        _damped_step(A, e, length, little, step)
+        _shorten(step)
+        way = 0.0
+        for j in range(5):
+            u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
+    _take(u, best)
+    return least
+
+
+@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
+def _sought(pose, seed, least, q):
+    """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
+
+    Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
+
+    Several joints may be free at once, and few of their values serve. Steps of damped least squares
+    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose.
+    """
+    T, exact = _upper_rows(pose), _exactness(pose)
+    joints, near = seed.copy(), np.empty(5)
+    for j in range(5):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    u, end = np.empty(5), np.empty(5)
+    for k in range(12):
+        if least == 0:
+            break
+        _start_of(k, near, u)
+        if _descend(T, joints, u) > 1e-05:
+            continue
+        _take(end, joints)
+        for j in range(5):
+            end[_SOLVED[j]] = _UNIT[j] * u[j]
+        miss = _descended(T, 72, exact, end, np.empty(1))
+        if miss > 1e-05:
+            continue
+        fault = 2 * (miss > exact)
+        if fault < least:
+            least = fault
+            _take(q, end)
+    return least
+
+
+@_inner
+def _seek(pose, seed, begun, q, status):
+    """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
+    before, chosen = 4, -1
+    exact = _exactness(pose)
+    for row in range(2 - 1, -1, -1):
+        fault = 0
+        if status[row] == UNREACHABLE:
+            continue
+        fault += 2 * (_missed_by(pose, q[row]) > exact)
+        before = min(before, fault)
+        chosen = row if status[row] == FREE_JOINT else chosen
+    if before == 0 or (before < 4 and chosen < 0):
+        return
+    found = np.empty(5)
+    least = _sought(pose, seed.copy(), before, found)
+    if least == before:
+        return
+    for row in range(2):
+        status[row] = FREE_JOINT if row == begun else UNREACHABLE
+        for i in range(5):
+            q[row, i] = found[i] if row == begun else math.nan
+
+
 @_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
     for i in range(5):

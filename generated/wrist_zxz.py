@@ -230,7 +230,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zxz 55d7a895776c2ce3"
+_KEY = "wrist_zxz 04c1f43b6a5e69b9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -494,8 +494,8 @@ def _settle(pose, enough, most, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which it is told from by
-    nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one which
+    it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
     for i in range(3):

@@ -86,6 +86,12 @@ static void look(struct descent *d, const double u[6])
     d->length = sqrt(square);
 }
 
+/* What is added from start to start, in parts of the range: a direction that is like no other. */
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+
 static void copy(const double from[6], double to[6])
 {
     for (int j = 0; j < 6; j++)
@@ -258,7 +264,7 @@ static double pulled(
     return least;
 }
 
-/* Between which values starts lie, and what is added from start to start. */
+/* Between which values starts lie. */
 static const double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
@@ -266,10 +272,6 @@ static const double span_low[6] = {
 static const double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
 };
 
 /* Start number k; number 0 is the seed. */
@@ -290,14 +292,12 @@ static double distance_between(const double a[6], const double b[6])
         most = fmax(most, fabs(a[j] - b[j]));
     return most;
 }
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
-static int continuum(struct descent *d, const double u[6], double enough)
+
+/* The part of a generic direction that leaves the tool where it is, to first order, one long;
+ * returns how long it was. */
+static double sideways(const struct descent *d, double along[6])
 {
-    double along[6], moved[6], square = 0.0;
-    look(d, u);
+    double moved[6], square = 0.0;
     for (int i = 0; i < 6; i++) {
         moved[i] = 0.0;
         for (int j = 0; j < 6; j++)
@@ -305,15 +305,28 @@ static int continuum(struct descent *d, const double u[6], double enough)
     }
     damped_step(d, moved, 0.0, 1e-13, along);
     for (int j = 0; j < 6; j++) {
-        along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
+        along[j] = stride[j] - along[j];
         square += along[j] * along[j];
     }
-    if (sqrt(square) <= 0.0001)
+    const double length = sqrt(square);
+    for (int j = 0; j < 6; j++)
+        along[j] /= length;
+    return length;
+}
+
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
+ * pose
+ * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
+ * one. */
+static int continuum(struct descent *d, const double u[6], double enough)
+{
+    double along[6], end[2][6];
+    look(d, u);
+    if (sideways(d, along) <= 0.0001)
         return -1;
-    double end[2][6];
     for (int side = 0; side < 2; side++) {
         for (int j = 0; j < 6; j++)
-            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j] / sqrt(square);
+            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j];
         if (descend(d, end[side]) > enough || distance_between(end[side], u) <= 0.01)
             return 0;
     }
