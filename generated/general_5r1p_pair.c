@@ -4030,7 +4030,7 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
  * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains. Until a step gains little, none leads far. */
+ * Goes on while that gains, first by short steps. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
@@ -4051,8 +4051,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 break;
             }
             last = miss;
-            const int wary = lost == 0 && miss > 100.0 * enough;
-            add_step(held, wary ? 0.003 * miss : 0.1 * miss * miss, e, x);
+            add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;

@@ -375,7 +375,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 ed3b4ee517f4bdd0"
+_KEY = "kinova_gen3_7 8daadaa748b2685e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -484,6 +484,13 @@ def _look(T, q, u, e, A):
     for i in range(6):
         square += e[i] * e[i]
     return math.sqrt(square)
+
+
+# What is added from start to start, in parts of the range: a direction that is like no other.
+_STRIDE = np.array([
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+])
 
 
 @_inner
@@ -642,15 +649,11 @@ _NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -m
 _NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
 _LEAST_U = np.array([-math.inf, -2.24, -2.57, -math.inf, -2.09, -math.inf])
 _MOST_U = np.array([math.inf, 2.24, 2.57, math.inf, 2.09, math.inf])
-# Between which values starts lie, and what is added from start to start.
+# Between which values starts lie.
 _SPAN_LOW = np.array([
     -3.141592653589793, -2.24, -2.57, -3.141592653589793, -2.09, -3.141592653589793,
 ])
 _SPAN_WIDTH = np.array([6.283185307179586, 4.48, 5.14, 6.283185307179586, 4.18, 6.283185307179586])
-_STRIDE = np.array([
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-])
 
 
 @_inner
@@ -658,6 +661,27 @@ def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(6):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_inner
+def _sideways(A, along):
+    """The part of a generic direction that leaves the tool where it is, to first order, one long.
+
+    Returns how long it was.
+    """
+    moved, square = np.empty(6), 0.0
+    for i in range(6):
+        moved[i] = 0.0
+        for j in range(6):
+            moved[i] += A[i, j] * _STRIDE[j]
+    _damped_step(A, moved, 0.0, 1e-13, along)
+    for j in range(6):
+        along[j] = _STRIDE[j] - along[j]
+        square += along[j] * along[j]
+    length = math.sqrt(square)
+    for j in range(6):
+        along[j] /= length
+    return length
 
 
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64)")
@@ -669,21 +693,12 @@ def _continuum(T, q, u, enough):
     e, A = np.empty(6), np.empty((6, 6))
     along, end, other = np.empty(6), np.empty(6), np.full(6, np.inf)
     _look(T, q, u, e, A)
-    for i in range(6):
-        e[i] = 0.0
-        for j in range(6):
-            e[i] += A[i, j] * _STRIDE[j]
-    _damped_step(A, e, 0.0, 1e-13, along)
-    square = 0.0
-    for j in range(6):
-        along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
-        square += along[j] * along[j]
-    if math.sqrt(square) <= 0.0001:
+    if _sideways(A, along) <= 0.0001:
         return -1
     for side in (1.0, -1.0):
         gap = across = 0.0
         for j in range(6):
-            end[j] = u[j] + side * 0.05 * along[j] / math.sqrt(square)
+            end[j] = u[j] + side * 0.05 * along[j]
         miss = _descend(T, q, end)
         for j in range(6):
             gap, across = max(gap, abs(end[j] - u[j])), max(across, abs(end[j] - other[j]))

@@ -611,7 +611,7 @@ static float at_an_end(int joint, float value, float seed)
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
  * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains. Until a step gains little, none leads far. */
+ * Goes on while that gains, first by short steps. */
 static int settle(const float T[16], float enough, float most, float q[4])
 {
     float x[4], half[4], e[6], last = HUGE_VALF;
@@ -632,8 +632,8 @@ static int settle(const float T[16], float enough, float most, float q[4])
                 break;
             }
             last = miss;
-            const int wary = lost == 0 && miss > 100.0f * enough;
-            add_step(held, wary ? 0.003f * miss : 0.1f * miss * miss, e, x);
+            add_step(held, (lost == 0 && miss > 100.0f * enough ? 0.003f : 0.1f * miss) * miss, e,
+                x);
         }
         for (int i = 0; i < 4; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;

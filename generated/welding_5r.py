@@ -309,7 +309,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 8a94b0210d3a6c52"
+_KEY = "welding_5r 8600015b9765bf0a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -416,6 +416,13 @@ def _look(T, q, u, e, A):
     for i in range(6):
         square += e[i] * e[i]
     return math.sqrt(square)
+
+
+# What is added from start to start, in parts of the range: a direction that is like no other.
+_STRIDE = np.array([
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+])
 
 
 @_inner
@@ -574,17 +581,13 @@ _NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
 _NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
 _LEAST_U = np.array([-2.9670597283903604, -math.inf, -math.inf, -math.inf, -math.inf])
 _MOST_U = np.array([2.9670597283903604, math.inf, math.inf, math.inf, math.inf])
-# Between which values starts lie, and what is added from start to start.
+# Between which values starts lie.
 _SPAN_LOW = np.array([
     -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793,
 ])
 _SPAN_WIDTH = np.array([
     5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-])
-_STRIDE = np.array([
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
 ])
 
 
@@ -593,6 +596,27 @@ def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(5):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_inner
+def _sideways(A, along):
+    """The part of a generic direction that leaves the tool where it is, to first order, one long.
+
+    Returns how long it was.
+    """
+    moved, square = np.empty(6), 0.0
+    for i in range(6):
+        moved[i] = 0.0
+        for j in range(5):
+            moved[i] += A[i, j] * _STRIDE[j]
+    _damped_step(A, moved, 0.0, 1e-13, along)
+    for j in range(5):
+        along[j] = _STRIDE[j] - along[j]
+        square += along[j] * along[j]
+    length = math.sqrt(square)
+    for j in range(5):
+        along[j] /= length
+    return length
 
 
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64)")
@@ -604,21 +628,12 @@ def _continuum(T, q, u, enough):
     e, A = np.empty(6), np.empty((6, 5))
     along, end, other = np.empty(5), np.empty(5), np.full(5, np.inf)
     _look(T, q, u, e, A)
-    for i in range(6):
-        e[i] = 0.0
-        for j in range(5):
-            e[i] += A[i, j] * _STRIDE[j]
-    _damped_step(A, e, 0.0, 1e-13, along)
-    square = 0.0
-    for j in range(5):
-        along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
-        square += along[j] * along[j]
-    if math.sqrt(square) <= 0.0001:
+    if _sideways(A, along) <= 0.0001:
         return -1
     for side in (1.0, -1.0):
         gap = across = 0.0
         for j in range(5):
-            end[j] = u[j] + side * 0.05 * along[j] / math.sqrt(square)
+            end[j] = u[j] + side * 0.05 * along[j]
         miss = _descend(T, q, end)
         for j in range(5):
             gap, across = max(gap, abs(end[j] - u[j])), max(across, abs(end[j] - other[j]))

@@ -534,7 +534,7 @@ static void add_step(const int held[3], double damping, double e[6], double x[3]
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
  * returns if it can.
- * Goes on while that gains. Until a step gains little, none leads far. */
+ * Goes on while that gains, first by short steps. */
 static int settle(const double T[16], double enough, double most, double q[3])
 {
     double x[3], half[3], e[6], last = HUGE_VAL;
@@ -554,8 +554,7 @@ static int settle(const double T[16], double enough, double most, double q[3])
                 break;
             }
             last = miss;
-            const int wary = lost == 0 && miss > 100.0 * enough;
-            add_step(held, wary ? 0.003 * miss : 0.1 * miss * miss, e, x);
+            add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
