@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 ed3ef87f84182671"
+_KEY = "abb_irb4600 141acdf01bb671a5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -957,11 +957,11 @@ def _stay(pose, seed, q, status):
             if _half_way(x, q[row], half) < 0.001:
                 for i in range(6):
                     half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) > 0.0:
-                    for i in range(6):
-                        q[row, i] = x[i]
-                return
-            between = max(_miss(pose, half)[1], 1e-12)
+                if _past_ends(half) == 0.0:
+                    return
+                between = 0.0
+            else:
+                between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:
             place = row
         least = min(least, between)

@@ -386,7 +386,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 1610687f0147b39d"
+_KEY = "fanuc_lrmate200id 7ac0195a5cea6a76"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -977,11 +977,11 @@ def _stay(pose, seed, q, status):
             if _half_way(x, q[row], half) < 0.001:
                 for i in range(6):
                     half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) > 0.0:
-                    for i in range(6):
-                        q[row, i] = x[i]
-                return
-            between = max(_miss(pose, half)[1], 1e-12)
+                if _past_ends(half) == 0.0:
+                    return
+                between = 0.0
+            else:
+                between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:
             place = row
         least = min(least, between)

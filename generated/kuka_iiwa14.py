@@ -407,7 +407,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 43dba482b3c853ea"
+_KEY = "kuka_iiwa14 ff77070f98749c31"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1024,11 +1024,11 @@ def _stay(pose, q_free, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
-                if _beyond_limits(q[row]) > 0.0:
-                    for i in range(7):
-                        q[row, i] = x[i]
-                return
-            between = max(_miss(pose, half)[1], 1e-12)
+                if _beyond_limits(q[row]) == 0.0:
+                    return
+                between = 0.0
+            else:
+                between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:
             place = row
         least = min(least, between)

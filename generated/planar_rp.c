@@ -672,11 +672,12 @@ static void stay(
         double between = 1e-06;
         if (status[row] != PLANAR_RP_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001) {
-                if (beyond_limits(q[row]) > 0.0)
-                    take(x, q[row]);
-                return;
+                if (beyond_limits(q[row]) == 0.0)
+                    return;
+                between = 0.0;
+            } else {
+                between = fmax(off_pose(T, half, e), 1e-12);
             }
-            between = fmax(off_pose(T, half, e), 1e-12);
         }
         if (between <= 2.0 * least)
             place = row;

@@ -232,7 +232,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp e21a0dd2e04e1479"
+_KEY = "planar_rp 9155b9d6b934be51"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -665,11 +665,11 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
-                if _beyond_limits(q[row]) > 0.0:
-                    for i in range(2):
-                        q[row, i] = x[i]
-                return
-            between = max(_miss(pose, half)[1], 1e-12)
+                if _beyond_limits(q[row]) == 0.0:
+                    return
+                between = 0.0
+            else:
+                between = max(_miss(pose, half)[1], 1e-12)
         if between <= 2.0 * least:
             place = row
         least = min(least, between)

@@ -788,11 +788,12 @@ static void stay(
             if (half_way(x, q[row], half) < 0.03f) {
                 for (int i = 0; i < 6; i++)
                     half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) > 0.0f)
-                    take(x, q[row]);
-                return;
+                if (past_ends(half) == 0.0f)
+                    return;
+                between = 0.0f;
+            } else {
+                between = fmaxf(off_pose(T, half, e), 5e-05f);
             }
-            between = fmaxf(off_pose(T, half, e), 5e-05f);
         }
         if (between <= 2.0f * least)
             place = row;

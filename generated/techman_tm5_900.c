@@ -1152,11 +1152,12 @@ static void stay(
             if (half_way(x, q[row], half) < 0.001) {
                 for (int i = 0; i < 6; i++)
                     half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) > 0.0)
-                    take(x, q[row]);
-                return;
+                if (past_ends(half) == 0.0)
+                    return;
+                between = 0.0;
+            } else {
+                between = fmax(off_pose(T, half, e), 1e-12);
             }
-            between = fmax(off_pose(T, half, e), 1e-12);
         }
         if (between <= 2.0 * least)
             place = row;

@@ -159,13 +159,12 @@ def test_every_type_has_a_printer() -> None:
 
 
 def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
-    """Where joint 4 is straight two values of joint 1 let this arm take the pose, not all."""
+    """Where the tool's y axis is upright a few values of joint 1 let this arm take the pose."""
     rows = (
-        "theta: q, d: 0.5",
-        "theta: 0, d: q, a: 0.15, alpha: -pi/2",
-        "theta: 0, d: q",
+        "theta: q, d: 0.4, alpha: pi/2",
+        "theta: q, a: 0.3, alpha: pi/2",
         "theta: q, alpha: pi/2",
-        "theta: q, a: 0.2",
+        "theta: 0, d: q",
     )
     robot = table(*rows)
     derivation = derive(build_chain(robot))
