@@ -53,11 +53,20 @@ class Formulation:
     sign: int
     order: int = 0
 
+    def behind(self, joint: int) -> tuple[int | None, bool]:
+        """What comes after a joint: the number of K0 ... K4, or None for P; whether inverted."""
+        if self.sign > 0:
+            return (joint, False) if joint < 5 else (None, True)
+        return (joint - 1, True) if joint > 0 else (None, False)
+
     def links(self, around: Sequence[FloatArray], P: FloatArray) -> list[FloatArray]:
         """L0 ... L5 (..., 4, 4), from K0 ... K4 and the pose of the loop."""
-        if self.sign > 0:
-            return [inverses(P) if j == 5 else around[j] for j in self.joints]
-        return [P if j == 0 else inverses(around[j - 1]) for j in self.joints]
+        found = []
+        for joint in self.joints:
+            number, inverted = self.behind(joint)
+            link = P if number is None else around[number]
+            found.append(inverses(link) if inverted else link)
+        return found
 
     def slides(self, slides: tuple[int, ...]) -> tuple[bool, ...]:
         """Which of φ1 ... φ6 is a length."""

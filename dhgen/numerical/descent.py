@@ -92,12 +92,11 @@ def escaped(
     for _ in range(constants.ESCAPES):
         if best.miss <= exact:
             break
-        along = sideways(miss(kernel, T, best.q[None], psi)[2])
-        length = np.linalg.norm(along)
+        along, length = sideways(miss(kernel, T, best.q[None], psi)[2])
         if length <= constants.SINGULAR:
             break
         aside = np.zeros_like(q)
-        aside[solved] = best.miss**0.25 / length * units * along
+        aside[solved] = best.miss**0.25 * units * along
         sides = (best.q + aside, best.q - aside)
         end = min(
             (descended(kernel, T, side, exact, psi=psi) for side in sides),

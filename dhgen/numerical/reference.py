@@ -173,10 +173,10 @@ class Arm:
             kept.clear()
         if self._known(u, kept, singular=False) is not None:
             return
-        along = sideways(self.miss(u[None])[2])
-        if np.linalg.norm(along) > constants.SINGULAR:
+        along, length = sideways(self.miss(u[None])[2])
+        if length > constants.SINGULAR:
             singular = True
-            chosen = self.continues(u, along / np.linalg.norm(along), enough)
+            chosen = self.continues(u, along, enough)
             if chosen:
                 u = self.pulled(u, enough)
             u = self._inside(u, kept, enough, alone=not chosen)
@@ -393,14 +393,17 @@ def damped_step(
     return np.asarray((parts[:, None, :] @ across)[:, 0])
 
 
-def sideways(A: FloatArray) -> FloatArray:
+def sideways(A: FloatArray) -> tuple[FloatArray, float]:
     """The part of a generic direction (k,) that leaves the tool where it is, to first order.
 
-    `A` (1, m, k) tells how joints move it.
+    It is made one long; the second is how long it was. `A` (1, m, k) tells how joints move the
+    tool.
     """
     direction = np.array(directions(A.shape[-1]))
     step = damped_step(A @ direction, np.zeros(1), A, constants.FLOOR)[0]
-    return np.asarray(direction - step)
+    along = direction - step
+    length = float(np.linalg.norm(along))
+    return along / length if length else along, length
 
 
 def shortened(steps: FloatArray) -> FloatArray:

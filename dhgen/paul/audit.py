@@ -92,7 +92,7 @@ def audited(pool: Pool, steps: Sequence[Step], known: Known) -> tuple[Step, ...]
 
 def silent_places(pool: Pool, steps: Sequence[Step]) -> Values:
     """Joint values where steps say nothing although their angles are not free, (n, dof)."""
-    places = [np.empty((0, pool.problem.algebra.chain.dof))]
+    places = [_none(pool)]
     for knowledge, step in _with_knowledge(pool, steps):
         if step.silent:
             places.append(_silent_at(pool, knowledge, step))
@@ -101,13 +101,7 @@ def silent_places(pool: Pool, steps: Sequence[Step]) -> Values:
 
 def places_without_a_word(pool: Pool, steps: Sequence[Step]) -> Values:
     """Joint values where steps say nothing, be their angles free or not, (n, dof)."""
-    chain = pool.problem.algebra.chain
-    places = [np.empty((0, chain.dof))]
-    for step in steps:
-        factors = _varying(pool, step)
-        if factors:
-            places.append(_joint_values(chain, _zeros(pool, factors)))
-    return np.concatenate(places)
+    return np.concatenate([_none(pool), *(_wordless_at(pool, step) for step in steps)])
 
 
 def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowledge, Step]]:
@@ -120,17 +114,20 @@ def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowled
 
 def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> Values:
     """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
-    chain, factors = pool.problem.algebra.chain, _varying(pool, step)
-    if not factors:
-        return np.empty((0, chain.dof))
-    q = _joint_values(chain, _zeros(pool, factors))
-    return np.asarray(q[_are_fixed(knowledge, step.unknowns[0], q)])
+    q = _wordless_at(pool, step)
+    return np.asarray(q[_are_fixed(knowledge, step.unknowns[0], q)]) if len(q) else q
 
 
-def _varying(pool: Pool, step: Step) -> list[Polynomial]:
-    """What vanishes where a step says nothing about its angle; none if something never does."""
+def _wordless_at(pool: Pool, step: Step) -> Values:
+    """Some joint values where a step says nothing about its angle, (n, dof)."""
     factors = _factors(step)
-    return [] if any(map(pool.problem.algebra.is_constant, factors)) else factors
+    if not factors or any(map(pool.problem.algebra.is_constant, factors)):
+        return _none(pool)
+    return _joint_values(pool.problem.algebra.chain, _zeros(pool, factors))
+
+
+def _none(pool: Pool) -> Values:
+    return np.empty((0, pool.problem.algebra.chain.dof))
 
 
 def _factors(step: Step) -> list[Polynomial]:

@@ -124,6 +124,12 @@ class StepContext:
             return 1
         return facings[int(name[1]) - 1]  # X1, Z2, P1c: the equation's number comes second
 
+    @property
+    def determinant(self) -> Polynomial:
+        """X1 Y2 - X2 Y1 of a pair of equations as they stand."""
+        x1, y1, x2, y2 = (self.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
+        return self.story.algebra.normal(x1 * y2 - x2 * y1)
+
     def value(self, name: str) -> Formula:
         """The same as a formula, with the letters that earlier steps gave to forms."""
         return self.story.write(self.polynomial(name), self.number)

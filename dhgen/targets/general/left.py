@@ -23,7 +23,7 @@ def constant_left(kernel: GeneralKernel, formulation: Formulation) -> tuple[str,
     closed form is tried before a formulation they are not worth their room.
     """
     around = kernel.loop.links
-    links = [_link(formulation, place) for place in LEFT]
+    links = [formulation.behind(formulation.joints[place])[0] for place in LEFT]
     if kernel.closed or any(link is None or around[link].rest for link in links):
         return ()
     constants = [np.array(link.first)[None] for link in around]
@@ -31,11 +31,3 @@ def constant_left(kernel: GeneralKernel, formulation: Formulation) -> tuple[str,
     K = [np.moveaxis(every[place], 0, -1) for place in LEFT]
     features = left_side(K, formulation.slides(kernel.loop.slides))
     return rows(features[:, :, 0].tolist())
-
-
-def _link(formulation: Formulation, place: int) -> int | None:
-    """Which of K0 ... K4 it is, backwards or not; None for the pose."""
-    joint = formulation.joints[place]
-    if formulation.sign > 0:
-        return None if joint == 5 else joint
-    return None if joint == 0 else joint - 1

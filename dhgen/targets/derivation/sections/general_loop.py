@@ -63,10 +63,8 @@ def loop_from_the_hidden_joint(kernel: GeneralKernel) -> Symbol:
 
 def _link(first: Formulation, joint: int, *, undone: bool = False) -> Symbol:
     """What stands behind a joint, in the direction in which the loop is read; or its inverse."""
-    if first.sign > 0:
-        name, inverse = (f"K_{joint}", undone) if joint < 5 else ("P", not undone)
-    else:
-        name, inverse = (f"K_{joint - 1}", not undone) if joint > 0 else ("P", undone)
+    number, inverted = first.behind(joint)
+    name, inverse = "P" if number is None else f"K_{number}", inverted != undone
     return Symbol(name + "^{-1}" * inverse, name.replace("_", "") + "⁻¹" * inverse)
 
 

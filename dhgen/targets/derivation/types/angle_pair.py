@@ -110,7 +110,7 @@ def _solution(
     facing = Call("sgn", (DELTA,))
     sine_part, cosine_part = _facing(1, (Z1, Y2), (Z2, Y1)), _facing(1, (X1, Z2), (X2, Z1))
     parts = times(facing, sine_part), times(facing, cosine_part)
-    return equal(DELTA, delta, _determinant(context)), parts
+    return equal(DELTA, delta, context.story.write(context.determinant, context.number)), parts
 
 
 def _never_vanishes(context: StepContext) -> bool:
@@ -197,9 +197,3 @@ def _stretched(context: StepContext) -> Polynomial | None:
     """The constant by which the second row is longer than the first one turned, if it is."""
     factor = stretch(*(context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2")))
     return factor if factor is not None and context.story.algebra.is_constant(factor) else None
-
-
-def _determinant(context: StepContext) -> Formula:
-    x1, y1, x2, y2 = (context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
-    determinant = context.story.algebra.normal(x1 * y2 - x2 * y1)
-    return context.story.write(determinant, context.number)

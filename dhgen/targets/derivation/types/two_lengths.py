@@ -11,7 +11,6 @@ from dhgen.targets.derivation.text.blocks import display, paragraph, say
 from dhgen.targets.derivation.text.formula import ZERO, add, equal, over, subtract, times
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.constants import Polynomial
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.text.blocks import Block
 
@@ -22,8 +21,7 @@ DELTA = letter(r"\Delta", "Δ")
 def print_two_lengths(context: StepContext) -> StepText:
     """Cramer's rule."""
     first, second = (unknown_symbol(unknown) for unknown in context.step.unknowns)
-    determinant = _determinant(context)
-    delta = subtract(times(X1, Y2), times(X2, Y1))
+    determinant, delta = context.determinant, subtract(times(X1, Y2), times(X2, Y1))
     blocks: list[Block] = [
         paragraph(
             "These are {} and {} with",
@@ -50,8 +48,3 @@ def print_two_lengths(context: StepContext) -> StepText:
     text = "Degenerate when {}: {}. If they do, {}."
     blocks.append(paragraph(text, equal(DELTA, ZERO), meaning, free.effect))
     return StepText(tuple(blocks), (free,))
-
-
-def _determinant(context: StepContext) -> Polynomial:
-    x1, y1, x2, y2 = (context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
-    return context.story.algebra.normal(x1 * y2 - x2 * y1)
