@@ -2614,7 +2614,10 @@ static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[ABB_GOFA_5_CANDIDATES], regular[ABB_GOFA_5_CANDIDATES];
     double c[ABB_GOFA_5_CANDIDATES], s[ABB_GOFA_5_CANDIDATES], n[6][ABB_GOFA_5_CANDIDATES];
@@ -2770,7 +2773,7 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    abb_gofa_5_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    abb_gofa_5_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == ABB_GOFA_5_CANDIDATES) {
         return;
@@ -2787,7 +2790,7 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
     for (int step = 0; step < 4; step++) {
         abb_gofa_5_lane along = {0};
         length = abb_gofa_5_inverse_iteration(factor, inverse, x[0]);
-        (void)abb_gofa_5_inverse_iteration(factor, inverse, x[1]);
+        second = abb_gofa_5_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2795,7 +2798,8 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 9.999999999999999e+17 &&
+                                abb_gofa_5_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

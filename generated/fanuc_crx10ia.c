@@ -2634,7 +2634,10 @@ static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[FANUC_CRX10IA_CANDIDATES], regular[FANUC_CRX10IA_CANDIDATES];
     double c[FANUC_CRX10IA_CANDIDATES], s[FANUC_CRX10IA_CANDIDATES], n[6][FANUC_CRX10IA_CANDIDATES];
@@ -2792,7 +2795,7 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    fanuc_crx10ia_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    fanuc_crx10ia_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == FANUC_CRX10IA_CANDIDATES) {
         return;
@@ -2809,7 +2812,7 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
     for (int step = 0; step < 4; step++) {
         fanuc_crx10ia_lane along = {0};
         length = fanuc_crx10ia_inverse_iteration(factor, inverse, x[0]);
-        (void)fanuc_crx10ia_inverse_iteration(factor, inverse, x[1]);
+        second = fanuc_crx10ia_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2817,7 +2820,8 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = fanuc_crx10ia_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = fanuc_crx10ia_largest(length * squares) < 9.999999999999999e+17 &&
+                                fanuc_crx10ia_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

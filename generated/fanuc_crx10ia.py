@@ -336,7 +336,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia bc03b0d8727c8440"
+_KEY = "fanuc_crx10ia 85c5143214c90f33"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1529,10 +1529,12 @@ def _fanuc_crx10ia_split(n, shift, out, count):
 def _fanuc_crx10ia_null_vectors(factors, at, double, out):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
     which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many, and whether
-    the matrix is regular: then there is no root. The matrix is one of those of `_fanuc_crx10ia_fold`."""
+    the matrix is regular: then there is no root. It has no singular value that is next to nothing,
+    and not two small ones, as where so many roots crowd that the determinant does not tell. The
+    matrix is one of those of `_fanuc_crx10ia_fold`."""
     factor, inverse = np.empty((6, 6)), np.empty(6)
     n = _FANUC_CRX10IA_START.copy()
-    length = squares = 0.0
+    length = second = squares = 0.0
     for i in range(6):
         for j in range(i, 6):
             factor[i, j] = factors[i, j, at]
@@ -1547,7 +1549,7 @@ def _fanuc_crx10ia_null_vectors(factors, at, double, out):
     for _ in range(4 if double else 2):
         length = _fanuc_crx10ia_inverse_iteration(factor, inverse, n[0])
         if double:
-            _fanuc_crx10ia_inverse_iteration(factor, inverse, n[1])
+            second = _fanuc_crx10ia_inverse_iteration(factor, inverse, n[1])
             along = 0.0
             for i in range(6):
                 along += n[0, i] * n[1, i]
@@ -1555,7 +1557,7 @@ def _fanuc_crx10ia_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 9.999999999999999e+17
+    regular = length * squares < 9.999999999999999e+17 and second * squares < 1000000000000.0
     if not double:
         return 1, regular
     square = 0.0

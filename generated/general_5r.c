@@ -2632,7 +2632,10 @@ static int general_5r_real_roots(general_5r_sampler sample, const void *of, gene
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[GENERAL_5R_CANDIDATES], regular[GENERAL_5R_CANDIDATES];
     double c[GENERAL_5R_CANDIDATES], s[GENERAL_5R_CANDIDATES], n[6][GENERAL_5R_CANDIDATES];
@@ -2788,7 +2791,7 @@ static void general_5r_null_plane(const double *E, double c, double s, general_5
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    general_5r_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    general_5r_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == GENERAL_5R_CANDIDATES) {
         return;
@@ -2805,7 +2808,7 @@ static void general_5r_null_plane(const double *E, double c, double s, general_5
     for (int step = 0; step < 4; step++) {
         general_5r_lane along = {0};
         length = general_5r_inverse_iteration(factor, inverse, x[0]);
-        (void)general_5r_inverse_iteration(factor, inverse, x[1]);
+        second = general_5r_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2813,7 +2816,8 @@ static void general_5r_null_plane(const double *E, double c, double s, general_5
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = general_5r_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = general_5r_largest(length * squares) < 9.999999999999999e+17 &&
+                                general_5r_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -2786,7 +2786,10 @@ static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const vo
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[KINOVA_GEN3_LITE_CANDIDATES], regular[KINOVA_GEN3_LITE_CANDIDATES];
     double c[KINOVA_GEN3_LITE_CANDIDATES], s[KINOVA_GEN3_LITE_CANDIDATES],
@@ -2946,7 +2949,7 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    kinova_gen3_lite_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    kinova_gen3_lite_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == KINOVA_GEN3_LITE_CANDIDATES) {
         return;
@@ -2963,7 +2966,7 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
     for (int step = 0; step < 4; step++) {
         kinova_gen3_lite_lane along = {0};
         length = kinova_gen3_lite_inverse_iteration(factor, inverse, x[0]);
-        (void)kinova_gen3_lite_inverse_iteration(factor, inverse, x[1]);
+        second = kinova_gen3_lite_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2971,7 +2974,9 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 9.999999999999999e+17
+        &&
+                                kinova_gen3_lite_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -2661,7 +2661,10 @@ static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[MANSEUR_DOTY_CANDIDATES], regular[MANSEUR_DOTY_CANDIDATES];
     double c[MANSEUR_DOTY_CANDIDATES], s[MANSEUR_DOTY_CANDIDATES], n[6][MANSEUR_DOTY_CANDIDATES];
@@ -2818,7 +2821,7 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    manseur_doty_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    manseur_doty_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == MANSEUR_DOTY_CANDIDATES) {
         return;
@@ -2835,7 +2838,7 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
     for (int step = 0; step < 4; step++) {
         manseur_doty_lane along = {0};
         length = manseur_doty_inverse_iteration(factor, inverse, x[0]);
-        (void)manseur_doty_inverse_iteration(factor, inverse, x[1]);
+        second = manseur_doty_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2843,7 +2846,8 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = manseur_doty_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = manseur_doty_largest(length * squares) < 9.999999999999999e+17 &&
+                                manseur_doty_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -2608,7 +2608,10 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[PUMA560_CALIBRATED_CANDIDATES], regular[PUMA560_CALIBRATED_CANDIDATES];
     double c[PUMA560_CALIBRATED_CANDIDATES], s[PUMA560_CALIBRATED_CANDIDATES],
@@ -2768,7 +2771,7 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    puma560_calibrated_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    puma560_calibrated_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == PUMA560_CALIBRATED_CANDIDATES) {
         return;
@@ -2785,7 +2788,7 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
     for (int step = 0; step < 4; step++) {
         puma560_calibrated_lane along = {0};
         length = puma560_calibrated_inverse_iteration(factor, inverse, x[0]);
-        (void)puma560_calibrated_inverse_iteration(factor, inverse, x[1]);
+        second = puma560_calibrated_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2793,8 +2796,9 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = puma560_calibrated_largest(length * squares) <
-        9.999999999999999e+17;
+    out->regular[out->groups] = puma560_calibrated_largest(length * squares) < 9.999999999999999e+17
+        &&
+                                puma560_calibrated_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -448,7 +448,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560_calibrated 9b77da7d6e91cc79"
+_KEY = "puma560_calibrated c93bcdfe2330c911"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1584,10 +1584,12 @@ def _puma560_calibrated_split(n, shift, out, count):
 def _puma560_calibrated_null_vectors(factors, at, double, out):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
     which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many, and whether
-    the matrix is regular: then there is no root. The matrix is one of those of `_puma560_calibrated_fold`."""
+    the matrix is regular: then there is no root. It has no singular value that is next to nothing,
+    and not two small ones, as where so many roots crowd that the determinant does not tell. The
+    matrix is one of those of `_puma560_calibrated_fold`."""
     factor, inverse = np.empty((6, 6)), np.empty(6)
     n = _PUMA560_CALIBRATED_START.copy()
-    length = squares = 0.0
+    length = second = squares = 0.0
     for i in range(6):
         for j in range(i, 6):
             factor[i, j] = factors[i, j, at]
@@ -1602,7 +1604,7 @@ def _puma560_calibrated_null_vectors(factors, at, double, out):
     for _ in range(4 if double else 2):
         length = _puma560_calibrated_inverse_iteration(factor, inverse, n[0])
         if double:
-            _puma560_calibrated_inverse_iteration(factor, inverse, n[1])
+            second = _puma560_calibrated_inverse_iteration(factor, inverse, n[1])
             along = 0.0
             for i in range(6):
                 along += n[0, i] * n[1, i]
@@ -1610,7 +1612,7 @@ def _puma560_calibrated_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 9.999999999999999e+17
+    regular = length * squares < 9.999999999999999e+17 and second * squares < 1000000000000.0
     if not double:
         return 1, regular
     square = 0.0

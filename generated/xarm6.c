@@ -2519,7 +2519,10 @@ static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *r
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[XARM6_CANDIDATES], regular[XARM6_CANDIDATES];
     double c[XARM6_CANDIDATES], s[XARM6_CANDIDATES], n[6][XARM6_CANDIDATES];
@@ -2672,7 +2675,7 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    xarm6_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    xarm6_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == XARM6_CANDIDATES) {
         return;
@@ -2689,7 +2692,7 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
     for (int step = 0; step < 4; step++) {
         xarm6_lane along = {0};
         length = xarm6_inverse_iteration(factor, inverse, x[0]);
-        (void)xarm6_inverse_iteration(factor, inverse, x[1]);
+        second = xarm6_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2697,7 +2700,8 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = xarm6_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = xarm6_largest(length * squares) < 9.999999999999999e+17 &&
+                                xarm6_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

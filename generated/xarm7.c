@@ -2534,7 +2534,10 @@ static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *r
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[XARM7_CANDIDATES], regular[XARM7_CANDIDATES];
     double c[XARM7_CANDIDATES], s[XARM7_CANDIDATES], n[6][XARM7_CANDIDATES];
@@ -2687,7 +2690,7 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    xarm7_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    xarm7_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == XARM7_CANDIDATES) {
         return;
@@ -2704,7 +2707,7 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
     for (int step = 0; step < 4; step++) {
         xarm7_lane along = {0};
         length = xarm7_inverse_iteration(factor, inverse, x[0]);
-        (void)xarm7_inverse_iteration(factor, inverse, x[1]);
+        second = xarm7_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2712,7 +2715,8 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = xarm7_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = xarm7_largest(length * squares) < 9.999999999999999e+17 &&
+                                xarm7_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -2628,7 +2628,10 @@ static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular. */
+ * the same for all that belong to one such root, which is none where the matrix is regular: it has
+ * no
+ * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
+ * the determinant does not tell. */
 typedef struct {
     int count, groups, group[YASKAWA_HC10_CANDIDATES], regular[YASKAWA_HC10_CANDIDATES];
     double c[YASKAWA_HC10_CANDIDATES], s[YASKAWA_HC10_CANDIDATES], n[6][YASKAWA_HC10_CANDIDATES];
@@ -2785,7 +2788,7 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    yaskawa_hc10_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
+    yaskawa_hc10_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
     double n[2][6];
     if (out->groups == YASKAWA_HC10_CANDIDATES) {
         return;
@@ -2802,7 +2805,7 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
     for (int step = 0; step < 4; step++) {
         yaskawa_hc10_lane along = {0};
         length = yaskawa_hc10_inverse_iteration(factor, inverse, x[0]);
-        (void)yaskawa_hc10_inverse_iteration(factor, inverse, x[1]);
+        second = yaskawa_hc10_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2810,7 +2813,8 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = yaskawa_hc10_largest(length * squares) < 9.999999999999999e+17;
+    out->regular[out->groups] = yaskawa_hc10_largest(length * squares) < 9.999999999999999e+17 &&
+                                yaskawa_hc10_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -338,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 2407f1674bd3087b"
+_KEY = "yaskawa_hc10 c88addba4952f970"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1531,10 +1531,12 @@ def _yaskawa_hc10_split(n, shift, out, count):
 def _yaskawa_hc10_null_vectors(factors, at, double, out):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
     which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many, and whether
-    the matrix is regular: then there is no root. The matrix is one of those of `_yaskawa_hc10_fold`."""
+    the matrix is regular: then there is no root. It has no singular value that is next to nothing,
+    and not two small ones, as where so many roots crowd that the determinant does not tell. The
+    matrix is one of those of `_yaskawa_hc10_fold`."""
     factor, inverse = np.empty((6, 6)), np.empty(6)
     n = _YASKAWA_HC10_START.copy()
-    length = squares = 0.0
+    length = second = squares = 0.0
     for i in range(6):
         for j in range(i, 6):
             factor[i, j] = factors[i, j, at]
@@ -1549,7 +1551,7 @@ def _yaskawa_hc10_null_vectors(factors, at, double, out):
     for _ in range(4 if double else 2):
         length = _yaskawa_hc10_inverse_iteration(factor, inverse, n[0])
         if double:
-            _yaskawa_hc10_inverse_iteration(factor, inverse, n[1])
+            second = _yaskawa_hc10_inverse_iteration(factor, inverse, n[1])
             along = 0.0
             for i in range(6):
                 along += n[0, i] * n[1, i]
@@ -1557,7 +1559,7 @@ def _yaskawa_hc10_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 9.999999999999999e+17
+    regular = length * squares < 9.999999999999999e+17 and second * squares < 1000000000000.0
     if not double:
         return 1, regular
     square = 0.0

@@ -72,10 +72,11 @@ def null_vectors(factor: FloatArray, dimension: int) -> Iterator[FloatArray]:
             yield weights[0] * first + weights[1] * second
 
 
-def regularity(factor: FloatArray) -> float:
-    """The smallest singular value of a 6x6 factor over the root of the sum of all squares."""
+def least_values(factor: FloatArray) -> tuple[float, float]:
+    """The two smallest singular values of a 6x6 factor over the root of the sum of all squares."""
     values = np.linalg.svd(factor, compute_uv=False)
-    return float(values[-1] / np.sqrt(values @ values))
+    second, smallest = values[-2:] / np.sqrt(values @ values)
+    return float(second), float(smallest)
 
 
 def _eigenvectors(up: FloatArray, down: FloatArray) -> Iterator[FloatArray]:

@@ -19,7 +19,7 @@ from dhgen.general.hidden_slide import length
 from dhgen.general.loop import out_of_reach
 from dhgen.general.pointing import any_turn
 from dhgen.general.polish import Target, is_singular, polish
-from dhgen.general.recover import null_vectors, partner_values, regularity, remaining_angles
+from dhgen.general.recover import least_values, null_vectors, partner_values, remaining_angles
 from dhgen.general.roots import real_roots
 from dhgen.kinematics.order import in_order
 from dhgen.tolerances import TOLERANCES
@@ -54,8 +54,11 @@ NUDGE_DIRECTIONS = (
     (0.33, 0.49, 0.23, -0.51, -0.67, 0.41),
 )
 STARTS = 60
-# A matrix is not singular when its smallest singular value is this part of all.
+# A matrix is not singular when its smallest singular value is this part of all, and the one before
+# that part: where two are small, so many roots crowd that the determinant, sampled, does not tell
+# whether they are real.
 REGULAR = 1e-9
+ALONE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,9 +248,10 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
 
 
 def _vanishes(E: FloatArray, angle: float) -> bool:
-    """Whether the determinant is zero, to rounding: where f only comes near to zero it is not."""
+    """Whether the determinant may be zero: where f only comes near to zero it is not."""
     _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
-    return regularity(factor[..., 0]) < REGULAR
+    second, smallest = least_values(factor[..., 0])
+    return smallest < REGULAR or second < ALONE
 
 
 def _nearly_double(simple: tuple[float, ...]) -> list[float]:

@@ -334,3 +334,28 @@ def test_nearly_free_joints_do_not_leave_a_pose_without_rows(tmp_path: Path) -> 
     descent = Arm(kernel, T, np.zeros(6), np.array([]))
     _, missed = descent.descend(descent.starts(0, FEW_STARTS))
     assert (missed <= TOLERANCES.polished).all()
+
+
+# A slide before five turns, with twists of 1.5708: at right angles two solutions lie 1.5e-5 rad
+# apart in the hidden joint, half a turn away two more, and the determinant shows none of them.
+CROWD = """
+name: arm
+joints:
+  - {theta: pi/2, d: q, a: 0.2, alpha: 1.5708}
+  - {theta: q, d: -0.2, alpha: 1.5708}
+  - {theta: q, a: 0.488, alpha: 1.5708}
+  - {theta: q, d: 0.26, a: 0.2, alpha: 3.1416}
+  - {theta: q, alpha: pi/2}
+  - {theta: q, a: -0.2}
+"""
+
+
+def test_where_roots_crowd_no_pose_is_left_without_rows(tmp_path: Path) -> None:
+    """The determinant shows no root; that none is there the equations do not say either."""
+    solver = compiled(module_of(CROWD, tmp_path), tmp_path)
+    random = np.random.default_rng(0)
+    quarters = np.array([0.0, np.pi / 2, -np.pi / 2, np.pi])
+    for _ in range(2000):
+        q = np.array([random.choice([0.387, 0.774, 1.161, 1.548]), *random.choice(quarters, 5)])
+        _, status = solver.ik(solver.fk(q), np.zeros(6))
+        assert (status != 1).any()

@@ -29,6 +29,7 @@ class Tolerances:
     near: str = repr(roots.COSINE)
     strength: str = repr(roots.STRENGTH)
     regular: str = repr(1.0 / reference.REGULAR**2)  # all over the smallest, squared
+    alone: str = repr(1.0 / reference.ALONE**2)  # all over the second smallest, squared
     crowded: str = repr(lens.CROWDED**2)  # its square
     strongest: str = repr(lens.STRONGEST)
     mean_per_harmonic: str = repr(lens.MEAN_PER_HARMONIC)
