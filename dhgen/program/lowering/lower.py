@@ -47,7 +47,7 @@ def lower(
     if not checks.tightened:
         return program
     kernel = numerical_kernel(chain, redundant=False)
-    return replace(program, tightened=replace(kernel, checked=checks.rows, most=program.rows))
+    return replace(program, tightened=replace(kernel, most=program.rows))
 
 
 def _lowered(derivation: Derivation, context: Lowering) -> Program:
