@@ -734,11 +734,11 @@ static void seek(
     double found[3] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
-        int fault = 0;
+        int fault = 0, is_open = status[row] == CUSPIDAL_3R_FREE_JOINT;
         if (status[row] == CUSPIDAL_3R_UNREACHABLE)
             continue;
         before = fault < before ? fault : before;
-        chosen = status[row] == CUSPIDAL_3R_FREE_JOINT ? row : chosen;
+        chosen = is_open ? row : chosen;
     }
     if (before == 0 || (before < 4 && chosen < 0))
         return;

@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r baf4eaa6cf02a99b"
+_KEY = "cuspidal_3r c58242aab395a038"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1141,11 +1141,11 @@ def _seek(pose, seed, begun, q, status):
     """The same into a row, if there is none."""
     before, chosen = 4, -1
     for row in range(4 - 1, -1, -1):
-        fault = 0
+        fault, is_open = 0, status[row] == FREE_JOINT
         if status[row] == UNREACHABLE:
             continue
         before = min(before, fault)
-        chosen = row if status[row] == FREE_JOINT else chosen
+        chosen = row if is_open else chosen
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(3)

@@ -1109,11 +1109,11 @@ static void seek(
     double found[6] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0;
+        int fault = 0, is_open = status[row] == PARALLEL_123_FREE_JOINT;
         if (status[row] == PARALLEL_123_UNREACHABLE)
             continue;
         before = fault < before ? fault : before;
-        chosen = status[row] == PARALLEL_123_FREE_JOINT ? row : chosen;
+        chosen = is_open ? row : chosen;
     }
     if (before == 0 || (before < 4 && chosen < 0))
         return;

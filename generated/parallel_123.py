@@ -521,7 +521,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 b256c5cbc8816233"
+_KEY = "parallel_123 f8b4e8c08a23103b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1703,11 +1703,11 @@ def _seek(pose, seed, begun, q, status):
     """The same into a row, if there is none."""
     before, chosen = 4, -1
     for row in range(8 - 1, -1, -1):
-        fault = 0
+        fault, is_open = 0, status[row] == FREE_JOINT
         if status[row] == UNREACHABLE:
             continue
         before = min(before, fault)
-        chosen = row if status[row] == FREE_JOINT else chosen
+        chosen = row if is_open else chosen
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(6)

@@ -1123,12 +1123,15 @@ static void seek(
     double found[5] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
-        int fault = 0;
+        int fault = 0, is_open = status[row] == SCORBOT_POINTING_FREE_JOINT;
         if (status[row] == SCORBOT_POINTING_UNREACHABLE)
             continue;
-        fault += 2 * (missed_by(T, q[row]) > exact);
+        double here[5], ahead;
+        take(q[row], here);
+        fault += 2 * (descended(&d, 0, exact, here, &ahead) > exact);
+        is_open |= ahead > 0.0001; /* a joint is nearly free */
         before = fault < before ? fault : before;
-        chosen = status[row] == SCORBOT_POINTING_FREE_JOINT ? row : chosen;
+        chosen = is_open ? row : chosen;
     }
     if (before == 0 || (before < 4 && chosen < 0))
         return;

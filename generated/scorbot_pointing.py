@@ -344,7 +344,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 795d3acde138128c"
+_KEY = "scorbot_pointing c597427367ff72b0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1222,14 +1222,17 @@ def _sought(pose, q_free, seed, least, q):
 def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
     before, chosen = 4, -1
-    exact = _exactness(pose)
+    T, exact = _upper_rows(pose), _exactness(pose)
+    here, ahead = np.empty(5), np.empty(1)
     for row in range(4 - 1, -1, -1):
-        fault = 0
+        fault, is_open = 0, status[row] == FREE_JOINT
         if status[row] == UNREACHABLE:
             continue
-        fault += 2 * (_missed_by(pose, q[row]) > exact)
+        _take(here, q[row])
+        fault += 2 * (_descended(T, 0, exact, here, ahead) > exact)
+        is_open = is_open or ahead[0] > 0.0001  # a joint is nearly free
         before = min(before, fault)
-        chosen = row if status[row] == FREE_JOINT else chosen
+        chosen = row if is_open else chosen
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(5)

@@ -971,11 +971,11 @@ static void seek(
     double found[6] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0;
+        int fault = 0, is_open = status[row] == SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT;
         if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
             continue;
         before = fault < before ? fault : before;
-        chosen = status[row] == SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT ? row : chosen;
+        chosen = is_open ? row : chosen;
     }
     if (before == 0 || (before < 4 && chosen < 0))
         return;

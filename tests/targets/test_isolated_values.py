@@ -58,6 +58,7 @@ ARMS = {
 }
 COUNT = 60
 EXACT = 1e-11  # how far a pose may be missed that has not been rounded
+PLAIN = 4  # of many poses, solved in plain Python, too
 APART = 1e-4  # between joint values of two solutions [rad]
 
 
@@ -199,3 +200,33 @@ def test_python_finds_the_same(name: str) -> None:
         assert own_status.tolist() == status.tolist()
         held = np.isin(status, HELD)
         assert np.abs(turned(own[held] - rows[held])).max() < 1e-6
+
+
+# Folded, the wrist stands on axis 2, whose joint is free; next to that all its values nearly fit.
+FOLDING = (
+    "theta: q, d: 0, a: 0, alpha: -pi/2",
+    "theta: q, d: 0, a: 0.3, alpha: pi",
+    "theta: q, d: 0, a: 0.3, alpha: -pi/2",
+    "theta: q, d: 0.121, a: 0.3, alpha: pi/2",
+    "theta: q, d: 0, a: 0.4, alpha: -pi/2",
+)
+
+
+@pytest.mark.parametrize("off", [1e-12, 1e-10, 1e-8])
+def test_rows_are_exact_where_a_joint_is_nearly_free(off: float) -> None:
+    """A value that misses the pose by next to nothing does not stand for one that was rounded."""
+    compilation = made_up("folding", FOLDING, "task: pose\n", "modified")
+    solver = library(compilation.module, folder())
+    python = without_numba(compilation.files["folding.py"], "folding")
+    source = np.random.default_rng(2)
+    for number, q in enumerate(source.uniform(-3.0, 3.0, (60, 5))):
+        q[2] = np.pi - off
+        T = np.asarray(forward(compilation.robot, q), dtype=float)
+        told = [solver.ik(T, np.zeros(5))]
+        if number < PLAIN:
+            told.append(python.ik_all(T))
+        for rows, status in told:
+            held = rows[np.isin(status, HELD)]
+            assert len(held)
+            reached = np.asarray(forward(compilation.robot, held), dtype=float)
+            assert np.abs(reached - T).max() < EXACT
