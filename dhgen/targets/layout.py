@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 INDENT = "    "
+GOES_ON = " \\"  # behind a line of a directive in C
 
 
 def wrapped(line: str, indent: str, hanging: str = "    ", width: int = WIDTH) -> list[str]:
@@ -78,11 +79,23 @@ def fitted(source: str) -> str:
     lines: list[str] = []
     in_comment = False  # a line of a product may begin with a star, too
     for line in source.split("\n"):
-        fits = len(line) <= WIDTH or line.startswith("#")
-        lines += [line] if fits else _broken(line, in_comment=in_comment)
+        if len(line) <= WIDTH or line.startswith("#"):
+            lines.append(line)
+        elif lines and lines[-1].endswith(GOES_ON):
+            lines += _going_on(line)
+        else:
+            lines += _broken(line, in_comment=in_comment)
         opened, closed = line.rfind("/*"), line.rfind("*/")
         in_comment = in_comment if opened == closed else opened > closed
     return "\n".join(lines)
+
+
+def _going_on(line: str) -> list[str]:
+    """A line of a directive, which ends where no backslash says that it goes on."""
+    text = line.removesuffix(GOES_ON)
+    indent = line[: len(line) - len(line.lstrip())]
+    pieces = wrapped(text, indent, width=WIDTH - len(GOES_ON))
+    return [*(piece + GOES_ON for piece in pieces[:-1]), pieces[-1] + line[len(text) :]]
 
 
 def _broken(line: str, *, in_comment: bool) -> list[str]:

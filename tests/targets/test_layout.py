@@ -22,3 +22,14 @@ def test_lines_of_a_comment_begin_with_stars() -> None:
     end = next(i for i, line in enumerate(broken) if line.endswith("*/"))
     assert all(line.startswith(("/* word", " * word")) for line in broken[: end + 1])
     assert " ".join(broken[end + 1 :]).split() == f"x = {FACTORS};".split()
+
+
+def test_lines_of_a_directive_go_on() -> None:
+    """A directive ends with its line where no backslash stands, and that would not compile."""
+    names = " && ".join(f"!defined({'LONG_' * 8}{i})" for i in range(4))
+    for last in ("", " \\\n    more"):
+        source = f"#if first && \\\n    {names}{last}\nx = {FACTORS};"
+        broken = fitted(source)
+        assert max(map(len, broken.split("\n"))) <= WIDTH
+        whole = broken.replace(" \\\n", " ").split("\n")[0]
+        assert whole.split() == source.replace(" \\\n", " ").split("\n")[0].split()
