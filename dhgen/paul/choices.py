@@ -15,7 +15,7 @@ from dhgen.general.kernel import general_method, most_solutions
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
-from dhgen.paul.mobility import surplus
+from dhgen.paul.mobility import surplus, units
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -125,7 +125,7 @@ def _has_structure(chain: Chain) -> bool:
         return True
     arm, source = numeric_arm(chain), np.random.default_rng(9)
     places = [joint.number - 1 for joint in turning]
-    q = source.uniform(-2.0, 2.0, (POSITIONS, chain.dof))
+    q = source.uniform(-2.0, 2.0, (POSITIONS, chain.dof)) * units(chain)
     # the given joints take several values: axes on both sides of one must not meet by chance
     directions, points = arm.axes(q)
     for first in range(len(places) - 2):

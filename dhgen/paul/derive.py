@@ -25,6 +25,8 @@ from dhgen.paul.types import CLOSED, QUARTIC
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
 
+ROWS, ROWS_OF_CHECKED = 8, 2
+
 
 def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     """Solves an arm by Paul's method, or leaves it to the general algorithms for six joints.
@@ -54,21 +56,35 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
         pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
     route = best_route(closed, pool)
-    if route is not None:
+    if route is not None and route.rows <= _usual_rows(chain):
         return Derivation(pool, route.steps, route.alternatives)
-    found = _by_polynomial(with_inverse_forms(pool), chain)
+    found = _from_both_ends(with_inverse_forms(pool), chain, most=route.rows - 1 if route else None)
     if found is not None:
         return found
+    if route is not None:
+        return Derivation(pool, route.steps, route.alternatives)
     if numerical:
         return Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     raise UnsolvedError(refusal(closed, chain))
 
 
-def _by_polynomial(pool: Pool, chain: Chain) -> Derivation | None:
-    """By steps of which one is a quartic, or by a general algorithm."""
-    if not is_better_polished(chain):
-        route = best_route(Search(pool, QUARTIC), pool)
-        if route is not None:
-            return Derivation(pool, route.steps, route.alternatives)
-    kernel = general_kernel(chain)
+def _from_both_ends(pool: Pool, chain: Chain, most: int | None) -> Derivation | None:
+    """With the view from the tool back to the base, by steps or by a general algorithm.
+
+    Args:
+        pool: All equations.
+        chain: The arm.
+        most: So many rows are an improvement on steps without that view, where there are any; a
+            quartic or a general algorithm is none.
+    """
+    closed_only = most is not None or is_better_polished(chain)
+    route = best_route(Search(pool, CLOSED if closed_only else QUARTIC), pool)
+    if route is not None and (most is None or route.rows <= most):
+        return Derivation(pool, route.steps, route.alternatives)
+    kernel = general_kernel(chain) if most is None else None
     return None if kernel is None else Derivation(pool, (), (), kernel)
+
+
+def _usual_rows(chain: Chain) -> int:
+    """As many rows as closed forms have; with more of them it is worth looking for others."""
+    return ROWS_OF_CHECKED if chain.overdetermined else ROWS

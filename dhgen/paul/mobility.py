@@ -55,7 +55,7 @@ def surplus(chain: Chain) -> Surplus:
     moving = np.ones(len(solved), dtype=bool)
     count = len(solved)
     for _ in range(POSITIONS if solved else 0):
-        jacobian = task_jacobian(arm, source.uniform(-2.0, 2.0, chain.dof))
+        jacobian = task_jacobian(arm, source.uniform(-2.0, 2.0, chain.dof) * units(chain))
         columns = jacobian[:, [number - 1 for number in solved]]
         _, values, rows = np.linalg.svd(columns)
         rank = int(np.sum(values > NULL * max(values.max(), NULL)))
@@ -90,23 +90,24 @@ def still_coordinates(chain: Chain) -> tuple[str, ...]:
 
 def moving_coordinates(chain: Chain) -> tuple[str, ...]:
     """Those of the tool's x, y, z that some joint moves."""
-    q = np.random.default_rng(3).uniform(-2.0, 2.0, (POSITIONS, chain.dof))
-    most = np.abs(numeric_arm(chain).jacobian(q)[..., :3, :]).max(axis=(0, 2))
+    q = np.random.default_rng(3).uniform(-2.0, 2.0, (POSITIONS, chain.dof)) * units(chain)
+    rates = numeric_arm(chain).jacobian(q)[..., :3, :] * units(chain)
+    most = np.abs(rates).max(axis=(0, 2))
     return tuple(n for n, rate in zip("xyz", most, strict=True) if rate > NULL * chain.size)
 
 
 def task_jacobian(arm: NumericArm, q: Array) -> Array:
-    """How the numbers that the task names change with the joints, lengths in arm sizes.
+    """How the numbers that the task names change with the joints, all lengths in arm sizes.
 
     Args:
         arm: The arm.
-        q: Joint values (..., n).
+        q: Joint values (..., n), lengths in the file's unit.
 
     Returns:
         Shape (..., m, n).
     """
     chain = arm.chain
-    full = arm.jacobian(q)
+    full = arm.jacobian(q) * units(chain)
     full[..., :3, :] /= chain.size
     named = [full[..., list(chain.task.position_rows), :]]
     rotation = full[..., 3:, :]
@@ -115,6 +116,11 @@ def task_jacobian(arm: NumericArm, q: Array) -> Array:
     elif chain.task.names_direction:  # of the rotations those about the tool's x and y
         named.append(np.swapaxes(arm.pose(q)[..., :3, :2], -1, -2) @ rotation)
     return np.concatenate(named, axis=-2)
+
+
+def units(chain: Chain) -> Array:
+    """What joint values are measured in (n,): rad, or the size of the arm."""
+    return np.where(chain.turning, 1.0, chain.size)
 
 
 def crowded_axes(chain: Chain) -> list[str]:

@@ -105,5 +105,4 @@ def task_rates(arm: NumericArm, q: Array) -> Array:
     J = task_jacobian(arm, q)
     if chain.arm_angle:
         J = np.concatenate([J, elbow_rates(arm, q)[..., None, :]], axis=-2)
-    J *= np.where(chain.turning, 1.0, chain.size)
     return np.asarray(J[..., [joint.number - 1 for joint in chain.solved]])

@@ -1,0 +1,84 @@
+"""The same arm written otherwise is solved as well: from its tool, in other units, other frames."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from dhgen.kinematics.build import build_chain
+from dhgen.method import Method
+from dhgen.paul.derive import derive
+from dhgen.robot.load import load
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.paul.derivation import Derivation
+
+# a cylindrical arm with a spherical wrist, but the wrist stands on the floor
+WRIST_FIRST = """\
+  - {theta: q, d: 0.1, a: 0, alpha: pi/2}
+  - {theta: q, d: 0, a: 0, alpha: -pi/2}
+  - {theta: q, d: 0, a: 0, alpha: 0}
+  - {theta: 0, d: q, a: 0, alpha: pi/2}
+  - {theta: 0, d: q, a: 0, alpha: 0}
+  - {theta: q, d: 0.3, a: 0, alpha: 0}
+"""
+# four turns on a rail that is last: a whole pose fixes one joint more
+RAIL_LAST = """\
+  - {alpha: 0, a: 0, theta: q, d: 3}
+  - {alpha: pi/2, a: 0, theta: q, d: 0}
+  - {alpha: pi/2, a: 0, theta: q, d: 1}
+  - {alpha: pi/2, a: 0, theta: q, d: 0}
+  - {alpha: 0, a: 0, theta: 0, d: q}
+tool: {xyz: [2, 0, 0]}
+"""
+STANFORD = """\
+  - {{theta: q, d: {0}, a: 0, alpha: -pi/2}}
+  - {{theta: q, d: {1}, a: 0, alpha: pi/2}}
+  - {{theta: -pi/2, d: q, a: 0, alpha: 0, limits: [{2}, {3}]}}
+  - {{theta: q, d: 0, a: 0, alpha: -pi/2}}
+  - {{theta: q, d: 0, a: 0, alpha: pi/2}}
+  - {{theta: q, d: 0, a: 0, alpha: 0}}
+"""
+# a PUMA whose wrist stands on the floor; axes 5 and 6 meet where y is 0.15
+PUMA_FROM_ITS_TOOL = """\
+  - {direction: [0, 0, 1], point: [0, 0, 0]}
+  - {direction: [0, 1, 0], point: [0, 0, 0]}
+  - {direction: [0, 0, 1], point: [0, 0, 0]}
+  - {direction: [0, 1, 0], point: [-0.0203, 0, -0.4318]}
+  - {direction: [0, 1, 0], point: [-0.4521, 0, -0.4318]}
+  - {direction: [0, 0, 1], point: [-0.4521, 0.15005, 0]}
+"""
+MODIFIED = "convention: modified\njoints"
+
+
+def derived(folder: Path, rows: str, key: str = "joints") -> Derivation:
+    path = folder / "arm.yaml"
+    path.write_text(f"name: arm\n{key}:\n{rows}", encoding="utf-8")
+    return derive(build_chain(load(path)))
+
+
+def turning(rows: str) -> str:
+    return rows.replace("{direction", "{type: revolute, direction")
+
+
+def test_a_wrist_before_two_slides_needs_square_roots_only(tmp_path: Path) -> None:
+    derivation = derived(tmp_path, WRIST_FIRST)
+    assert derivation.method is Method.CLOSED_FORM
+    assert derivation.branches == 4
+
+
+def test_a_rail_is_found_as_well_at_the_tool_as_at_the_base(tmp_path: Path) -> None:
+    assert derived(tmp_path, RAIL_LAST, MODIFIED).branches == 2
+
+
+def test_a_puma_seen_from_its_tool_has_eight_rows(tmp_path: Path) -> None:
+    assert derived(tmp_path, turning(PUMA_FROM_ITS_TOOL), "axes").branches == 8
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3, 1e6])
+def test_the_unit_of_lengths_changes_nothing(tmp_path: Path, unit: float) -> None:
+    lengths = [unit * length for length in (0.4, 0.15, 0.3, 1.2)]
+    assert derived(tmp_path, STANFORD.format(*lengths)).branches == 8
