@@ -3,7 +3,9 @@
 When every axis points along a direction whose frame is exact, the chain is built from the axes
 as they are, with their parameters: frame i is the reference frame carried along by joint i, at
 a point of axis i. Any other set of axes is for `common_normals.py`, and so is one where letters
-hide that an axis meets another, or lies level with it, seen along a slanting direction.
+hide that an axis meets another, or lies level with it, seen along a slanting direction. So is one
+without letters of the user's whose points stand elsewhere on slanting axes than where these are
+nearest to their neighbours: there is nothing to be kept.
 """
 
 from __future__ import annotations
@@ -55,6 +57,8 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
     values = {each.name: each.value for each in constants}
     steps = _steps([identity(ring), *frames, home], normal, values)
     if steps is None:
+        return None
+    if not robot.parameters and not all(_is_level(step, normal) for step in steps[1:-1]):
         return None
     *links, last = steps
     # wherever the arm stands in its frame, and that in the caller's
@@ -144,6 +148,12 @@ def _steps(
     backward = (inverse(step, normal).translation for step in steps)
     hidden = any(_cancels(entry, values) for translation in backward for entry in translation)
     return None if hidden else steps
+
+
+def _is_level(step: Transform, normal: NormalForm) -> bool:
+    """Whether a frame stands where its axis is nearest to the one before."""
+    (x, y, _), direction = step.translation, step.column(2)
+    return not normal(x * direction[0] + y * direction[1])
 
 
 def _settled(step: Transform, values: Mapping[str, float]) -> Transform:

@@ -51,6 +51,15 @@ PUMA_FROM_ITS_TOOL = """\
   - {direction: [0, 1, 0], point: [-0.4521, 0, -0.4318]}
   - {direction: [0, 0, 1], point: [-0.4521, 0.15005, 0]}
 """
+# axes 2, 3 and 4 meet at y = 0.3 and z = 0.2, which no point says
+SLANTING = """\
+  - {{direction: [0, 0, 1], point: [0.1, 0, 0]}}
+  - {{direction: [0, 3/5, 4/5], point: [0.4, {0[0]}, {0[1]}]}}
+  - {{direction: [0, -4/5, 3/5], point: [0.4, {1[0]}, {1[1]}]}}
+  - {{direction: [0, 5/13, 12/13], point: [0.4, {2[0]}, {2[1]}]}}
+  - {{direction: [1, 0, 0], point: [0, 0.7, 0.5]}}
+  - {{direction: [0, 4/5, 3/5], point: [0.8, 0.1, 0.2]}}
+"""
 MODIFIED = "convention: modified\njoints"
 
 
@@ -82,3 +91,10 @@ def test_a_puma_seen_from_its_tool_has_eight_rows(tmp_path: Path) -> None:
 def test_the_unit_of_lengths_changes_nothing(tmp_path: Path, unit: float) -> None:
     lengths = [unit * length for length in (0.4, 0.15, 0.3, 1.2)]
     assert derived(tmp_path, STANFORD.format(*lengths)).branches == 8
+
+
+def test_axes_that_meet_aside_of_their_points_are_concurrent(tmp_path: Path) -> None:
+    """They do so wherever along them the file's points are."""
+    points = [(0.3 + y, 0.2 + z) for y, z in ((0.3, 0.4), (-0.8, 0.6), (1.0, 2.4))]
+    rows = turning(SLANTING.format(*points))
+    assert derived(tmp_path, rows, "axes").method is Method.QUARTIC
