@@ -14,6 +14,7 @@ import numpy as np
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.audit import places_without_a_word, silent_places
+from dhgen.paul.mobility import units
 from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
 from dhgen.paul.types.two_lengths import determinant
@@ -36,9 +37,9 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 TRIED = 50  # poses of each sort
-OTHER = 0.7  # from a pose's joint values to those of another seed, at least [rad or length]
+OTHER = 0.7  # from a pose's joint values to those of another seed, at least [rad or arm sizes]
 SLIGHT = 1e-2  # less is the cosine or the sine of a twist that is nearly a right angle, or none
-BESIDE = tuple(10.0**power for power in range(-13, -2))  # of right angles [rad or length]
+BESIDE = tuple(10.0**power for power in range(-13, -2))  # of right angles [rad or arm sizes]
 APART = (1e-6, 1e-8, 1e-10)  # the same where each joint is as near as it likes
 
 
@@ -114,7 +115,7 @@ def _everywhere(chain: Chain) -> FloatArray:
     anywhere = source.uniform(-2.5, 2.5, (TRIED, chain.dof))
     right = source.integers(-1, 3, anywhere.shape) * (np.pi / 2)
     mixed = np.where(source.random(anywhere.shape) < 0.5, right, anywhere)
-    return np.concatenate([anywhere, right, mixed])
+    return np.concatenate([anywhere, right, mixed]) * units(chain)
 
 
 def _beside(chain: Chain, places: FloatArray) -> FloatArray:
@@ -124,12 +125,13 @@ def _beside(chain: Chain, places: FloatArray) -> FloatArray:
     """
     source = np.random.default_rng(18)
     shape = len(BESIDE), TRIED, chain.dof
+    unit = units(chain)
     right = source.integers(-1, 3, shape) * (np.pi / 2)
     near = np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, shape)
     own = source.choice(APART, shape) * source.choice((-1.0, 1.0), shape)
     mixed = np.where(source.random(shape) < 0.5, right + own, source.uniform(-2.5, 2.5, shape))
-    around = places + np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, places.shape)
-    found = [right + near, mixed, around]
+    aside = np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, places.shape)
+    found = [(right + near) * unit, mixed * unit, places + aside * unit]
     return np.concatenate([each.reshape(-1, chain.dof) for each in found])
 
 
@@ -141,7 +143,7 @@ def _follows_the_seed(chain: Chain, program: Program, q: FloatArray) -> bool:
     """
     arm = numeric_arm(chain)
     poses, given = arm.pose(q), given_values(arm, q)
-    off = OTHER * np.linspace(1.0, 2.0, chain.dof)
+    off = OTHER * np.linspace(1.0, 2.0, chain.dof) * units(chain)
     own, other = (interpret(program, poses, seed, given) for seed in (q, q + off))
     return bool(np.any(own.solved & ~other.solved))
 
