@@ -23,6 +23,8 @@ class Tolerances:
             from a vector just longer is good to 1e-3 rad and its residual is still this small.
         near: A unit vector's projection that should fix an angle and is no longer than this does so
             with rounding errors of 1e-13 rad or more, which an arm that is stretched may not bear.
+        regular: A pose is singular to fast code if such a projection is no longer than this: of
+            what it fixes, digits are lost to 1e-11 rad at worst, and few random poses are.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
             folded, lands there by rounding.
         led: The same where rows are tightened: an angle before the boundary may be good to few
@@ -69,6 +71,7 @@ class Tolerances:
 
     free: float = 1e-12
     near: float = 1e-3
+    regular: float = 1e-4
     reach: float = 1e-13
     led: float = 1e-5
     merge: float = 1e-14
@@ -131,6 +134,7 @@ SINGLE = Precision(
     "_f32",
     Tolerances(
         free=2e-5,
+        regular=1e-3,
         reach=4e-6,
         merge=1e-7,
         blur=1e-5,

@@ -122,7 +122,6 @@ k1 = 0.16308  # 2 * d4 * a2 [m^2]
 k2 = 0.03780000000000001  # 2 * a3 * a2 [m^2]
 k3 = 0.16900400000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 35.683793403054324  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.0080160000000004e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.3430303610541368  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.879790001
@@ -135,14 +134,15 @@ low4 = -2.7925300010000003
 high4 = 2.7925300010000003
 low5 = -2.094395001
 high5 = 2.094395001
-m1 = 1.0080160000000002e-06  # doubt_limit1^2 [m^2]
-m2 = 1.3488473906354537  # a coefficient of s3
-m3 = 0.9834871790128595  # a coefficient of s3
-m4 = 5.819313028170099  # a coefficient of s3
-m5 = 0.22796060440695423  # a coefficient of c3
-m6 = 1.8518518518518516  # a coefficient of X1_2
-m7 = 0.04297037037037035  # a coefficient of X1_2
-m8 = 1e-06  # doubt_limit^2
+m1 = 1.0080160000000003e-08  # doubt_limit1^2 [m^2]
+m2 = 3.897383589207785e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m3 = 1.3488473906354537  # a coefficient of s3
+m4 = 0.9834871790128595  # a coefficient of s3
+m5 = 5.819313028170099  # a coefficient of s3
+m6 = 0.22796060440695423  # a coefficient of c3
+m7 = 1.8518518518518516  # a coefficient of X1_2
+m8 = 0.04297037037037035  # a coefficient of X1_2
+m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -386,7 +386,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 b389029c66366415"
+_KEY = "abb_irb120 c1c15fe3237e3d8f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1039,25 +1039,26 @@ def _regular(pose, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d6 * T31 - d1
     N3 = v1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v3 = w3 - w3
-    v4 = m3 - m4 * N3
-    v5 = m2 * w3
+    v4 = m4 - m5 * N3
+    v5 = m3 * w3
     s3_p = v4 + v5
     s3_m = v4 - v5
-    v6 = m2 * N3 - m5
-    v7 = m4 * w3
+    v6 = m3 * N3 - m6
+    v7 = m5 * w3
     c3_p = v6 + v7
     c3_m = v6 - v7
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m6 * N3 - m7
+    X1_2 = m7 * N3 - m8
     v9 = Z1_3 * X1_2
-    v10 = w3 * (m6 * w1)
+    v10 = w3 * (m7 * w1)
     S2_pp = v9 - v10
     S2_pm = v9 + v10
-    v11 = w3 * (m6 * Z1_3)
-    v12 = w3 * (m6 * -Z1_3)
+    v11 = w3 * (m7 * Z1_3)
+    v12 = w3 * (m7 * -Z1_3)
     v13 = w1 * X1_2
     v14 = w1 * -X1_2
     C2_pp = v11 + v13
@@ -1104,11 +1105,7 @@ def _regular(pose, q, status):
     v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
 
     # joint values
-    doubt1 = (
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v25 <= m8 or v24 <= m8 or v22
-        <= m8 or v23 <= m8
-    )
+    doubt1 = abs(D3) <= m2 or v1 <= m1 or v25 <= m9 or v24 <= m9 or v22 <= m9 or v23 <= m9
 
     # angles, side by side
     room[0] = w3
@@ -1539,23 +1536,24 @@ def _in_tiles(T, q, status):
             v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T31 - d1
             N3 = v1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v3 = w3 - w3
-            v4 = m3 - m4 * N3
-            v5 = m2 * w3
+            v4 = m4 - m5 * N3
+            v5 = m3 * w3
             s3_p = v4 + v5
             s3_m = v4 - v5
-            v6 = m2 * N3 - m5
-            v7 = m4 * w3
+            v6 = m3 * N3 - m6
+            v7 = m5 * w3
             c3_p = v6 + v7
             c3_m = v6 - v7
-            X1_2 = m6 * N3 - m7
+            X1_2 = m7 * N3 - m8
             v9 = Z1_3 * X1_2
-            v10 = w3 * (m6 * w1)
+            v10 = w3 * (m7 * w1)
             S2_pp = v9 - v10
             S2_pm = v9 + v10
-            v11 = w3 * (m6 * Z1_3)
-            v12 = w3 * (m6 * -Z1_3)
+            v11 = w3 * (m7 * Z1_3)
+            v12 = w3 * (m7 * -Z1_3)
             v13 = w1 * X1_2
             v14 = w1 * -X1_2
             C2_pp = v11 + v13
@@ -1596,11 +1594,7 @@ def _in_tiles(T, q, status):
             v33 = v16 * (s23_pm * T33 + c23_pm * v31) - c4_pm * v30
             v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)
             v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
-            doubt1 = (
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v25 <= m8 or v24 <=
-                m8 or v22 <= m8 or v23 <= m8
-            )
+            doubt1 = abs(D3) <= m2 or v1 <= m1 or v25 <= m9 or v24 <= m9 or v22 <= m9 or v23 <= m9
             work[272 + k] = t24
             work[288 + k] = v3
             work[304 + k] = v26

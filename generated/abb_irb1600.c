@@ -261,13 +261,14 @@ static const double
     k1 = 0.84, /* 2 * d4 * a2 [m^2] */
     k2 = 0.8499999999999999, /* a2^2 + d4^2 [m^2] */
     k3 = 1.4172335600907033, /* 1 / (k1^2) [m^-4] */
-    doubt_limit_squared2 = 4.00600225e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 4.006002249999999e-06, /* doubt_limit1^2 [m^2] */
-    m7 = 1e-06; /* doubt_limit^2 */
+    m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 8.740208556903756e-13,
+    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 0.7142857142857144, m4 = 0.09285714285714279, m5 = 0.8333333333333335,
-m6 = 0.10833333333333327;
+static const double m4 = 0.7142857142857144, m5 = 0.09285714285714279, m6 = 0.8333333333333335,
+m7 = 0.10833333333333327;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -389,23 +390,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v4 = a1 + w1, v5 = a1 - w1, v6 = Z1_3 * Z1_3,
-        N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v7 = k1 * (N3_p - k2),
-        v8 = k1 * (N3_m - k2);
+        N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v7 = k1 * (N3_p - k2), v8 = k1 * (N3_m - k2);
 
     /* theta2 */
-    const wide v9 = m4 + m3 * N3_p, v10 = m4 + m3 * N3_m, v11 = Z1_3 * v9, v12 = Z1_3 * v10,
-        v13 = m3 * Z1_3, v14 = m3 * -Z1_3, v15 = v4 * v9, v16 = v5 * v10, factor2_p = 1.0 / N3_p,
+    const wide v9 = m5 + m4 * N3_p, v10 = m5 + m4 * N3_m, v11 = Z1_3 * v9, v12 = Z1_3 * v10,
+        v13 = m4 * Z1_3, v14 = m4 * -Z1_3, v15 = v4 * v9, v16 = v5 * v10, factor2_p = 1.0 / N3_p,
         factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v17 = m6 - m5 * N3_p, v18 = m6 - m5 * N3_m, v19 = T23 * s1 - T13 * v3,
+    const wide v17 = m7 - m6 * N3_p, v18 = m7 - m6 * N3_m, v19 = T23 * s1 - T13 * v3,
         v20 = T33 * Z1_3, v21 = v20 - v4 * v19, v22 = v20 - v19 * -v5, v23 = Z1_3 * v17,
         v24 = Z1_3 * -v18, v25 = T33 * v17, v26 = T33 * v18, v27 = v19 * v23 + v4 * v25,
-        v28 = v19 * v24 + v5 * v26, X4_pp = v27 + w3_p * (m5 * v21),
-        X4_pm = v27 + w3_p * (m5 * -v21), X4_mp = v28 + w3_m * (m5 * v22),
-        X4_mm = v28 + w3_m * (m5 * -v22), v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29,
+        v28 = v19 * v24 + v5 * v26, X4_pp = v27 + w3_p * (m6 * v21),
+        X4_pm = v27 + w3_p * (m6 * -v21), X4_mp = v28 + w3_m * (m6 * v22),
+        X4_mm = v28 + w3_m * (m6 * -v22), v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29,
         v31 = factor2_p * X4_pp, v32 = factor2_p * X4_pm, v33 = factor2_m * X4_mp,
         v34 = factor2_m * X4_mm, v35 = v30 + factor2_p * (X4_pp * v31),
         v36 = v30 + factor2_p * (X4_pm * v32), v37 = v30 + factor2_m * (X4_mp * v33),
@@ -420,20 +420,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v47 = v24 * v42 + v5 * (v18 * T32), v48 = w1 * (v2 * (wx * T21 + Y1 * T11)),
         v49 = s1 * T21 - v3 * T11, v50 = Z1_3 * T31, v51 = v50 - v4 * v49, v52 = v50 + v5 * v49,
         v53 = v23 * v49 + v4 * (v17 * T31), v54 = v24 * v49 + v5 * (v18 * T31),
-        v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48,
-        v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48,
-        v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52)),
-        v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52)),
-        angle2 = atan2_wide(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41),
-        angle3 = atan2_wide(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41),
-        angle4 = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45))),
-        angle5 = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)));
+        v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48,
+        v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48,
+        v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52)),
+        v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52)),
+        angle2 = atan2_wide(v55, v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41),
+        angle3 = atan2_wide(v56, v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41),
+        angle4 = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))),
+        angle5 = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45)));
 
     /* joint values */
-    const wide v59 = w3_p * (m3 * v4), angle6 = atan2_wide(v59 - v11, -(v15 + w3_p * v13)),
+    const wide v59 = w3_p * (m4 * v4), angle6 = atan2_wide(v59 - v11, -(v15 + w3_p * v13)),
         v60 = angle6 - offset2, angle7 = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14)),
-        v61 = angle7 - offset2, angle8 = atan2_wide(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13)),
-        v62 = angle8 - offset2, angle9 = atan2_wide(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14)),
+        v61 = angle7 - offset2, angle8 = atan2_wide(w3_m * (m4 * v5) - v12, -(v16 + w3_m * v13)),
+        v62 = angle8 - offset2, angle9 = atan2_wide(w3_m * (m4 * -v5) - v12, -(v16 + w3_m * v14)),
         v63 = angle9 - offset2, q2_ppp = v60 + only_wide(half_turn < v60, -turn),
         q2_pmp = v61 + only_wide(half_turn < v61, -turn),
         q2_mpp = v62 + only_wide(half_turn < v62, -turn),
@@ -450,21 +450,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v69 = signed_wide(half_turn, v29), v70 = angle12 - offset4, v71 = angle12 - v68 - offset4,
         v72 = angle13 - offset4, v73 = angle13 - v68 - offset4, v74 = angle14 - offset4,
         v75 = angle14 - v69 - offset4, v76 = angle15 - offset4, v77 = angle15 - v69 - offset4,
-        v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4)),
+        v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4)),
         angle16 = atan2_wide(sqrt_wide(v35), factor2_p * (v39 - v78)),
         angle17 = atan2_wide(sqrt_wide(v36), factor2_p * (v39 + v78)),
-        v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5)),
+        v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5)),
         angle18 = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79)),
         angle19 = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79)), v80 = angle16 - offset5,
         v81 = offset5 + angle16, v82 = angle17 - offset5, v83 = offset5 + angle17,
         v84 = angle18 - offset5, v85 = offset5 + angle18, v86 = angle19 - offset5,
         v87 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v38 <= m7) | (v37 <= m7) |
-        (v36 <= m7) | (v1 <= m1) | (v35 <= m7);
+    const wide_mask doubt1 = (v38 <= m8) | (v37 <= m8) | (v36 <= m8) | (v35 <= m8) | (abs_wide(D3_m)
+        <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, turn);
     q[4] = v80 + only_wide(v80 <= -half_turn, turn); q[5] = angle2;
@@ -522,23 +519,24 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v5 = a1 + e1 * w1;
     const double v6 = Z1_3 * Z1_3;
-    const four N3 = v6 + v5 * v5, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
-        v7 = k1 * (N3 - k2);
+    const four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
+    const four v7 = k1 * (N3 - k2);
 
     /* theta2 */
-    const four v8 = m4 + m3 * N3, v9 = Z1_3 * v8, v10 = m3 * (e2 * Z1_3), v11 = v5 * v8,
+    const four v8 = m5 + m4 * N3, v9 = Z1_3 * v8, v10 = m4 * (e2 * Z1_3), v11 = v5 * v8,
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four v12 = m6 - m5 * N3;
+    const four v12 = m7 - m6 * N3;
     const double v13 = T23 * s1 - T13 * v3;
     const four v14 = e1 * v5;
     const double v15 = T33 * Z1_3;
     const four v16 = v15 - v13 * v14, v17 = Z1_3 * (e1 * v12), v18 = T33 * v12,
-        v19 = v13 * v17 + v5 * v18, X4 = v19 + w3 * (m5 * (e2 * v16));
+        v19 = v13 * v17 + v5 * v18, X4 = v19 + w3 * (m6 * (e2 * v16));
     const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23)), v21 = v20 * v20;
     const four v22 = factor2 * X4, v23 = v21 + factor2 * (X4 * v22);
-    const four_mask doubt3 = v23 <= m7;
+    const four_mask doubt3 = v23 <= m8;
 
     /* theta5 */
     const four v24 = v13 * (e1 * Z1_3) + T33 * v5, v25 = v13 * (v5 * (e1 * -v12)) + Z1_3 * v18;
@@ -550,20 +548,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11)), v32 = s1 * T21 - v3 * T11,
         v33 = Z1_3 * T31;
     const four v34 = v33 - v14 * v32, v35 = v17 * v32 + v5 * (v12 * T31),
-        v36 = e1 * (v20 * (v35 + w3 * (m5 * (e2 * v34))) - X4 * v31);
+        v36 = e1 * (v20 * (v35 + w3 * (m6 * (e2 * v34))) - X4 * v31);
 
     /* joint values */
     const four v38 = signed_four(half_turn, v7), v39 = m2 * (1.0 - e2),
         v41 = signed_four(half_turn, -(e1 * v20));
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four(shuffle(v7, all_four(Y1), 0, 5, 2, 3), shuffle(-(k1 * w3),
         all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = ratio_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10)),
+        ratio2 = ratio_four(w3 * (m4 * (e2 * v5)) - v9, -(v11 + w3 * v10)),
         ratio3 = ratio_four(-(e1 * v20), -v22),
-        ratio4 = ratio_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26)),
-        ratio5 = ratio_four(sqrt_four(v23), factor2 * (v25 - w3 * (m5 * (e2 * v24))));
+        ratio4 = ratio_four(v36, e1 * (v20 * (v30 + w3 * (m6 * (e2 * v29))) - X4 * v26)),
+        ratio5 = ratio_four(sqrt_four(v23), factor2 * (v25 - w3 * (m6 * (e2 * v24))));
     const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle5 = angle_four(ratio3), angle2 = angle_four(ratio4), angle6 = angle_four(ratio5);

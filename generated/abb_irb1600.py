@@ -123,14 +123,14 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.84  # 2 * d4 * a2 [m^2]
 k2 = 0.8499999999999999  # a2^2 + d4^2 [m^2]
 k3 = 1.4172335600907033  # 1 / (k1^2) [m^-4]
-doubt_limit_squared2 = 4.00600225e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 4.006002249999999e-06  # doubt_limit1^2 [m^2]
-m3 = 0.7142857142857144  # a coefficient of S2
-m4 = 0.09285714285714279  # a coefficient of S2
-m5 = 0.8333333333333335  # a coefficient of v9
-m6 = 0.10833333333333327  # a coefficient of v9
-m7 = 1e-06  # doubt_limit^2
+m1 = 4.006002249999999e-08  # doubt_limit1^2 [m^2]
+m3 = 8.740208556903756e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 0.7142857142857144  # a coefficient of S2
+m5 = 0.09285714285714279  # a coefficient of S2
+m6 = 0.8333333333333335  # a coefficient of v9
+m7 = 0.10833333333333327  # a coefficient of v9
+m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -374,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb1600 1386755a515d73fe"
+_KEY = "abb_irb1600 4ce40bc9dd62c036"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -802,26 +802,28 @@ def _regular(pose, q, status):
     v6 = Z1_3 * Z1_3
     N3_p = v6 + v4 * v4
     N3_m = v6 + v5 * v5
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
     v7 = k1 * (N3_p - k2)
     v8 = k1 * (N3_m - k2)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v9 = m4 + m3 * N3_p
-    v10 = m4 + m3 * N3_m
+    v9 = m5 + m4 * N3_p
+    v10 = m5 + m4 * N3_m
     v11 = Z1_3 * v9
     v12 = Z1_3 * v10
-    v13 = m3 * Z1_3
-    v14 = m3 * -Z1_3
+    v13 = m4 * Z1_3
+    v14 = m4 * -Z1_3
     v15 = v4 * v9
     v16 = v5 * v10
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v17 = m6 - m5 * N3_p
-    v18 = m6 - m5 * N3_m
+    v17 = m7 - m6 * N3_p
+    v18 = m7 - m6 * N3_m
     v19 = T23 * s1 - T13 * v3
     v20 = T33 * Z1_3
     v21 = v20 - v4 * v19
@@ -832,10 +834,10 @@ def _regular(pose, q, status):
     v26 = T33 * v18
     v27 = v19 * v23 + v4 * v25
     v28 = v19 * v24 + v5 * v26
-    X4_pp = v27 + w3_p * (m5 * v21)
-    X4_pm = v27 + w3_p * (m5 * -v21)
-    X4_mp = v28 + w3_m * (m5 * v22)
-    X4_mm = v28 + w3_m * (m5 * -v22)
+    X4_pp = v27 + w3_p * (m6 * v21)
+    X4_pm = v27 + w3_p * (m6 * -v21)
+    X4_mp = v28 + w3_m * (m6 * v22)
+    X4_mm = v28 + w3_m * (m6 * -v22)
     v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
     v30 = v29 * v29
     v31 = factor2_p * X4_pp
@@ -866,22 +868,20 @@ def _regular(pose, q, status):
     v52 = v50 - -v5 * v49
     v53 = v23 * v49 + v4 * (v17 * T31)
     v54 = v24 * v49 + v5 * (v18 * T31)
-    v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48
-    v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48
-    v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52))
-    v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52))
+    v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
+    v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48
+    v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52))
+    v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52))
 
     # joint values
-    v59 = w3_p * (m3 * v4)
+    v59 = w3_p * (m4 * v4)
     v68 = math.copysign(half_turn, -v29)
     v69 = math.copysign(half_turn, v29)
-    v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
-    v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
+    v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
+    v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v38 <= m7 or v37 <= m7 or v36 <= m7 or v1 <= m1 or v35 <= m7
+        v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1 or abs(D3_p)
+        <= m3
     )
 
     # angles, side by side
@@ -892,8 +892,8 @@ def _regular(pose, q, status):
     room[4] = v58
     room[5] = v59 - v11
     room[6] = -(v11 + v59)
-    room[7] = w3_m * (m3 * v5) - v12
-    room[8] = w3_m * (m3 * -v5) - v12
+    room[7] = w3_m * (m4 * v5) - v12
+    room[8] = w3_m * (m4 * -v5) - v12
     room[9] = v7
     room[10] = v8
     room[11] = -v29
@@ -905,10 +905,10 @@ def _regular(pose, q, status):
     room[17] = math.sqrt(v37)
     room[18] = math.sqrt(v38)
     room[24] = -wx
-    room[25] = v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41
-    room[26] = v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41
-    room[27] = X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45))
-    room[28] = X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45))
+    room[25] = v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
+    room[26] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
+    room[27] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
+    room[28] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
     room[29] = -(v15 + w3_p * v13)
     room[30] = -(v15 + w3_p * v14)
     room[31] = -(v16 + w3_m * v13)
@@ -1315,22 +1315,24 @@ def _in_tiles(T, q, status):
             v6 = Z1_3 * Z1_3
             N3_p = v6 + v4 * v4
             N3_m = v6 + v5 * v5
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
             v7 = k1 * (N3_p - k2)
             v8 = k1 * (N3_m - k2)
-            v9 = m4 + m3 * N3_p
-            v10 = m4 + m3 * N3_m
+            v9 = m5 + m4 * N3_p
+            v10 = m5 + m4 * N3_m
             v11 = Z1_3 * v9
             v12 = Z1_3 * v10
-            v13 = m3 * Z1_3
-            v14 = m3 * -Z1_3
+            v13 = m4 * Z1_3
+            v14 = m4 * -Z1_3
             v15 = v4 * v9
             v16 = v5 * v10
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v17 = m6 - m5 * N3_p
-            v18 = m6 - m5 * N3_m
+            v17 = m7 - m6 * N3_p
+            v18 = m7 - m6 * N3_m
             v19 = T23 * s1 - T13 * v3
             v20 = T33 * Z1_3
             v21 = v20 - v4 * v19
@@ -1341,10 +1343,10 @@ def _in_tiles(T, q, status):
             v26 = T33 * v18
             v27 = v19 * v23 + v4 * v25
             v28 = v19 * v24 + v5 * v26
-            X4_pp = v27 + w3_p * (m5 * v21)
-            X4_pm = v27 + w3_p * (m5 * -v21)
-            X4_mp = v28 + w3_m * (m5 * v22)
-            X4_mm = v28 + w3_m * (m5 * -v22)
+            X4_pp = v27 + w3_p * (m6 * v21)
+            X4_pm = v27 + w3_p * (m6 * -v21)
+            X4_mp = v28 + w3_m * (m6 * v22)
+            X4_mm = v28 + w3_m * (m6 * -v22)
             v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
             v30 = v29 * v29
             v31 = factor2_p * X4_pp
@@ -1371,21 +1373,18 @@ def _in_tiles(T, q, status):
             v52 = v50 - -v5 * v49
             v53 = v23 * v49 + v4 * (v17 * T31)
             v54 = v24 * v49 + v5 * (v18 * T31)
-            v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48
-            v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48
-            v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52))
-            v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52))
-            v59 = w3_p * (m3 * v4)
+            v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
+            v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48
+            v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52))
+            v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52))
+            v59 = w3_p * (m4 * v4)
             v68 = math.copysign(half_turn, -v29)
             v69 = math.copysign(half_turn, v29)
-            v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
-            v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
+            v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
+            v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v38 <= m7 or v37 <= m7 or v36
-                <= m7 or v1 <= m1 or v35 <= m7
+                v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1 or
+                abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1406,8 +1405,8 @@ def _in_tiles(T, q, status):
             work[528 + k] = v58
             work[544 + k] = v59 - v11
             work[560 + k] = -(v11 + v59)
-            work[576 + k] = w3_m * (m3 * v5) - v12
-            work[592 + k] = w3_m * (m3 * -v5) - v12
+            work[576 + k] = w3_m * (m4 * v5) - v12
+            work[592 + k] = w3_m * (m4 * -v5) - v12
             work[608 + k] = v7
             work[624 + k] = v8
             work[640 + k] = -v29
@@ -1419,10 +1418,10 @@ def _in_tiles(T, q, status):
             work[736 + k] = math.sqrt(v37)
             work[752 + k] = math.sqrt(v38)
             work[768 + k] = -wx
-            work[784 + k] = v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41
-            work[800 + k] = v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41
-            work[816 + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45))
-            work[832 + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45))
+            work[784 + k] = v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
+            work[800 + k] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
+            work[816 + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
+            work[832 + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
             work[848 + k] = -(v15 + w3_p * v13)
             work[864 + k] = -(v15 + w3_p * v14)
             work[880 + k] = -(v16 + w3_m * v13)

@@ -253,15 +253,15 @@ static const double
     k2 = 0.38325, /* 2 * a3 * a2 [m^2] */
     k3 = 2.84255, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.1268631397825131, /* 1 / (k1^2 + k2^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.0240152378064055e-05,
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.4338633792358526, /* a constant angle [rad] */
-    m1 = 1.0240152378064055e-05, /* doubt_limit1^2 [m^2] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.0240152378064056e-07, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 8.548172985433386e-12,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 0.4566210045662101, m4 = 0.20296803652968054, m5 = 0.3863646734914285,
-m6 = 0.053239226662204715, m7 = 0.023664836251350022, m8 = 0.17173909736694015;
+static const double m4 = 0.4566210045662101, m5 = 0.20296803652968054, m6 = 0.3863646734914285,
+m7 = 0.053239226662204715, m8 = 0.023664836251350022, m9 = 0.17173909736694015;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -405,27 +405,27 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
-        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
-        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), angle2 = atan2_wide(w3_p, N3_p - k3),
+        angle3 = atan2_wide(w3_m, N3_m - k3), q3__pp = angle2 - turn1, v6 = turn1 + angle2,
+        q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2_p = m3 * N3_p - m4, X1_2_m = m3 * N3_m - m4, v8 = v3 * X1_2_p, v9 = v4 * X1_2_m,
-        v10 = m3 * Z1_3, v11 = m3 * -Z1_3, v12 = Z1_3 * X1_2_p, v13 = Z1_3 * X1_2_m,
-        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v14 = w3_p * (m3 * v3),
+    const wide X1_2_p = m4 * N3_p - m5, X1_2_m = m4 * N3_m - m5, v8 = v3 * X1_2_p, v9 = v4 * X1_2_m,
+        v10 = m4 * Z1_3, v11 = m4 * -Z1_3, v12 = Z1_3 * X1_2_p, v13 = Z1_3 * X1_2_m,
+        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v14 = w3_p * (m4 * v3),
         angle4 = atan2_wide(-(v8 + w3_p * v10), v12 - v14),
         angle5 = atan2_wide(-(v8 + w3_p * v11), v12 + v14),
-        angle6 = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4)),
-        angle7 = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
+        angle6 = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m4 * v4)),
+        angle7 = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m4 * -v4));
 
     /* theta4 */
-    const wide v15 = m5 * Z1_3, v16 = m6 + m7 * factor2_p, v17 = m6 + m7 * factor2_m,
-        v18 = m5 + m8 * factor2_p, v19 = m5 + m8 * factor2_m, v20 = Z1_3 * v16 - v3 * v18,
-        v21 = Z1_3 * v17 - v4 * v19, v22 = w3_p * (factor2_p * (v15 + m6 * v3)), c23_pp = v20 + v22,
-        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m6 * v4)), c23_mp = v21 + v23,
-        c23_mm = v21 - v23, v24 = m6 * Z1_3, v25 = v24 - m5 * v3, v26 = v24 - m5 * v4,
+    const wide v15 = m6 * Z1_3, v16 = m7 + m8 * factor2_p, v17 = m7 + m8 * factor2_m,
+        v18 = m6 + m9 * factor2_p, v19 = m6 + m9 * factor2_m, v20 = Z1_3 * v16 - v3 * v18,
+        v21 = Z1_3 * v17 - v4 * v19, v22 = w3_p * (factor2_p * (v15 + m7 * v3)), c23_pp = v20 + v22,
+        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m7 * v4)), c23_mp = v21 + v23,
+        c23_mm = v21 - v23, v24 = m7 * Z1_3, v25 = v24 - m6 * v3, v26 = v24 - m6 * v4,
         v27 = Z1_3 * v18 + v3 * v16, v28 = Z1_3 * v19 + v4 * v17,
         s23_pp = w3_p * (factor2_p * v25) - v27, s23_pm = w3_p * (factor2_p * -v25) - v27,
         s23_mp = w3_m * (factor2_m * v26) - v28, s23_mm = w3_m * (factor2_m * -v26) - v28,
@@ -471,11 +471,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
     const wide_mask v58 = v54 | beyond(angle4, 2), v59 = v55 | beyond(angle5, 2),
         v60 = v56 | beyond(angle6, 2), v61 = v57 | beyond(angle7, 2),
-        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
-            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v35 <= m9) | (v34 <= m9)
-            | (v33 <= m9) | (v1 <= m1) | (v32 <= m9);
+        doubt1 = (v35 <= m10) | (v34 <= m10) | (v33 <= m10) | (v32 <= m10) | (abs_wide(D3_m) <= m3)
+            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], v58 | beyond(angle12, 5));
@@ -525,24 +522,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four X1_2 = m3 * N3 - m4, v6 = v4 * X1_2, v7 = m3 * (e2 * Z1_3), v8 = Z1_3 * X1_2,
+    const four X1_2 = m4 * N3 - m5, v6 = v4 * X1_2, v7 = m4 * (e2 * Z1_3), v8 = Z1_3 * X1_2,
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v9 = m5 * Z1_3;
-    const four v10 = v9 + m6 * v4, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2,
+    const double v9 = m6 * Z1_3;
+    const four v10 = v9 + m7 * v4, v11 = m7 + m8 * factor2, v12 = m6 + m9 * factor2,
         v13 = Z1_3 * v11 - v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
-    const double v14 = m6 * Z1_3;
-    const four v15 = v14 - m5 * v4, v16 = Z1_3 * v12 + v4 * v11,
+    const double v14 = m7 * Z1_3;
+    const four v15 = v14 - m6 * v4, v16 = Z1_3 * v12 + v4 * v11,
         s23 = w3 * (factor2 * (e2 * v15)) - v16;
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = T33 * c23 + e1 * (s23 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v19 = v18 * v18;
     const four v20 = v19 + X4 * X4;
-    const four_mask doubt3 = v20 <= m9;
+    const four_mask doubt3 = v20 <= m10;
     const four v21 = signed_four(half_turn, -(e1 * v18));
 
     /* theta6 */
@@ -550,13 +548,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v26 = e1 * (X4 * v24 - v18 * (c23 * T31 + e1 * (s23 * v25)));
 
-    /* joint values */
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-t14), 0, 5, 2, 3)),
-        ratio2 = ratio_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4))),
+        ratio2 = ratio_four(-(v6 + w3 * v7), v8 - w3 * (m4 * (e2 * v4))),
         ratio3 = ratio_four(-(e1 * v18), -X4),
         ratio4 = ratio_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 * v23)))),
         ratio5 = ratio_four(sqrt_four(v20), e1 * (c23 * v17) - T33 * s23);

@@ -121,7 +121,6 @@ k1 = 2.7813  # 2 * d4 * a2 [m^2]
 k2 = 0.38325  # 2 * a3 * a2 [m^2]
 k3 = 2.84255  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.1268631397825131  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.0240152378064055e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4338633792358526  # a constant angle [rad]
 low2 = -1.5707963277948966
@@ -130,14 +129,15 @@ low3 = -3.141592654589793
 high3 = 1.3089969399957473
 low5 = -2.181661565992912
 high5 = 2.0943951033931953
-m1 = 1.0240152378064055e-05  # doubt_limit1^2 [m^2]
-m3 = 0.4566210045662101  # a coefficient of X1_2
-m4 = 0.20296803652968054  # a coefficient of X1_2
-m5 = 0.3863646734914285  # a coefficient of c23
-m6 = 0.053239226662204715  # a coefficient of c23
-m7 = 0.023664836251350022  # a coefficient of c23
-m8 = 0.17173909736694015  # a coefficient of c23
-m9 = 1e-06  # doubt_limit^2
+m1 = 1.0240152378064056e-07  # doubt_limit1^2 [m^2]
+m3 = 8.548172985433386e-12  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 0.4566210045662101  # a coefficient of X1_2
+m5 = 0.20296803652968054  # a coefficient of X1_2
+m6 = 0.3863646734914285  # a coefficient of c23
+m7 = 0.053239226662204715  # a coefficient of c23
+m8 = 0.023664836251350022  # a coefficient of c23
+m9 = 0.17173909736694015  # a coefficient of c23
+m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 141acdf01bb671a5"
+_KEY = "abb_irb4600 1cbfccf6d98e12cb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1020,39 +1020,41 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1[1, 4] and U1[3, 4]
-    X1_2_p = m3 * N3_p - m4
-    X1_2_m = m3 * N3_m - m4
+    X1_2_p = m4 * N3_p - m5
+    X1_2_m = m4 * N3_m - m5
     v8 = v3 * X1_2_p
     v9 = v4 * X1_2_m
-    v10 = m3 * Z1_3
-    v11 = m3 * -Z1_3
+    v10 = m4 * Z1_3
+    v11 = m4 * -Z1_3
     v12 = Z1_3 * X1_2_p
     v13 = Z1_3 * X1_2_m
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    v14 = w3_p * (m3 * v3)
+    v14 = w3_p * (m4 * v3)
 
     # theta4, type 2: U4[2, 3]
-    v15 = m5 * Z1_3
-    v16 = m6 + m7 * factor2_p
-    v17 = m6 + m7 * factor2_m
-    v18 = m5 + m8 * factor2_p
-    v19 = m5 + m8 * factor2_m
+    v15 = m6 * Z1_3
+    v16 = m7 + m8 * factor2_p
+    v17 = m7 + m8 * factor2_m
+    v18 = m6 + m9 * factor2_p
+    v19 = m6 + m9 * factor2_m
     v20 = Z1_3 * v16 - v3 * v18
     v21 = Z1_3 * v17 - v4 * v19
-    v22 = w3_p * (factor2_p * (v15 + m6 * v3))
+    v22 = w3_p * (factor2_p * (v15 + m7 * v3))
     c23_pp = v20 + v22
     c23_pm = v20 - v22
-    v23 = w3_m * (factor2_m * (v15 + m6 * v4))
+    v23 = w3_m * (factor2_m * (v15 + m7 * v4))
     c23_mp = v21 + v23
     c23_mm = v21 - v23
-    v24 = m6 * Z1_3
-    v25 = v24 - m5 * v3
-    v26 = v24 - m5 * v4
+    v24 = m7 * Z1_3
+    v25 = v24 - m6 * v3
+    v26 = v24 - m6 * v4
     v27 = Z1_3 * v18 + v3 * v16
     v28 = Z1_3 * v19 + v4 * v17
     s23_pp = w3_p * (factor2_p * v25) - v27
@@ -1085,10 +1087,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v35 <= m9 or v34 <= m9 or v33 <= m9 or v1 <= m1 or v32 <= m9
+        v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
+        abs(D3_p) <= m3
     )
 
     # angles, side by side
@@ -1116,8 +1116,8 @@ def _regular(pose, q, status):
     room[26] = N3_m - k3
     room[27] = v12 - v14
     room[28] = v12 + v14
-    room[29] = v13 - w3_m * (m3 * v4)
-    room[30] = v13 - w3_m * (m3 * -v4)
+    room[29] = v13 - w3_m * (m4 * v4)
+    room[30] = v13 - w3_m * (m4 * -v4)
     room[31] = -X4_pp
     room[32] = -X4_pm
     room[33] = -X4_mp
@@ -1511,35 +1511,37 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            X1_2_p = m3 * N3_p - m4
-            X1_2_m = m3 * N3_m - m4
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            X1_2_p = m4 * N3_p - m5
+            X1_2_m = m4 * N3_m - m5
             v8 = v3 * X1_2_p
             v9 = v4 * X1_2_m
-            v10 = m3 * Z1_3
-            v11 = m3 * -Z1_3
+            v10 = m4 * Z1_3
+            v11 = m4 * -Z1_3
             v12 = Z1_3 * X1_2_p
             v13 = Z1_3 * X1_2_m
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v14 = w3_p * (m3 * v3)
-            v15 = m5 * Z1_3
-            v16 = m6 + m7 * factor2_p
-            v17 = m6 + m7 * factor2_m
-            v18 = m5 + m8 * factor2_p
-            v19 = m5 + m8 * factor2_m
+            v14 = w3_p * (m4 * v3)
+            v15 = m6 * Z1_3
+            v16 = m7 + m8 * factor2_p
+            v17 = m7 + m8 * factor2_m
+            v18 = m6 + m9 * factor2_p
+            v19 = m6 + m9 * factor2_m
             v20 = Z1_3 * v16 - v3 * v18
             v21 = Z1_3 * v17 - v4 * v19
-            v22 = w3_p * (factor2_p * (v15 + m6 * v3))
+            v22 = w3_p * (factor2_p * (v15 + m7 * v3))
             c23_pp = v20 + v22
             c23_pm = v20 - v22
-            v23 = w3_m * (factor2_m * (v15 + m6 * v4))
+            v23 = w3_m * (factor2_m * (v15 + m7 * v4))
             c23_mp = v21 + v23
             c23_mm = v21 - v23
-            v24 = m6 * Z1_3
-            v25 = v24 - m5 * v3
-            v26 = v24 - m5 * v4
+            v24 = m7 * Z1_3
+            v25 = v24 - m6 * v3
+            v26 = v24 - m6 * v4
             v27 = Z1_3 * v18 + v3 * v16
             v28 = Z1_3 * v19 + v4 * v17
             s23_pp = w3_p * (factor2_p * v25) - v27
@@ -1568,11 +1570,8 @@ def _in_tiles(T, q, status):
             v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
             v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v35 <= m9 or v34 <= m9 or v33
-                <= m9 or v1 <= m1 or v32 <= m9
+                v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1
+                or abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1608,8 +1607,8 @@ def _in_tiles(T, q, status):
             work[768 + k] = N3_m - k3
             work[784 + k] = v12 - v14
             work[800 + k] = v12 + v14
-            work[816 + k] = v13 - w3_m * (m3 * v4)
-            work[832 + k] = v13 - w3_m * (m3 * -v4)
+            work[816 + k] = v13 - w3_m * (m4 * v4)
+            work[832 + k] = v13 - w3_m * (m4 * -v4)
             work[848 + k] = -X4_pp
             work[864 + k] = -X4_pm
             work[880 + k] = -X4_mp

@@ -261,14 +261,15 @@ static const double
     k2 = 0.43, /* 2 * a3 * a2 [m^2] */
     k3 = 3.1332889999999995, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.10938822421589604, /* 1 / (k1^2 + k2^2) [m^-4] */
-    doubt_limit_squared2 = 1.5737089e-05, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.4280947671350148, /* a constant angle [rad] */
-    m1 = 1.5737089e-05, /* doubt_limit1^2 [m^2] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.5737089000000004e-07, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 1.1901855753206896e-11,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 0.46511627906976744, m4 = 0.38234372093023233, m5 = 0.050564706643797946,
-m6 = 0.35193035824083363, m7 = 0.2893004797579363, m8 = 0.04156616088476098;
+static const double m4 = 0.46511627906976744, m5 = 0.38234372093023233, m6 = 0.050564706643797946,
+m7 = 0.35193035824083363, m8 = 0.2893004797579363, m9 = 0.04156616088476098;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -407,26 +408,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
-        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
-        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), angle2 = atan2_wide(w3_p, N3_p - k3),
+        angle3 = atan2_wide(w3_m, N3_m - k3), q3__pp = angle2 - turn1, v6 = turn1 + angle2,
+        q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m3 * N3_p - m4, Y1_2_m = m3 * N3_m - m4, v8 = Z1_3 * -Y1_2_p,
-        v9 = Z1_3 * -Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m, v12 = m3 * Z1_3,
-        v13 = m3 * -Z1_3, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m4 * N3_p - m5, Y1_2_m = m4 * N3_m - m5, v8 = Z1_3 * -Y1_2_p,
+        v9 = Z1_3 * -Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m, v12 = m4 * Z1_3,
+        v13 = m4 * -Z1_3, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3, v15 = v14 - m6 * v3, v16 = v14 - m6 * v4, v17 = m6 + m7 * factor2_p,
-        v18 = m6 + m7 * factor2_m, v19 = m5 + m8 * factor2_p, v20 = m5 + m8 * factor2_m,
+    const wide v14 = m6 * Z1_3, v15 = v14 - m7 * v3, v16 = v14 - m7 * v4, v17 = m7 + m8 * factor2_p,
+        v18 = m7 + m8 * factor2_m, v19 = m6 + m9 * factor2_p, v20 = m6 + m9 * factor2_m,
         v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20,
         c23_pp = w3_p * (factor2_p * v15) - v21, c23_pm = w3_p * (factor2_p * -v15) - v21,
         c23_mp = w3_m * (factor2_m * v16) - v22, c23_mm = w3_m * (factor2_m * -v16) - v22,
-        v23 = m6 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20,
-        v26 = w3_p * (factor2_p * (v23 + m5 * v3)), s23_pp = v24 - v26, s23_pm = v24 + v26,
-        v27 = w3_m * (factor2_m * (v23 + m5 * v4)), s23_mp = v25 - v27, s23_mm = v25 + v27,
+        v23 = m7 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20,
+        v26 = w3_p * (factor2_p * (v23 + m6 * v3)), s23_pp = v24 - v26, s23_pm = v24 + v26,
+        v27 = w3_m * (factor2_m * (v23 + m6 * v4)), s23_mp = v25 - v27, s23_mm = v25 + v27,
         v28 = w1 * (v2 * (T23 * Y1 - T13 * wx)), X4_pp = T33 * s23_pp - c23_pp * v28,
         X4_pm = T33 * s23_pm - c23_pm * v28, X4_mp = T33 * s23_mp + c23_mp * v28,
         X4_mm = T33 * s23_mm + c23_mm * v28, Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v29 = Y4 * Y4,
@@ -448,10 +449,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle11 = atan2_wide(v43, Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36);
 
     /* joint values */
-    const wide v44 = w3_p * (m3 * v3), angle12 = atan2_wide(v8 + v44, -(v10 + w3_p * v12)),
+    const wide v44 = w3_p * (m4 * v3), angle12 = atan2_wide(v8 + v44, -(v10 + w3_p * v12)),
         v45 = angle12 - offset2, angle13 = atan2_wide(v8 - v44, -(v10 + w3_p * v13)),
-        v46 = angle13 - offset2, angle14 = atan2_wide(v9 + w3_m * (m3 * v4), -(v11 + w3_m * v12)),
-        v47 = angle14 - offset2, angle15 = atan2_wide(v9 + w3_m * (m3 * -v4), -(v11 + w3_m * v13)),
+        v46 = angle13 - offset2, angle14 = atan2_wide(v9 + w3_m * (m4 * v4), -(v11 + w3_m * v12)),
+        v47 = angle14 - offset2, angle15 = atan2_wide(v9 + w3_m * (m4 * -v4), -(v11 + w3_m * v13)),
         v48 = angle15 - offset2, q2_ppp = v45 + only_wide(half_turn < v45, -turn),
         q2_pmp = v46 + only_wide(half_turn < v46, -turn),
         q2_mpp = v47 + only_wide(half_turn < v47, -turn),
@@ -485,11 +486,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v71 = v67 | v61 | beyond(q2_ppp, 2), v72 = v68 | v61 | beyond(q2_pmp, 2),
         v73 = v69 | v62 | beyond(q2_mpp, 2), v74 = v70 | v62 | beyond(q2_mmp, 2),
-        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
-            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v33 <= m9) | (v32 <= m9)
-            | (v31 <= m9) | (v1 <= m1) | (v30 <= m9);
+        doubt1 = (v33 <= m10) | (v32 <= m10) | (v31 <= m10) | (v30 <= m10) | (abs_wide(D3_m) <= m3)
+            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
     kind[0] = kind_of(q[0], v71 | beyond(q5_ppp, 5));
@@ -536,24 +534,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four Y1_2 = m3 * N3 - m4, v6 = Z1_3 * -Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3),
+    const four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * -Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v9 = m5 * Z1_3;
-    const four v10 = v9 - m6 * v4, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2,
+    const double v9 = m6 * Z1_3;
+    const four v10 = v9 - m7 * v4, v11 = m7 + m8 * factor2, v12 = m6 + m9 * factor2,
         v13 = Z1_3 * v11 + v4 * v12, c23 = w3 * (factor2 * (e2 * v10)) - v13;
-    const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = v4 * v11 - Z1_3 * v12,
+    const double v14 = m7 * Z1_3;
+    const four v15 = v14 + m6 * v4, v16 = v4 * v11 - Z1_3 * v12,
         s23 = v16 - w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v17);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m9;
+    const four_mask doubt3 = v19 <= m10;
     const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
@@ -561,13 +560,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) + X4 * v24);
 
-    /* joint values */
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = ratio_four(v6 + w3 * (m3 * (e2 * v4)), -(v7 + w3 * v8)),
+        ratio2 = ratio_four(v6 + w3 * (m4 * (e2 * v4)), -(v7 + w3 * v8)),
         ratio3 = ratio_four(v20, -X4),
         ratio4 = ratio_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) + X4 * v22)),
         ratio5 = ratio_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));

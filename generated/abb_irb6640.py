@@ -123,7 +123,6 @@ k1 = 2.9927999999999995  # 2 * d4 * a2 [m^2]
 k2 = 0.43  # 2 * a3 * a2 [m^2]
 k3 = 3.1332889999999995  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.10938822421589604  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.5737089e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4280947671350148  # a constant angle [rad]
 low1 = -2.967000001
@@ -134,14 +133,15 @@ low3 = -3.142000001
 high3 = 1.222000001
 low5 = -2.094000001
 high5 = 2.094000001
-m1 = 1.5737089e-05  # doubt_limit1^2 [m^2]
-m3 = 0.46511627906976744  # a coefficient of Y1_2
-m4 = 0.38234372093023233  # a coefficient of Y1_2
-m5 = 0.050564706643797946  # a coefficient of c23
-m6 = 0.35193035824083363  # a coefficient of c23
-m7 = 0.2893004797579363  # a coefficient of c23
-m8 = 0.04156616088476098  # a coefficient of c23
-m9 = 1e-06  # doubt_limit^2
+m1 = 1.5737089000000004e-07  # doubt_limit1^2 [m^2]
+m3 = 1.1901855753206896e-11  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 0.46511627906976744  # a coefficient of Y1_2
+m5 = 0.38234372093023233  # a coefficient of Y1_2
+m6 = 0.050564706643797946  # a coefficient of c23
+m7 = 0.35193035824083363  # a coefficient of c23
+m8 = 0.2893004797579363  # a coefficient of c23
+m9 = 0.04156616088476098  # a coefficient of c23
+m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -385,7 +385,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 1e6a00bbe2508a5b"
+_KEY = "abb_irb6640 01de92c6272adf24"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1039,42 +1039,44 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    Y1_2_p = m3 * N3_p - m4
-    Y1_2_m = m3 * N3_m - m4
+    Y1_2_p = m4 * N3_p - m5
+    Y1_2_m = m4 * N3_m - m5
     v8 = Z1_3 * -Y1_2_p
     v9 = Z1_3 * -Y1_2_m
     v10 = v3 * Y1_2_p
     v11 = v4 * Y1_2_m
-    v12 = m3 * Z1_3
-    v13 = m3 * -Z1_3
+    v12 = m4 * Z1_3
+    v13 = m4 * -Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v14 = m5 * Z1_3
-    v15 = v14 - m6 * v3
-    v16 = v14 - m6 * v4
-    v17 = m6 + m7 * factor2_p
-    v18 = m6 + m7 * factor2_m
-    v19 = m5 + m8 * factor2_p
-    v20 = m5 + m8 * factor2_m
+    v14 = m6 * Z1_3
+    v15 = v14 - m7 * v3
+    v16 = v14 - m7 * v4
+    v17 = m7 + m8 * factor2_p
+    v18 = m7 + m8 * factor2_m
+    v19 = m6 + m9 * factor2_p
+    v20 = m6 + m9 * factor2_m
     v21 = Z1_3 * v17 + v3 * v19
     v22 = Z1_3 * v18 + v4 * v20
     c23_pp = w3_p * (factor2_p * v15) - v21
     c23_pm = w3_p * (factor2_p * -v15) - v21
     c23_mp = w3_m * (factor2_m * v16) - v22
     c23_mm = w3_m * (factor2_m * -v16) - v22
-    v23 = m6 * Z1_3
+    v23 = m7 * Z1_3
     v24 = v3 * v17 - Z1_3 * v19
     v25 = v4 * v18 - Z1_3 * v20
-    v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+    v26 = w3_p * (factor2_p * (v23 + m6 * v3))
     s23_pp = v24 - v26
     s23_pm = v24 + v26
-    v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+    v27 = w3_m * (factor2_m * (v23 + m6 * v4))
     s23_mp = v25 - v27
     s23_mm = v25 + v27
     v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
@@ -1102,12 +1104,10 @@ def _regular(pose, q, status):
     v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
 
     # joint values
-    v44 = w3_p * (m3 * v3)
+    v44 = w3_p * (m4 * v3)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v33 <= m9 or v32 <= m9 or v31 <= m9 or v1 <= m1 or v30 <= m9
+        v33 <= m10 or v32 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
+        abs(D3_p) <= m3
     )
 
     # angles, side by side
@@ -1124,8 +1124,8 @@ def _regular(pose, q, status):
     room[10] = v43
     room[11] = v8 + v44
     room[12] = v8 - v44
-    room[13] = v9 + w3_m * (m3 * v4)
-    room[14] = v9 + w3_m * (m3 * -v4)
+    room[13] = v9 + w3_m * (m4 * v4)
+    room[14] = v9 + w3_m * (m4 * -v4)
     room[15] = math.sqrt(v30)
     room[16] = math.sqrt(v31)
     room[17] = math.sqrt(v32)
@@ -1559,38 +1559,40 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            Y1_2_p = m3 * N3_p - m4
-            Y1_2_m = m3 * N3_m - m4
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            Y1_2_p = m4 * N3_p - m5
+            Y1_2_m = m4 * N3_m - m5
             v8 = Z1_3 * -Y1_2_p
             v9 = Z1_3 * -Y1_2_m
             v10 = v3 * Y1_2_p
             v11 = v4 * Y1_2_m
-            v12 = m3 * Z1_3
-            v13 = m3 * -Z1_3
+            v12 = m4 * Z1_3
+            v13 = m4 * -Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v14 = m5 * Z1_3
-            v15 = v14 - m6 * v3
-            v16 = v14 - m6 * v4
-            v17 = m6 + m7 * factor2_p
-            v18 = m6 + m7 * factor2_m
-            v19 = m5 + m8 * factor2_p
-            v20 = m5 + m8 * factor2_m
+            v14 = m6 * Z1_3
+            v15 = v14 - m7 * v3
+            v16 = v14 - m7 * v4
+            v17 = m7 + m8 * factor2_p
+            v18 = m7 + m8 * factor2_m
+            v19 = m6 + m9 * factor2_p
+            v20 = m6 + m9 * factor2_m
             v21 = Z1_3 * v17 + v3 * v19
             v22 = Z1_3 * v18 + v4 * v20
             c23_pp = w3_p * (factor2_p * v15) - v21
             c23_pm = w3_p * (factor2_p * -v15) - v21
             c23_mp = w3_m * (factor2_m * v16) - v22
             c23_mm = w3_m * (factor2_m * -v16) - v22
-            v23 = m6 * Z1_3
+            v23 = m7 * Z1_3
             v24 = v3 * v17 - Z1_3 * v19
             v25 = v4 * v18 - Z1_3 * v20
-            v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+            v26 = w3_p * (factor2_p * (v23 + m6 * v3))
             s23_pp = v24 - v26
             s23_pm = v24 + v26
-            v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+            v27 = w3_m * (factor2_m * (v23 + m6 * v4))
             s23_mp = v25 - v27
             s23_mm = v25 + v27
             v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
@@ -1614,13 +1616,10 @@ def _in_tiles(T, q, status):
             v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38
             v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38
             v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
-            v44 = w3_p * (m3 * v3)
+            v44 = w3_p * (m4 * v3)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v33 <= m9 or v32 <= m9 or v31
-                <= m9 or v1 <= m1 or v30 <= m9
+                v33 <= m10 or v32 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1
+                or abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1645,8 +1644,8 @@ def _in_tiles(T, q, status):
             work[592 + k] = v43
             work[608 + k] = v8 + v44
             work[624 + k] = v8 - v44
-            work[640 + k] = v9 + w3_m * (m3 * v4)
-            work[656 + k] = v9 + w3_m * (m3 * -v4)
+            work[640 + k] = v9 + w3_m * (m4 * v4)
+            work[656 + k] = v9 + w3_m * (m4 * -v4)
             work[672 + k] = math.sqrt(v30)
             work[688 + k] = math.sqrt(v31)
             work[704 + k] = math.sqrt(v32)

@@ -259,8 +259,8 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 0.024, /* a pose may be rounded by this [mm] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m4 = 33.1776, /* doubt_limit_squared2^2 [mm^4] */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m4 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
     m5 = 0.000576, /* pose_slack1^2 [mm^2] */
     m6 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */

@@ -101,10 +101,10 @@ free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 330000.0  # a coefficient of v5
 m3 = 600.0  # a coefficient of v5
-m4 = 33.1776  # doubt_limit_squared2^2 [mm^4]
+m4 = 0.003317759999999999  # doubt_limit_squared2^2 [mm^4]
 m5 = 0.000576  # pose_slack1^2 [mm^2]
 m6 = 1.0000000000000002e-10  # pose_slack^2
 
@@ -251,7 +251,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept c33ec35e97248fec"
+_KEY = "adept 470ca642864e2dfc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

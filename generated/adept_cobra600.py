@@ -109,13 +109,13 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
-doubt_limit_squared2 = 9.74169e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 1.5384615384615385  # a coefficient of S1
-m3 = 0.04615384615384612  # a coefficient of S1
-m4 = 9.74169e-11  # pose_slack1^2 [m^2]
-m5 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 4.23497348300968e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m3 = 1.5384615384615385  # a coefficient of S1
+m4 = 0.04615384615384612  # a coefficient of S1
+m5 = 9.74169e-11  # pose_slack1^2 [m^2]
+m6 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -265,7 +265,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 e26a0604d3d68cfe"
+_KEY = "adept_cobra600 0e223f7020ce9bcc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -643,14 +643,15 @@ def _regular(pose, q, status):
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m3 + m2 * N2
+    v3 = m4 + m3 * N2
     v4 = T24 * v3
     v5 = T14 * v3
-    v6 = w2 * (m2 * T14)
-    v7 = w2 * (m2 * T24)
+    v6 = w2 * (m3 * T14)
+    v7 = w2 * (m3 * T24)
 
     # is the pose one that the arm can take?
     v8 = T34 - (d1 - r3)
@@ -661,9 +662,8 @@ def _regular(pose, q, status):
     # joint values
     q3_p = r3 + (w2 - w2)
     doubt1 = (
-        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m5 < T13 * T13 + (v11 * v11 +
-        (v10 * v10 + (T23 * T23 + (v9 * v9 + T31 * T31)))) or m4 < v8 * v8
+        abs(D2) <= m2 or v1 <= m1 or m6 < T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (v9 *
+        v9 + T31 * T31)))) or m5 < v8 * v8
     )
 
     # angles, side by side
@@ -938,21 +938,21 @@ def _in_tiles(T, q, status):
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
             N2 = T14 * T14 + T24 * T24
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            v3 = m3 + m2 * N2
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
+            v3 = m4 + m3 * N2
             v4 = T24 * v3
             v5 = T14 * v3
-            v6 = w2 * (m2 * T14)
-            v7 = w2 * (m2 * T24)
+            v6 = w2 * (m3 * T14)
+            v7 = w2 * (m3 * T24)
             v8 = T34 - (d1 - r3)
             v9 = 1.0 + T33
             v10 = T21 - T21 * v2
             v11 = T11 - T11 * v2
             q3_p = r3 + (w2 - w2)
             doubt1 = (
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m5 < T13 * T13 +
-                (v11 * v11 + (v10 * v10 + (T23 * T23 + (v9 * v9 + T31 * T31)))) or m4 < v8 * v8
+                abs(D2) <= m2 or v1 <= m1 or m6 < T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 +
+                (v9 * v9 + T31 * T31)))) or m5 < v8 * v8
             )
             work[272 + k] = q3_p
             work[288 + k] = doubt1

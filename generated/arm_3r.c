@@ -229,10 +229,12 @@ static const double
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
     k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.3225e-06, /* doubt_limit1^2 [m^2] */
-    m5 = 1.749006249999999e-12; /* doubt_limit_squared2^2 [m^4] */
+    m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 9.661604849500939e-14,
+    m6 = 1.749006249999999e-16; /* doubt_limit_squared2^2 [m^4] */
 /* coefficients */
-static const double m3 = 1.2499999999999998, m4 = 0.04687500000000003;
+static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -297,21 +299,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide v1 = T14 * T14 + T24 * T24, w1 = sqrt_wide(v1), angle1 = atan2_wide(-T24, -T14);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v2 = w3 - w3,
-        angle2 = atan2_wide(-(k1 * (N3 - k2)), k1 * w3),
+    const wide Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt_wide(D3), v2 = w3 - w3, angle2 = atan2_wide(-(k1 * (N3 - k2)), k1 * w3),
         q3_pm = signed_wide(half_turn, -(k1 * (N3 - k2))) - angle2;
 
     /* theta2 */
-    const wide v3 = m4 + m3 * N3, v4 = Z1_3 * v3, v5 = w3 * (m3 * w1), S2_pp = v5 - v4,
-        v6 = v4 + v5, v7 = w3 * (m3 * Z1_3), v8 = w3 * (m3 * -Z1_3), v9 = w1 * v3, v10 = v7 + v9,
+    const wide v3 = m5 + m4 * N3, v4 = Z1_3 * v3, v5 = w3 * (m4 * w1), S2_pp = v5 - v4,
+        v6 = v4 + v5, v7 = w3 * (m4 * Z1_3), v8 = w3 * (m4 * -Z1_3), v9 = w1 * v3, v10 = v7 + v9,
         v11 = v8 + v9, v12 = v7 - v9, v13 = v8 - v9, v14 = S2_pp * S2_pp, v15 = v6 * v6;
 
     /* joint values */
     const wide q1_pp = angle1 + v2, q1_mp = v2 + (angle1 - signed_wide(half_turn, -T24));
-    const wide_mask doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (v1 <= m1) | (v14 + v13 * v13 <= m5) | (v15 + v12 *
-        v12 <= m5) | (v14 + v10 * v10 <= m5) | (v15 + v11 * v11 <= m5);
+    const wide_mask doubt1 = (abs_wide(D3) <= m3) | (v1 <= m1) | (v14 + v13 * v13 <= m6) | (v15 +
+        v12 * v12 <= m6) | (v14 + v10 * v10 <= m6) | (v15 + v11 * v11 <= m6);
 
     q[0] = q1_pp; q[1] = atan2_wide(S2_pp, -v10); q[2] = angle2;
     kind[0] = kind_of(q[0], 0);
@@ -341,19 +341,17 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), v2 = copysign(half_turn, -T24);
 
     /* theta3 */
-    const double Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3,
-        v4 = copysign(half_turn, -(k1 * (N3 - k2)));
+    const double Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt(D3), v3 = w3 - w3, v4 = copysign(half_turn, -(k1 * (N3 - k2)));
 
     /* theta2 */
-    const double v5 = m4 + m3 * N3, v6 = Z1_3 * v5;
-    const four S2 = w3 * (m3 * (w1 * (e1 * e2))) - v6, v7 = w3 * (m3 * (e2 * Z1_3)),
+    const double v5 = m5 + m4 * N3, v6 = Z1_3 * v5;
+    const four S2 = w3 * (m4 * (w1 * (e1 * e2))) - v6, v7 = w3 * (m4 * (e2 * Z1_3)),
         v8 = w1 * (e1 * v5), v9 = v7 + v8;
-    const four_mask doubt2 = S2 * S2 + v9 * v9 <= m5;
+    const four_mask doubt2 = S2 * S2 + v9 * v9 <= m6;
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3);
 
     const four_ratio ratio1 = ratio_four((four){ -T24, -(k1 * (N3 - k2)), -T24, -T24 }, (four){
         -T14, k1 * w3, -T14, -T14 }), ratio2 = ratio_four(S2, -v9);

@@ -109,10 +109,11 @@ k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.3225e-06  # doubt_limit1^2 [m^2]
-m3 = 1.2499999999999998  # a coefficient of S2
-m4 = 0.04687500000000003  # a coefficient of S2
-m5 = 1.749006249999999e-12  # doubt_limit_squared2^2 [m^4]
+m1 = 1.3224999999999998e-08  # doubt_limit1^2 [m^2]
+m3 = 9.661604849500939e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 1.2499999999999998  # a coefficient of S2
+m5 = 0.04687500000000003  # a coefficient of S2
+m6 = 1.749006249999999e-16  # doubt_limit_squared2^2 [m^4]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -274,7 +275,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r 9a551673af746859"
+_KEY = "arm_3r 3e6270f1bea6f0b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -596,17 +597,18 @@ def _regular(pose, q, status):
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     N3 = v1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v2 = w3 - w3
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v3 = m4 + m3 * N3
+    v3 = m5 + m4 * N3
     v4 = Z1_3 * v3
-    v5 = w3 * (m3 * w1)
+    v5 = w3 * (m4 * w1)
     S2_pp = v5 - v4
     v6 = v4 + v5
-    v7 = w3 * (m3 * Z1_3)
-    v8 = w3 * (m3 * -Z1_3)
+    v7 = w3 * (m4 * Z1_3)
+    v8 = w3 * (m4 * -Z1_3)
     v9 = w1 * v3
     v10 = v7 + v9
     v11 = v8 + v9
@@ -617,9 +619,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or v1 <= m1 or v14 + v13 * v13 <= m5 or v15 + v12 * v12 <= m5 or v14 + v10
-        * v10 <= m5 or v15 + v11 * v11 <= m5
+        abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or v14 + v10 *
+        v10 <= m6 or v15 + v11 * v11 <= m6
     )
 
     # angles, side by side
@@ -889,15 +890,16 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(v1)
             Z1_3 = T34 - d1
             N3 = v1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v2 = w3 - w3
-            v3 = m4 + m3 * N3
+            v3 = m5 + m4 * N3
             v4 = Z1_3 * v3
-            v5 = w3 * (m3 * w1)
+            v5 = w3 * (m4 * w1)
             S2_pp = v5 - v4
             v6 = v4 + v5
-            v7 = w3 * (m3 * Z1_3)
-            v8 = w3 * (m3 * -Z1_3)
+            v7 = w3 * (m4 * Z1_3)
+            v8 = w3 * (m4 * -Z1_3)
             v9 = w1 * v3
             v10 = v7 + v9
             v11 = v8 + v9
@@ -906,9 +908,8 @@ def _in_tiles(T, q, status):
             v14 = S2_pp * S2_pp
             v15 = v6 * v6
             doubt1 = (
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or v1 <= m1 or v14 + v13 * v13 <= m5 or v15 + v12 * v12 <= m5 or
-                v14 + v10 * v10 <= m5 or v15 + v11 * v11 <= m5
+                abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or v14 +
+                v10 * v10 <= m6 or v15 + v11 * v11 <= m6
             )
             work[272 + k] = N3
             work[288 + k] = v2

@@ -250,11 +250,13 @@ static const double
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
     k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.5625e-06, /* doubt_limit1^2 [m^2] */
-    m5 = 2.4414062499999996e-12, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.5625e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 1.0500933456118097e-13,
+    m6 = 2.44140625e-16, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 1.2499999999999998, m4 = 0.04687500000000003;
+static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -371,15 +373,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = k1 * (N3 - k2),
-        v5 = k3 * v4, v6 = k1 * w3, c3 = k3 * v6, angle2 = atan2_wide(-v4, v6),
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v3 = w3 - w3,
+        v4 = k1 * (N3 - k2), v5 = k3 * v4, v6 = k1 * w3, c3 = k3 * v6, angle2 = atan2_wide(-v4, v6),
         q3_pmp = signed_wide(half_turn, -v4) - angle2;
 
     /* theta2 */
     const wide v7 = d4 * c3, Y1_2 = a2 + d4 * v5, v8 = Z1_3 * Y1_2, v9 = w1 * v7, v10 = v9 - v8,
-        v11 = v8 + v9, v12 = m4 + m3 * N3, v13 = Z1_3 * v12, v14 = w3 * (m3 * w1),
+        v11 = v8 + v9, v12 = m5 + m4 * N3, v13 = Z1_3 * v12, v14 = w3 * (m4 * w1),
         S2_pp = v14 - v13, v15 = v13 + v14, v16 = w1 * Y1_2, v17 = Z1_3 * v7, v18 = v16 + v17,
-        v19 = v16 - v17, v20 = w3 * (m3 * Z1_3), v21 = w3 * (m3 * -Z1_3), v22 = w1 * v12,
+        v19 = v16 - v17, v20 = w3 * (m4 * Z1_3), v21 = w3 * (m4 * -Z1_3), v22 = w1 * v12,
         v23 = v20 + v22, v24 = v21 + v22, v25 = v20 - v22, v26 = v21 - v22, v27 = S2_pp * S2_pp,
         v28 = v27 + v23 * v23, v29 = v15 * v15, v30 = v29 + v24 * v24, v31 = v29 + v25 * v25,
         v32 = v27 + v26 * v26, w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30),
@@ -422,9 +424,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide q1_ppp = angle1 + v3, q1_mpp = v3 + (angle1 - signed_wide(half_turn, Y1));
-    const wide_mask doubt1 = (v48 <= m6) | (v32 <= m5) | (v47 <= m6) | (v31 <= m5) | (v46 <= m6) |
-        (v30 <= m5) | (v45 <= m6) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v28 <= m5);
+    const wide_mask doubt1 = (v48 <= m7) | (v32 <= m6) | (v47 <= m7) | (v31 <= m6) | (v46 <= m7) |
+        (v30 <= m6) | (v45 <= m7) | (v1 <= m1) | (abs_wide(D3) <= m3) | (v28 <= m6);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -471,16 +472,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k1 * (N3 - k2),
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k1 * (N3 - k2),
         v6 = k3 * v5, v7 = k1 * w3, c3 = k3 * v7, v8 = copysign(half_turn, -v5);
 
     /* theta2 */
     const double v9 = d4 * c3, Y1_2 = a2 + d4 * v6, v10 = Z1_3 * Y1_2, v11 = w1 * v9;
     const four v12 = e1 * e2, v13 = v11 * v12 - v10;
-    const double v14 = m4 + m3 * N3, v15 = Z1_3 * v14;
-    const four S2 = w3 * (m3 * (w1 * v12)) - v15;
+    const double v14 = m5 + m4 * N3, v15 = Z1_3 * v14;
+    const four S2 = w3 * (m4 * (w1 * v12)) - v15;
     const double v16 = w1 * Y1_2, v17 = Z1_3 * v9;
-    const four v18 = e2 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m3 * (e2 * Z1_3)),
+    const four v18 = e2 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m4 * (e2 * Z1_3)),
         v22 = w1 * (e1 * v14), v23 = v21 + v22, v24 = S2 * S2 + v23 * v23, w2 = sqrt_four(v24),
         v25 = 1.0 / v24;
 
@@ -498,9 +499,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt2 = (v24 <= m5) | (v29 <= m6);
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3);
+    const four_mask doubt2 = (v24 <= m6) | (v29 <= m7);
 
     const four_ratio ratio1 = ratio_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx }),
         ratio2 = ratio_four(S2, -v23), ratio3 = ratio_four(v30, -X4),

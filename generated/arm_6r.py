@@ -118,11 +118,12 @@ k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.5625e-06  # doubt_limit1^2 [m^2]
-m3 = 1.2499999999999998  # a coefficient of S2
-m4 = 0.04687500000000003  # a coefficient of S2
-m5 = 2.4414062499999996e-12  # doubt_limit_squared2^2 [m^4]
-m6 = 1e-06  # doubt_limit^2
+m1 = 1.5625e-08  # doubt_limit1^2 [m^2]
+m3 = 1.0500933456118097e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 1.2499999999999998  # a coefficient of S2
+m5 = 0.04687500000000003  # a coefficient of S2
+m6 = 2.44140625e-16  # doubt_limit_squared2^2 [m^4]
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -350,7 +351,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r f62e023458f8fa77"
+_KEY = "arm_6r 3251e10ef2be0c03"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -757,7 +758,8 @@ def _regular(pose, q, status):
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = v1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v3 = w3 - w3
     v4 = k1 * (N3 - k2)
     v5 = k3 * v4
@@ -771,17 +773,17 @@ def _regular(pose, q, status):
     v9 = w1 * v7
     v10 = v9 - v8
     v11 = v8 + v9
-    v12 = m4 + m3 * N3
+    v12 = m5 + m4 * N3
     v13 = Z1_3 * v12
-    v14 = w3 * (m3 * w1)
+    v14 = w3 * (m4 * w1)
     S2_pp = v14 - v13
     v15 = v13 + v14
     v16 = w1 * Y1_2
     v17 = Z1_3 * v7
     v18 = v16 + v17
     v19 = v16 - v17
-    v20 = w3 * (m3 * Z1_3)
-    v21 = w3 * (m3 * -Z1_3)
+    v20 = w3 * (m4 * Z1_3)
+    v21 = w3 * (m4 * -Z1_3)
     v22 = w1 * v12
     v23 = v20 + v22
     v24 = v21 + v22
@@ -841,9 +843,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v48 <= m6 or v32 <= m5 or v47 <= m6 or v31 <= m5 or v46 <= m6 or v30 <= m5 or v45 <= m6 or
-        v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3
-        and N3 < longest3_apart)) or v28 <= m5
+        v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45 <= m7 or
+        v1 <= m1 or abs(D3) <= m3 or v28 <= m6
     )
 
     # angles, side by side
@@ -1228,7 +1229,8 @@ def _in_tiles(T, q, status):
             v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             N3 = v1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v3 = w3 - w3
             v4 = k1 * (N3 - k2)
             v5 = k3 * v4
@@ -1240,17 +1242,17 @@ def _in_tiles(T, q, status):
             v9 = w1 * v7
             v10 = v9 - v8
             v11 = v8 + v9
-            v12 = m4 + m3 * N3
+            v12 = m5 + m4 * N3
             v13 = Z1_3 * v12
-            v14 = w3 * (m3 * w1)
+            v14 = w3 * (m4 * w1)
             S2_pp = v14 - v13
             v15 = v13 + v14
             v16 = w1 * Y1_2
             v17 = Z1_3 * v7
             v18 = v16 + v17
             v19 = v16 - v17
-            v20 = w3 * (m3 * Z1_3)
-            v21 = w3 * (m3 * -Z1_3)
+            v20 = w3 * (m4 * Z1_3)
+            v21 = w3 * (m4 * -Z1_3)
             v22 = w1 * v12
             v23 = v20 + v22
             v24 = v21 + v22
@@ -1304,9 +1306,8 @@ def _in_tiles(T, q, status):
             v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
             v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53
             doubt1 = (
-                v48 <= m6 or v32 <= m5 or v47 <= m6 or v31 <= m5 or v46 <= m6 or v30 <= m5 or v45 <=
-                m6 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or v28 <= m5
+                v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45 <=
+                m7 or v1 <= m1 or abs(D3) <= m3 or v28 <= m6
             )
             work[272 + k] = Y1
             work[288 + k] = v3

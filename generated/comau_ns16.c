@@ -268,13 +268,15 @@ static const double
     k5 = 0.259, /* 2 * a3 * a2 [m^2] */
     k6 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k7 = 1.204444941425193, /* 1 / (k4^2 + k5^2) [m^-4] */
-    doubt_limit_squared2 = 7.540515999999996e-06, /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.2825771957649381, /* a constant angle [rad] */
-    m7 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 1.3523315824983721e-12,
+    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.7142857142857144, m2 = 0.047427857142857084, m3 = 0.21836586788038748,
-m4 = 0.7365421705803339, m5 = 0.04890566358436353, m6 = 0.01449927526138983;
+static const double m2 = 0.7142857142857144, m3 = 0.047427857142857084, m4 = 0.21836586788038748,
+m5 = 0.7365421705803339, m6 = 0.04890566358436353, m7 = 0.01449927526138983;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -418,22 +420,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34), Z2_3_p = w1 - a1, v3 = a1 + w1, v4 = Z1_3 * Z1_3,
         N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m);
 
     /* theta2 */
-    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m, v5 = Z1_3 * X1_2_p,
-        v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m, v9 = m1 * Z1_3,
+    const wide X1_2_p = m3 + m2 * N3_p, X1_2_m = m3 + m2 * N3_m, v5 = Z1_3 * X1_2_p,
+        v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m, v9 = m2 * Z1_3,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v10 = m3 * Z1_3, v11 = v10 - m4 * Z2_3_p, v12 = m4 - m5 * factor2_p,
-        v13 = m4 - m5 * factor2_m, v14 = m3 - m6 * factor2_p, v15 = m3 - m6 * factor2_m,
+    const wide v10 = m4 * Z1_3, v11 = v10 - m5 * Z2_3_p, v12 = m5 - m6 * factor2_p,
+        v13 = m5 - m6 * factor2_m, v14 = m4 - m7 * factor2_p, v15 = m4 - m7 * factor2_m,
         v16 = Z1_3 * v12 + Z2_3_p * v14, v17 = Z1_3 * v13 - v3 * v15,
         c2m3_pp = v16 + w3_p * (factor2_p * v11), c2m3_pm = v16 + w3_p * (factor2_p * -v11),
-        v18 = w3_m * (factor2_m * (v10 + m4 * v3)), c2m3_mp = v17 + v18, c2m3_mm = v17 - v18,
-        v19 = m4 * Z1_3, v20 = v19 - m3 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12,
-        v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p)),
+        v18 = w3_m * (factor2_m * (v10 + m5 * v3)), c2m3_mp = v17 + v18, c2m3_mm = v17 - v18,
+        v19 = m5 * Z1_3, v20 = v19 - m4 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12,
+        v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m4 * Z2_3_p)),
         s2m3_pp = v21 - v23, s2m3_pm = v21 + v23, s2m3_mp = v22 - w3_m * (factor2_m * v20),
         s2m3_mm = v22 - w3_m * (factor2_m * -v20), v24 = T13 * c1_p - T23 * s1_p,
         v25 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v24,
@@ -453,9 +456,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm;
 
     /* joint values */
-    const wide v40 = w3_p * v9, angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40),
-        v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40),
-        v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9,
+    const wide v40 = w3_p * v9, angle3 = atan2_wide(v5 + w3_p * (m2 * Z2_3_p), v7 - v40),
+        v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m2 * -Z2_3_p), v7 + v40),
+        v42 = angle4 - offset2, v43 = w3_m * (m2 * v3), v44 = w3_m * v9,
         angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
         angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2,
         q2_ppp = v41 + only_wide(half_turn < v41, -turn),
@@ -502,11 +505,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v80 = beyond(q3_pmp, 3) | v77 | beyond(q2_pmp, 2),
         v81 = beyond(q3_mpp, 3) | v78 | beyond(q2_mpp, 2),
         v82 = beyond(q3_mmp, 3) | v78 | beyond(q2_mmp, 2),
-        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
-            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) |
-            (N1 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
+        doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v31 <= m8) | (v30 <=
+            m8) | (v29 <= m8) | (v28 <= m8) | (abs_wide(D3_p) <= m1) | (abs_wide(D3_m) <= m1);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v53 + only_wide(v53 <= -half_turn, turn);
     q[4] = q5_ppp; q[5] = v69 + only_wide(v69 <= -half_turn, turn);
@@ -563,21 +563,22 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const four Z2_3 = e1 * w1 - a1;
     const double v3 = Z1_3 * Z1_3;
-    const four N3 = v3 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m1;
 
     /* theta2 */
-    const four X1_2 = m2 + m1 * N3, v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m1 * (e2 * Z1_3),
+    const four X1_2 = m3 + m2 * N3, v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m2 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v7 = m3 * Z1_3;
-    const four v8 = v7 - m4 * Z2_3, v9 = m4 - m5 * factor2, v10 = m3 - m6 * factor2,
+    const double v7 = m4 * Z1_3;
+    const four v8 = v7 - m5 * Z2_3, v9 = m5 - m6 * factor2, v10 = m4 - m7 * factor2,
         v11 = Z1_3 * v9 + Z2_3 * v10, c2m3 = v11 + w3 * (factor2 * (e2 * v8));
-    const double v12 = m4 * Z1_3;
-    const four v13 = v12 + m3 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9,
+    const double v12 = m5 * Z1_3;
+    const four v13 = v12 + m4 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9,
         s2m3 = v14 - w3 * (factor2 * (e2 * v13)), v15 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v15, Y4 = T23 * c1 + T13 * s1, v16 = Y4 * Y4, v17 = v16 + X4 * X4;
-    const four_mask doubt3 = v17 <= m7;
+    const four_mask doubt3 = v17 <= m8;
 
     /* theta6 */
     const four v18 = c1 * T22 + s1 * T12, v19 = c1 * T12 - s1 * T22, v20 = c1 * T21 + s1 * T11,
@@ -585,12 +586,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v24 = signed_four(half_turn, Y4);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const int doubt1 = (N1 <= doubt_limit_squared2) | ((-k2 <= D1) & (D1 <= k3));
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k6, 0, 5, 2,
-        7)), ratio2 = ratio_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6),
+        7)), ratio2 = ratio_four(v4 + w3 * (m2 * (e2 * Z2_3)), v5 - w3 * v6),
         ratio3 = ratio_four(Y4, -X4),
         ratio4 = ratio_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32)),
         ratio5 = ratio_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);

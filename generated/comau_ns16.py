@@ -129,7 +129,7 @@ k4 = 0.8735999999999999  # 2 * d4 * a2 [m^2]
 k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k7 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
-doubt_limit_squared2 = 7.540515999999996e-06  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 7.540515999999996e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.2825771957649381  # a constant angle [rad]
 low1 = -3.141590001
@@ -140,13 +140,14 @@ low3 = -2.967000001
 high3 = 1.919800001
 low5 = -3.141590001
 high5 = 3.141590001
-m1 = 0.7142857142857144  # a coefficient of X1_2
-m2 = 0.047427857142857084  # a coefficient of X1_2
-m3 = 0.21836586788038748  # a coefficient of c2m3
-m4 = 0.7365421705803339  # a coefficient of c2m3
-m5 = 0.04890566358436353  # a coefficient of c2m3
-m6 = 0.01449927526138983  # a coefficient of c2m3
-m7 = 1e-06  # doubt_limit^2
+m1 = 1.3523315824983721e-12  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 0.7142857142857144  # a coefficient of X1_2
+m3 = 0.047427857142857084  # a coefficient of X1_2
+m4 = 0.21836586788038748  # a coefficient of c2m3
+m5 = 0.7365421705803339  # a coefficient of c2m3
+m6 = 0.04890566358436353  # a coefficient of c2m3
+m7 = 0.01449927526138983  # a coefficient of c2m3
+m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -395,7 +396,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 c0d8a106c78754cd"
+_KEY = "comau_ns16 717166230535d832"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1065,39 +1066,41 @@ def _regular(pose, q, status):
     v4 = Z1_3 * Z1_3
     N3_p = v4 + Z2_3_p * Z2_3_p
     N3_m = v4 + v3 * v3
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2_p = m2 + m1 * N3_p
-    X1_2_m = m2 + m1 * N3_m
+    X1_2_p = m3 + m2 * N3_p
+    X1_2_m = m3 + m2 * N3_m
     v5 = Z1_3 * X1_2_p
     v6 = Z1_3 * X1_2_m
     v7 = Z2_3_p * X1_2_p
     v8 = v3 * X1_2_m
-    v9 = m1 * Z1_3
+    v9 = m2 * Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v10 = m3 * Z1_3
-    v11 = v10 - m4 * Z2_3_p
-    v12 = m4 - m5 * factor2_p
-    v13 = m4 - m5 * factor2_m
-    v14 = m3 - m6 * factor2_p
-    v15 = m3 - m6 * factor2_m
+    v10 = m4 * Z1_3
+    v11 = v10 - m5 * Z2_3_p
+    v12 = m5 - m6 * factor2_p
+    v13 = m5 - m6 * factor2_m
+    v14 = m4 - m7 * factor2_p
+    v15 = m4 - m7 * factor2_m
     v16 = Z1_3 * v12 + Z2_3_p * v14
     v17 = Z1_3 * v13 - v3 * v15
     c2m3_pp = v16 + w3_p * (factor2_p * v11)
     c2m3_pm = v16 + w3_p * (factor2_p * -v11)
-    v18 = w3_m * (factor2_m * (v10 + m4 * v3))
+    v18 = w3_m * (factor2_m * (v10 + m5 * v3))
     c2m3_mp = v17 + v18
     c2m3_mm = v17 - v18
-    v19 = m4 * Z1_3
-    v20 = v19 - m3 * v3
+    v19 = m5 * Z1_3
+    v20 = v19 - m4 * v3
     v21 = Z1_3 * v14 + Z2_3_p * -v12
     v22 = Z1_3 * v15 - v3 * -v13
-    v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
+    v23 = w3_p * (factor2_p * (v19 + m4 * Z2_3_p))
     s2m3_pp = v21 - v23
     s2m3_pm = v21 + v23
     s2m3_mp = v22 - w3_m * (factor2_m * v20)
@@ -1133,23 +1136,20 @@ def _regular(pose, q, status):
 
     # joint values
     v40 = w3_p * v9
-    v43 = w3_m * (m1 * v3)
+    v43 = w3_m * (m2 * v3)
     v44 = w3_m * v9
     v51 = math.copysign(half_turn, Y4_p)
     v52 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v31 <= m7 or v30 <= m7
-        or v28 <= m7 or v29 <= m7
+        (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m8 or v30 <= m8 or v29 <=
+        m8 or v28 <= m8 or abs(D3_p) <= m1 or abs(D3_m) <= m1
     )
 
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
-    room[2] = v5 + w3_p * (m1 * Z2_3_p)
-    room[3] = v5 + w3_p * (m1 * -Z2_3_p)
+    room[2] = v5 + w3_p * (m2 * Z2_3_p)
+    room[3] = v5 + w3_p * (m2 * -Z2_3_p)
     room[4] = v6 - v43
     room[5] = v6 + v43
     room[6] = w3_p
@@ -1607,35 +1607,37 @@ def _in_tiles(T, q, status):
             v4 = Z1_3 * Z1_3
             N3_p = v4 + Z2_3_p * Z2_3_p
             N3_m = v4 + v3 * v3
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            X1_2_p = m2 + m1 * N3_p
-            X1_2_m = m2 + m1 * N3_m
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            X1_2_p = m3 + m2 * N3_p
+            X1_2_m = m3 + m2 * N3_m
             v5 = Z1_3 * X1_2_p
             v6 = Z1_3 * X1_2_m
             v7 = Z2_3_p * X1_2_p
             v8 = v3 * X1_2_m
-            v9 = m1 * Z1_3
+            v9 = m2 * Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v10 = m3 * Z1_3
-            v11 = v10 - m4 * Z2_3_p
-            v12 = m4 - m5 * factor2_p
-            v13 = m4 - m5 * factor2_m
-            v14 = m3 - m6 * factor2_p
-            v15 = m3 - m6 * factor2_m
+            v10 = m4 * Z1_3
+            v11 = v10 - m5 * Z2_3_p
+            v12 = m5 - m6 * factor2_p
+            v13 = m5 - m6 * factor2_m
+            v14 = m4 - m7 * factor2_p
+            v15 = m4 - m7 * factor2_m
             v16 = Z1_3 * v12 + Z2_3_p * v14
             v17 = Z1_3 * v13 - v3 * v15
             c2m3_pp = v16 + w3_p * (factor2_p * v11)
             c2m3_pm = v16 + w3_p * (factor2_p * -v11)
-            v18 = w3_m * (factor2_m * (v10 + m4 * v3))
+            v18 = w3_m * (factor2_m * (v10 + m5 * v3))
             c2m3_mp = v17 + v18
             c2m3_mm = v17 - v18
-            v19 = m4 * Z1_3
-            v20 = v19 - m3 * v3
+            v19 = m5 * Z1_3
+            v20 = v19 - m4 * v3
             v21 = Z1_3 * v14 + Z2_3_p * -v12
             v22 = Z1_3 * v15 - v3 * -v13
-            v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
+            v23 = w3_p * (factor2_p * (v19 + m4 * Z2_3_p))
             s2m3_pp = v21 - v23
             s2m3_pm = v21 + v23
             s2m3_mp = v22 - w3_m * (factor2_m * v20)
@@ -1667,16 +1669,13 @@ def _in_tiles(T, q, status):
             s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp
             s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm
             v40 = w3_p * v9
-            v43 = w3_m * (m1 * v3)
+            v43 = w3_m * (m2 * v3)
             v44 = w3_m * v9
             v51 = math.copysign(half_turn, Y4_p)
             v52 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or abs(D1) <= k2 or N1 <=
-                doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
+                (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m8 or v30 <= m8 or
+                v29 <= m8 or v28 <= m8 or abs(D3_p) <= m1 or abs(D3_m) <= m1
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1689,8 +1688,8 @@ def _in_tiles(T, q, status):
             work[400 + k] = doubt1
             work[416 + k] = s1_p
             work[432 + k] = s1_m
-            work[448 + k] = v5 + w3_p * (m1 * Z2_3_p)
-            work[464 + k] = v5 + w3_p * (m1 * -Z2_3_p)
+            work[448 + k] = v5 + w3_p * (m2 * Z2_3_p)
+            work[464 + k] = v5 + w3_p * (m2 * -Z2_3_p)
             work[480 + k] = v6 - v43
             work[496 + k] = v6 + v43
             work[512 + k] = w3_p

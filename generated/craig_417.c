@@ -244,10 +244,9 @@ static const double
     k7 = 2.8284271247461903, /* sqrt2 * k6 [m] */
     f1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
     g1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
-    doubt_limit_squared = 1e-06, /* square of a length that fixes no angle */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m5 = 8.1e-11, /* doubt_limit_squared2^2 [m^4] */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m5 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
     m7 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
     m8 = 1.0000000000000002e-10, /* pose_slack^2 */
@@ -414,9 +413,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         v86 = only_wide(((v79 <= m6) & (v81 <= m8)) == 0, v84), angle6 = atan2_wide(-v13, c1_p),
         angle7 = atan2_wide(-v14, c1_m);
     const wide_mask doubt1 = (v40 <= m5) | (v29 <= m1) | (v39 <= m5) | (v28 <= m1) | ((m6 < v79) &
-        (v79 <= m7)) | ((m6 < v78) & (v78 <= m7)) | (abs_wide(D1) <= k4) | (N1 <=
-        doubt_limit_squared) | ((m8 < v81) & (v81 <= m9)) | (v16 <= m1) | ((m8 < v80) & (v80 <=
-        m9));
+        (v79 <= m7)) | ((m6 < v78) & (v78 <= m7)) | ((m8 < v81) & (v81 <= m9)) | (abs_wide(D1) <=
+        k4) | (v16 <= m1) | ((m8 < v80) & (v80 <= m9));
 
     q[0] = v85 + angle6; q[1] = angle1 + v85; q[2] = angle2 + v85;
     q[3] = v85 + (v82 + pick_wide(v82 <= -half_turn, all_wide(turn), only_wide(half_turn < v82,
@@ -489,7 +487,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const double v55 = NAN;
     const four v56 = only_four(((v52 <= m6) & (v53 <= m8)) == 0, v55);
-    const int doubt1 = (fabs(D1) <= k4) | (v11 <= m1) | (N1 <= doubt_limit_squared);
+    const int doubt1 = (fabs(D1) <= k4) | (v11 <= m1);
     const four_mask doubt2 = (v29 <= m5) | (v22 <= m1) | ((m8 < v53) & (v53 <= m9)) | ((m6 < v52) &
         (v52 <= m7));
 

@@ -109,13 +109,12 @@ k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * k6 [m]
 f1 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.7071067811865476  # 1 / 2 * sqrt2
-doubt_limit_squared = 1e-06  # square of a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 0.7071067811865476  # a coefficient of v6
 m3 = 0.5  # a coefficient of v12
 m4 = 1.4142135623730951  # a coefficient of v12
-m5 = 8.1e-11  # doubt_limit_squared2^2 [m^4]
+m5 = 8.1e-15  # doubt_limit_squared2^2 [m^4]
 m6 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
 m7 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
 m8 = 1.0000000000000002e-10  # pose_slack^2
@@ -307,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 a693ec682de7ca42"
+_KEY = "craig_417 7183098e25ab7229"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -809,8 +808,8 @@ def _regular(pose, q, status):
     v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v84
     doubt1 = (
         v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v79 and v79 <= m7) or (m6 < v78
-        and v78 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v81 and v81 <= m9) or
-        v16 <= m1 or (m8 < v80 and v80 <= m9)
+        and v78 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or (m8 < v80 and
+        v80 <= m9)
     )
 
     # angles, side by side
@@ -1212,8 +1211,8 @@ def _in_tiles(T, q, status):
             v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v84
             doubt1 = (
                 v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v79 and v79 <= m7) or (m6
-                < v78 and v78 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v81 and
-                v81 <= m9) or v16 <= m1 or (m8 < v80 and v80 <= m9)
+                < v78 and v78 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or
+                (m8 < v80 and v80 <= m9)
             )
             work[272 + k] = v85
             work[288 + k] = v86

@@ -247,7 +247,7 @@ static const double
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 3e-06, /* a pose may be rounded by this [m] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     m2 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
     m3 = 1.0000000000000002e-10; /* pose_slack^2 */
 

@@ -96,7 +96,7 @@ d1 = 0.3  # joint offset 1 [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
-m1 = 1e-12  # doubt_limit_squared^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 9.000000000000001e-12  # pose_slack1^2 [m^2]
 m3 = 1.0000000000000002e-10  # pose_slack^2
 
@@ -226,7 +226,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical 399b0e1385e280ef"
+_KEY = "cylindrical 68fc78bb24c8f94f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -241,8 +241,8 @@ static const double
     free_limit1 = 4e-13, /* a length that fixes no angle [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.6e-07, /* doubt_limit1^2 [m^2] */
-    m3 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.6000000000000003e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

@@ -104,8 +104,8 @@ d6 = 0.1  # joint offset 6 [m]
 free_limit1 = 4e-13  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.6e-07  # doubt_limit1^2 [m^2]
-m3 = 1e-06  # doubt_limit^2
+m1 = 1.6000000000000003e-09  # doubt_limit1^2 [m^2]
+m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -287,7 +287,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist d145350d8248249b"
+_KEY = "cylindrical_wrist f55eb712594434ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

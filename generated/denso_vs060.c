@@ -262,15 +262,15 @@ static const double
     k2 = 0.0061, /* 2 * a3 * a2 [m^2] */
     k3 = 0.18312499999999998, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 29.827409659487312, /* 1 / (k1^2 + k2^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.0608999999999999e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.5374753309166493, /* a constant angle [rad] */
-    m1 = 1.0609000000000003e-06, /* doubt_limit1^2 [m^2] */
-    m8 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.0609000000000003e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m2 = 4.5657508878081205e-14,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 0.18194719892287262, m3 = 0.9995724240825312, m4 = 5.458415967686178,
-m5 = 0.03331908080275105, m6 = 1.639344262295082, m7 = 0.004795081967213119;
+static const double m3 = 0.18194719892287262, m4 = 0.9995724240825312, m5 = 5.458415967686178,
+m6 = 0.03331908080275105, m7 = 1.639344262295082, m8 = 0.004795081967213119;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -409,13 +409,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = m3 - m4 * N3,
-        v5 = m2 * w3, s3_p = v4 + v5, s3_m = v4 - v5, v6 = m2 * N3 - m5, v7 = m4 * w3,
-        c3_p = v6 + v7, c3_m = v6 - v7;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v3 = w3 - w3,
+        v4 = m4 - m5 * N3, v5 = m3 * w3, s3_p = v4 + v5, s3_m = v4 - v5, v6 = m3 * N3 - m6,
+        v7 = m5 * w3, c3_p = v6 + v7, c3_m = v6 - v7;
 
     /* theta2 */
-    const wide X1_2 = m7 + m6 * N3, v8 = Z1_3 * X1_2, v9 = w3 * (m6 * w1), S2_pp = v8 - v9,
-        S2_pm = v8 + v9, v10 = w3 * (m6 * Z1_3), v11 = w3 * (m6 * -Z1_3), v12 = w1 * X1_2,
+    const wide X1_2 = m8 + m7 * N3, v8 = Z1_3 * X1_2, v9 = w3 * (m7 * w1), S2_pp = v8 - v9,
+        S2_pm = v8 + v9, v10 = w3 * (m7 * Z1_3), v11 = w3 * (m7 * -Z1_3), v12 = w1 * X1_2,
         C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12,
         factor2 = 1.0 / N3;
 
@@ -482,9 +482,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
     const wide_mask v54 = v52 | v50 | beyond(q2_ppp, 2), v55 = v53 | v50 | beyond(q2_pmp, 2),
         v56 = v52 | v51 | beyond(q2_mpp, 2), v57 = v53 | v51 | beyond(q2_mmp, 2),
-        doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3
-            < longest3_apart)) == 0)) | (v1 <= m1) | (N3 <= doubt_limit_squared2) | (v23 <= m8) |
-            (v22 <= m8) | (v20 <= m8) | (v21 <= m8);
+        doubt1 = (abs_wide(D3) <= m2) | (v1 <= m1) | (v23 <= m9) | (v22 <= m9) | (v20 <= m9) | (v21
+            <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = angle5;
     kind[0] = kind_of(q[0], v54 | beyond(q5_ppp, 5));
@@ -512,7 +511,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m9 = 0.5; /* 1 / 2 */
+    m10 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -528,14 +527,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = m3 - m4 * N3;
-    const four s3 = v4 + w3 * (m2 * e2);
-    const double v5 = m2 * N3 - m5;
-    const four c3 = v5 + w3 * (m4 * e2);
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v3 = w3 - w3, v4 = m4 - m5 * N3;
+    const four s3 = v4 + w3 * (m3 * e2);
+    const double v5 = m3 * N3 - m6;
+    const four c3 = v5 + w3 * (m5 * e2);
 
     /* theta2 */
-    const double X1_2 = m7 + m6 * N3, v6 = Z1_3 * X1_2;
-    const four S2 = v6 - w3 * (m6 * (w1 * (e1 * e2))), v7 = w3 * (m6 * (e2 * Z1_3)),
+    const double X1_2 = m8 + m7 * N3, v6 = Z1_3 * X1_2;
+    const four S2 = v6 - w3 * (m7 * (w1 * (e1 * e2))), v7 = w3 * (m7 * (e2 * Z1_3)),
         v8 = w1 * (e1 * X1_2), C2 = v7 + v8;
     const double factor2 = 1.0 / N3;
 
@@ -545,7 +544,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c4 = T33 * s23 + e1 * (c23 * v9);
     const double v10 = w1 * (v2 * (T13 * wy + X1 * T23)), v11 = v10 * v10;
     const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m8;
+    const four_mask doubt2 = v13 <= m9;
     const four v14 = signed_four(half_turn, -(e1 * v10));
 
     /* theta6 */
@@ -555,8 +554,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v20 = copysign(half_turn, wy);
-    const int doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3)
-        & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2) | (v1 <= m1);
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
 
     const four_ratio ratio1 = ratio_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1
         }), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-(e1 * v10), v12),
@@ -566,7 +564,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle2 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_m = angle1 - v14, q6_m = angle2 - signed_four(half_turn, v19),
-        v21 = angle3 + v20 * (m9 * (e1 - 1.0)) - offset1,
+        v21 = angle3 + v20 * (m10 * (e1 - 1.0)) - offset1,
         q1_ = v21 + only_four(v21 <= -half_turn, turn), v22 = angle4 - offset2,
         q2_p = v22 + only_four(v22 <= -half_turn, turn), v23 = e2 * angle5 - turn1 - offset3,
         q3_p = v23 + only_four(half_turn < v23, -turn), v24 = angle6 - offset5,

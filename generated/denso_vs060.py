@@ -124,7 +124,6 @@ k1 = 0.183  # 2 * d4 * a2 [m^2]
 k2 = 0.0061  # 2 * a3 * a2 [m^2]
 k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.0608999999999999e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5374753309166493  # a constant angle [rad]
 low1 = -2.967060001
@@ -135,14 +134,15 @@ low3 = -2.1816620010000003
 high3 = 2.705260001
 low5 = -2.094395001
 high5 = 2.094395001
-m1 = 1.0609000000000003e-06  # doubt_limit1^2 [m^2]
-m2 = 0.18194719892287262  # a coefficient of s3
-m3 = 0.9995724240825312  # a coefficient of s3
-m4 = 5.458415967686178  # a coefficient of s3
-m5 = 0.03331908080275105  # a coefficient of c3
-m6 = 1.639344262295082  # a coefficient of X1_2
-m7 = 0.004795081967213119  # a coefficient of X1_2
-m8 = 1e-06  # doubt_limit^2
+m1 = 1.0609000000000003e-08  # doubt_limit1^2 [m^2]
+m2 = 4.5657508878081205e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m3 = 0.18194719892287262  # a coefficient of s3
+m4 = 0.9995724240825312  # a coefficient of s3
+m5 = 5.458415967686178  # a coefficient of s3
+m6 = 0.03331908080275105  # a coefficient of c3
+m7 = 1.639344262295082  # a coefficient of X1_2
+m8 = 0.004795081967213119  # a coefficient of X1_2
+m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 a13ba73d8a6e2300"
+_KEY = "denso_vs060 96cede677a5f9718"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1041,25 +1041,26 @@ def _regular(pose, q, status):
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = v1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v3 = w3 - w3
-    v4 = m3 - m4 * N3
-    v5 = m2 * w3
+    v4 = m4 - m5 * N3
+    v5 = m3 * w3
     s3_p = v4 + v5
     s3_m = v4 - v5
-    v6 = m2 * N3 - m5
-    v7 = m4 * w3
+    v6 = m3 * N3 - m6
+    v7 = m5 * w3
     c3_p = v6 + v7
     c3_m = v6 - v7
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2 = m7 + m6 * N3
+    X1_2 = m8 + m7 * N3
     v8 = Z1_3 * X1_2
-    v9 = w3 * (m6 * w1)
+    v9 = w3 * (m7 * w1)
     S2_pp = v8 - v9
     S2_pm = v8 + v9
-    v10 = w3 * (m6 * Z1_3)
-    v11 = w3 * (m6 * -Z1_3)
+    v10 = w3 * (m7 * Z1_3)
+    v11 = w3 * (m7 * -Z1_3)
     v12 = w1 * X1_2
     C2_pp = v10 + v12
     C2_pm = v11 + v12
@@ -1105,11 +1106,7 @@ def _regular(pose, q, status):
     v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
 
     # joint values
-    doubt1 = (
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v23 <= m8 or v22 <= m8 or v20
-        <= m8 or v21 <= m8
-    )
+    doubt1 = abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
 
     # angles, side by side
     room[0] = -v14
@@ -1538,23 +1535,24 @@ def _in_tiles(T, q, status):
             v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             N3 = v1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v3 = w3 - w3
-            v4 = m3 - m4 * N3
-            v5 = m2 * w3
+            v4 = m4 - m5 * N3
+            v5 = m3 * w3
             s3_p = v4 + v5
             s3_m = v4 - v5
-            v6 = m2 * N3 - m5
-            v7 = m4 * w3
+            v6 = m3 * N3 - m6
+            v7 = m5 * w3
             c3_p = v6 + v7
             c3_m = v6 - v7
-            X1_2 = m7 + m6 * N3
+            X1_2 = m8 + m7 * N3
             v8 = Z1_3 * X1_2
-            v9 = w3 * (m6 * w1)
+            v9 = w3 * (m7 * w1)
             S2_pp = v8 - v9
             S2_pm = v8 + v9
-            v10 = w3 * (m6 * Z1_3)
-            v11 = w3 * (m6 * -Z1_3)
+            v10 = w3 * (m7 * Z1_3)
+            v11 = w3 * (m7 * -Z1_3)
             v12 = w1 * X1_2
             C2_pp = v10 + v12
             C2_pm = v11 + v12
@@ -1594,11 +1592,7 @@ def _in_tiles(T, q, status):
             v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
             v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
             v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
-            doubt1 = (
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v23 <= m8 or v22 <=
-                m8 or v20 <= m8 or v21 <= m8
-            )
+            doubt1 = abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
             work[272 + k] = wy
             work[288 + k] = v3
             work[304 + k] = v24

@@ -263,13 +263,13 @@ static const double
     k4 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
     k5 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
     k6 = 2.081291995206794, /* 1 / (k4^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 2.2111690000000003e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m3 = 4.889268346561001e-12, /* doubt_limit_squared2^2 [m^4] */
-    m4 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 4.863633051856008e-13,
+    m4 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.8064516129032259, m2 = 0.057999193548387;
+static const double m2 = 0.8064516129032259, m3 = 0.057999193548387;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -389,15 +389,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3, v7 = k4 * (N3 - k5),
-        s3 = k6 * v7, v8 = k4 * w3, v9 = k6 * v8;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v6 = w3 - w3,
+        v7 = k4 * (N3 - k5), s3 = k6 * v7, v8 = k4 * w3, v9 = k6 * v8;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3, Y1_2 = d4 * v9, v10 = Z1_3 * X1_2, v11 = w1 * Y1_2,
-        v12 = v10 - v11, v13 = v10 + v11, v14 = m2 + m1 * N3, v15 = Z1_3 * v14,
-        v16 = w3 * (m1 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
-        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m1 * Z1_3),
-        v22 = w3 * (m1 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
+        v12 = v10 - v11, v13 = v10 + v11, v14 = m3 + m2 * N3, v15 = Z1_3 * v14,
+        v16 = w3 * (m2 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
+        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m2 * Z1_3),
+        v22 = w3 * (m2 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
         C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
         v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
         v29 = v24 + C2_mm * C2_mm, w2_pp = sqrt_wide(v25), w2_pm = sqrt_wide(v27),
@@ -456,10 +456,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19,
         q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, turn)),
         q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, turn));
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v49 <= m4) |
-        (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) | (v27 <= m3) | (v46 <= m4) |
-        ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v25 <= m3);
+    const wide_mask doubt1 = (v49 <= m5) | (v29 <= m4) | (v48 <= m5) | (v28 <= m4) | (v47 <= m5) |
+        (v27 <= m4) | (v46 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1) | (v25 <= m4);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v66 + only_wide(v66 <= -half_turn, turn);
     q[4] = v74 + only_wide(v74 <= -half_turn, turn); q[5] = angle1;
@@ -501,7 +499,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m5 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -520,16 +518,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v5 = w3 - w3, v6 = k4 * (N3 - k5),
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k4 * (N3 - k5),
         s3 = k6 * v6, v7 = k4 * w3, v8 = k6 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
     const four v11 = e1 * e2, v12 = v9 - v10 * v11;
-    const double v13 = m2 + m1 * N3, v14 = Z1_3 * v13;
-    const four S2 = v14 - w3 * (m1 * (w1 * v11));
+    const double v13 = m3 + m2 * N3, v14 = Z1_3 * v13;
+    const four S2 = v14 - w3 * (m2 * (w1 * v11));
     const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
-    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m1 * (e2 * Z1_3)),
+    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m2 * (e2 * Z1_3)),
         v21 = w1 * (e1 * v13), C2 = v20 + v21, v22 = S2 * S2 + C2 * C2, w2 = sqrt_four(v22),
         v23 = 1.0 / v22;
 
@@ -545,9 +543,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v34 = copysign(half_turn, v6);
     const four v36 = signed_four(half_turn, Y4);
-    const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
-    const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
+    const four_mask doubt2 = (v22 <= m4) | (v28 <= m5);
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(v6), 0, 5, 2, 3), shuffle(-v3,
         all_four(-v7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(Y4, -X4),
@@ -558,7 +555,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = angle_four(ratio3), angle1 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
         q2_p = v33 + only_four(v33 <= -half_turn, turn),
-        v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
+        v35 = e2 * angle3 + v34 * (m6 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
         v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, turn),
         q4_m = v38 + only_four(v38 <= -half_turn, turn), v39 = angle5 - offset5,
         v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, turn),

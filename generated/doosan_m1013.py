@@ -125,12 +125,12 @@ k3 = 1.0260300000002213e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
 k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k6 = 2.081291995206794  # 1 / (k4^2) [m^-4]
-doubt_limit_squared2 = 2.2111690000000003e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 0.8064516129032259  # a coefficient of S2
-m2 = 0.057999193548387  # a coefficient of S2
-m3 = 4.889268346561001e-12  # doubt_limit_squared2^2 [m^4]
-m4 = 1e-06  # doubt_limit^2
+m1 = 4.863633051856008e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 0.8064516129032259  # a coefficient of S2
+m3 = 0.057999193548387  # a coefficient of S2
+m4 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
+m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -372,7 +372,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 fe01a00c0394602a"
+_KEY = "doosan_m1013 b7b1de08c57f5103"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -804,7 +804,8 @@ def _regular(pose, q, status):
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = D1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v6 = w3 - w3
     v7 = k4 * (N3 - k5)
     s3 = k6 * v7
@@ -818,17 +819,17 @@ def _regular(pose, q, status):
     v11 = w1 * Y1_2
     v12 = v10 - v11
     v13 = v10 + v11
-    v14 = m2 + m1 * N3
+    v14 = m3 + m2 * N3
     v15 = Z1_3 * v14
-    v16 = w3 * (m1 * w1)
+    v16 = w3 * (m2 * w1)
     S2_pp = v15 - v16
     S2_pm = v15 + v16
     v17 = w1 * X1_2
     v18 = Z1_3 * Y1_2
     v19 = v17 + v18
     v20 = v17 - v18
-    v21 = w3 * (m1 * Z1_3)
-    v22 = w3 * (m1 * -Z1_3)
+    v21 = w3 * (m2 * Z1_3)
+    v22 = w3 * (m2 * -Z1_3)
     v23 = w1 * v14
     C2_pp = v21 + v23
     C2_pm = v22 + v23
@@ -895,9 +896,8 @@ def _regular(pose, q, status):
     v64 = math.copysign(half_turn, Y4_p)
     v65 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <=
-        m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach
-        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <= m3
+        v49 <= m5 or v29 <= m4 or v48 <= m5 or v28 <= m4 or v47 <= m5 or v27 <= m4 or v46 <= m5 or
+        abs(D1) <= k2 or abs(D3) <= m1 or v25 <= m4
     )
 
     # angles, side by side
@@ -1328,7 +1328,8 @@ def _in_tiles(T, q, status):
             s1_m = w1 * (inverse1 * -wy) - v5
             Z1_3 = T34 - d6 * T33 - d1
             N3 = D1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v6 = w3 - w3
             v7 = k4 * (N3 - k5)
             s3 = k6 * v7
@@ -1340,17 +1341,17 @@ def _in_tiles(T, q, status):
             v11 = w1 * Y1_2
             v12 = v10 - v11
             v13 = v10 + v11
-            v14 = m2 + m1 * N3
+            v14 = m3 + m2 * N3
             v15 = Z1_3 * v14
-            v16 = w3 * (m1 * w1)
+            v16 = w3 * (m2 * w1)
             S2_pp = v15 - v16
             S2_pm = v15 + v16
             v17 = w1 * X1_2
             v18 = Z1_3 * Y1_2
             v19 = v17 + v18
             v20 = v17 - v18
-            v21 = w3 * (m1 * Z1_3)
-            v22 = w3 * (m1 * -Z1_3)
+            v21 = w3 * (m2 * Z1_3)
+            v22 = w3 * (m2 * -Z1_3)
             v23 = w1 * v14
             C2_pp = v21 + v23
             C2_pm = v22 + v23
@@ -1411,10 +1412,8 @@ def _in_tiles(T, q, status):
             v64 = math.copysign(half_turn, Y4_p)
             v65 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v49 <= m4 or v29 <= m3 or v48 <= m4
-                or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or (shortest3_reach <= N3 and N3
-                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <=
-                m3
+                v49 <= m5 or v29 <= m4 or v48 <= m5 or v28 <= m4 or v47 <= m5 or v27 <= m4 or v46 <=
+                m5 or abs(D1) <= k2 or abs(D3) <= m1 or v25 <= m4
             )
             work[272 + k] = v1
             work[288 + k] = v6

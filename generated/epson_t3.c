@@ -242,13 +242,13 @@ static const double
     pose_slack1 = 4.000000000000001e-06, /* a pose may be rounded by this [m] */
     k1 = 0.08125, /* a1^2 + a2^2 [m^2] */
     k2 = 12.6984126984127, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.6000000000000003e-07,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
+    m2 = 5.040343142860197e-15,
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
-static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
+static const double m3 = 2.2222222222222223, m4 = 0.04444444444444444;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -367,12 +367,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
-    const wide N2 = T14 * T14 + T24 * T24, w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)),
-        angle2 = atan2_wide(w2, N2 - k1);
+    const wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
+        w2 = sqrt_wide(D2), angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m3 + m2 * N2, v4 = T24 * v3, v5 = T14 * v3, v6 = w2 * (m2 * T14),
-        v7 = w2 * (m2 * T24), angle3 = atan2_wide(v4 - v6, v5 + v7),
+    const wide v3 = m4 + m3 * N2, v4 = T24 * v3, v5 = T14 * v3, v6 = w2 * (m3 * T14),
+        v7 = w2 * (m3 * T24), angle3 = atan2_wide(v4 - v6, v5 + v7),
         angle4 = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
@@ -382,9 +382,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v11 = angle2 + angle3 - angle1, v12 = angle4 - angle2 - angle1;
     const wide_mask v13 = beyond(T34, 3);
     const wide q3_p = T34 + (w2 - w2);
-    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
-        < N2) & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v10 * v10 + (v9 * v9
-        + (T23 * T23 + (v8 * v8 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
+    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 *
+        T23 + (v8 * v8 + T31 * T31))))) | (v1 <= m1);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
     q[3] = v11 + pick_wide(v11 <= -half_turn, all_wide(turn), only_wide(half_turn < v11, -turn));
@@ -409,10 +408,10 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
 
     /* theta2 */
-    const double N2 = T14 * T14 + T24 * T24, w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+    const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
-    const double v3 = m3 + m2 * N2, v4 = T24 * v3, v5 = T14 * v3;
+    const double v3 = m4 + m3 * N2, v4 = T24 * v3, v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
     const double v6 = 1.0 + T33, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
@@ -420,12 +419,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const int v10 = beyond(T34, 3);
     const double q3 = T34 + (w2 - w2);
-    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
-        & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23
-        * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 *
+        v6 + T31 * T31))))) | (v1 <= m1);
 
-    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m2 * (e1 * T14)), all_four(T21),
-        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m2 * (e1 * T24)),
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m3 * (e1 * T14)), all_four(T21),
+        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m3 * (e1 * T24)),
         all_four(T11), 0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),

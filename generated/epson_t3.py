@@ -107,7 +107,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 4.000000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.08125  # a1^2 + a2^2 [m^2]
 k2 = 12.6984126984127  # 1 / (2 * a2 * a1) [m^-2]
-doubt_limit_squared2 = 1.6000000000000003e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.303834613632515
 high1 = 2.303834613632515
@@ -115,10 +114,11 @@ low2 = -2.460914246312005
 high2 = 2.460914246312005
 low3 = -0.150000001
 high3 = 1e-09
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 2.2222222222222223  # a coefficient of S1
-m3 = 0.04444444444444444  # a coefficient of S1
-m4 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 5.040343142860197e-15  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m3 = 2.2222222222222223  # a coefficient of S1
+m4 = 0.04444444444444444  # a coefficient of S1
+m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -270,7 +270,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 bd8bd3808749f19c"
+_KEY = "epson_t3 7bf73cdba131cda2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -879,14 +879,15 @@ def _regular(pose, q, status):
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m3 + m2 * N2
+    v3 = m4 + m3 * N2
     v4 = T24 * v3
     v5 = T14 * v3
-    v6 = w2 * (m2 * T14)
-    v7 = w2 * (m2 * T24)
+    v6 = w2 * (m3 * T14)
+    v7 = w2 * (m3 * T24)
 
     # is the pose one that the arm can take?
     v8 = 1.0 + T33
@@ -897,9 +898,8 @@ def _regular(pose, q, status):
     v13 = T34 < low3 or high3 < T34
     q3_p = T34 + (w2 - w2)
     doubt1 = (
-        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 *
-        v8 + T31 * T31)))) or N2 <= doubt_limit_squared2
+        abs(D2) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 + T31 *
+        T31)))) or v1 <= m1
     )
 
     # angles, side by side
@@ -1175,21 +1175,21 @@ def _in_tiles(T, q, status):
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
             N2 = T14 * T14 + T24 * T24
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            v3 = m3 + m2 * N2
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
+            v3 = m4 + m3 * N2
             v4 = T24 * v3
             v5 = T14 * v3
-            v6 = w2 * (m2 * T14)
-            v7 = w2 * (m2 * T24)
+            v6 = w2 * (m3 * T14)
+            v7 = w2 * (m3 * T24)
             v8 = 1.0 + T33
             v9 = T21 - T21 * v2
             v10 = T11 - T11 * v2
             v13 = T34 < low3 or high3 < T34
             q3_p = T34 + (w2 - w2)
             doubt1 = (
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 *
-                T23 + (v8 * v8 + T31 * T31)))) or N2 <= doubt_limit_squared2
+                abs(D2) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 +
+                T31 * T31)))) or v1 <= m1
             )
             work[272 + k] = v13
             work[288 + k] = q3_p

@@ -262,14 +262,15 @@ static const double
     k2 = 0.2958, /* 2 * a3 * a2 [m^2] */
     k3 = 1.8180560000000001, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.31125925198890714, /* 1 / (k1^2 + k2^2) [m^-4] */
-    doubt_limit_squared2 = 8.678915999999998e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.4050092836833894, /* a constant angle [rad] */
-    m1 = 8.678916e-06, /* doubt_limit1^2 [m^2] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m1 = 8.678915999999997e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 4.0149871931639605e-12,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 0.5747126436781609, m4 = 0.1748597701149426, m5 = 0.0801013234623373,
-m6 = 0.47872320375138055, m7 = 0.14565440708058014, m8 = 0.024371308271356914;
+static const double m4 = 0.5747126436781609, m5 = 0.1748597701149426, m6 = 0.0801013234623373,
+m7 = 0.47872320375138055, m8 = 0.14565440708058014, m9 = 0.024371308271356914;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -409,26 +410,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
-        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
-        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), angle2 = atan2_wide(w3_p, N3_p - k3),
+        angle3 = atan2_wide(w3_m, N3_m - k3), q3__pp = angle2 - turn1, v6 = turn1 + angle2,
+        q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m3 * N3_p - m4, Y1_2_m = m3 * N3_m - m4, v8 = Z1_3 * Y1_2_p,
-        v9 = Z1_3 * Y1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3, v12 = v3 * -Y1_2_p,
+    const wide Y1_2_p = m4 * N3_p - m5, Y1_2_m = m4 * N3_m - m5, v8 = Z1_3 * Y1_2_p,
+        v9 = Z1_3 * Y1_2_m, v10 = m4 * Z1_3, v11 = m4 * -Z1_3, v12 = v3 * -Y1_2_p,
         v13 = v4 * -Y1_2_m, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m6 + m7 * factor2_p,
-        v18 = m6 + m7 * factor2_m, v19 = m5 + m8 * factor2_p, v20 = m5 + m8 * factor2_m,
+    const wide v14 = m6 * Z1_3, v15 = m7 * v3 - v14, v16 = m7 * v4 - v14, v17 = m7 + m8 * factor2_p,
+        v18 = m7 + m8 * factor2_m, v19 = m6 + m9 * factor2_p, v20 = m6 + m9 * factor2_m,
         v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20,
         c2m3_pp = w3_p * (factor2_p * v15) - v21, c2m3_pm = w3_p * (factor2_p * -v15) - v21,
         c2m3_mp = w3_m * (factor2_m * v16) - v22, c2m3_mm = w3_m * (factor2_m * -v16) - v22,
-        v23 = m6 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20,
-        v26 = w3_p * (factor2_p * (v23 + m5 * v3)), s2m3_pp = v24 + v26, s2m3_pm = v24 - v26,
-        v27 = w3_m * (factor2_m * (v23 + m5 * v4)), s2m3_mp = v25 + v27, s2m3_mm = v25 - v27,
+        v23 = m7 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20,
+        v26 = w3_p * (factor2_p * (v23 + m6 * v3)), s2m3_pp = v24 + v26, s2m3_pm = v24 - v26,
+        v27 = w3_m * (factor2_m * (v23 + m6 * v4)), s2m3_mp = v25 + v27, s2m3_mm = v25 - v27,
         v28 = w1 * (v2 * (T21 * Y1 - T11 * t14)), X4_pp = c2m3_pp * v28 - T31 * s2m3_pp,
         X4_pm = c2m3_pm * v28 - T31 * s2m3_pm, v29 = c2m3_mp * v28 + T31 * s2m3_mp,
         v30 = c2m3_mm * v28 + T31 * s2m3_mm, Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21)), v31 = Y4 * Y4,
@@ -450,10 +451,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle11 = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
 
     /* joint values */
-    const wide v46 = w3_p * (m3 * v3), angle12 = atan2_wide(-(v8 + v46), v12 + w3_p * v10),
+    const wide v46 = w3_p * (m4 * v3), angle12 = atan2_wide(-(v8 + v46), v12 + w3_p * v10),
         v47 = angle12 - offset2, angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11),
-        v48 = angle13 - offset2, angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10),
-        v49 = angle14 - offset2, angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11),
+        v48 = angle13 - offset2, angle14 = atan2_wide(-(v9 + w3_m * (m4 * v4)), v13 + w3_m * v10),
+        v49 = angle14 - offset2, angle15 = atan2_wide(-(v9 + w3_m * (m4 * -v4)), v13 + w3_m * v11),
         v50 = angle15 - offset2, q2_ppp = v47 + only_wide(half_turn < v47, -turn),
         q2_pmp = v48 + only_wide(half_turn < v48, -turn),
         q2_mpp = v49 + only_wide(half_turn < v49, -turn),
@@ -487,11 +488,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v73 = v69 | v63 | beyond(q2_ppp, 2), v74 = v70 | v63 | beyond(q2_pmp, 2),
         v75 = v71 | v64 | beyond(q2_mpp, 2), v76 = v72 | v64 | beyond(q2_mmp, 2),
-        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
-            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v35 <= m9) | (v34 <= m9)
-            | (v33 <= m9) | (v1 <= m1) | (v32 <= m9);
+        doubt1 = (v35 <= m10) | (v34 <= m10) | (v33 <= m10) | (v32 <= m10) | (abs_wide(D3_m) <= m3)
+            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
     kind[0] = kind_of(q[0], v73 | beyond(q5_ppp, 5));
@@ -538,24 +536,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T31 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four Y1_2 = m3 * N3 - m4, v6 = Z1_3 * Y1_2, v7 = m3 * (e2 * Z1_3), v8 = v4 * -Y1_2,
+    const four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * Y1_2, v7 = m4 * (e2 * Z1_3), v8 = v4 * -Y1_2,
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v9 = m5 * Z1_3;
-    const four v10 = m6 * v4 - v9, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2,
+    const double v9 = m6 * Z1_3;
+    const four v10 = m7 * v4 - v9, v11 = m7 + m8 * factor2, v12 = m6 + m9 * factor2,
         v13 = Z1_3 * v11 + v4 * v12, c2m3 = w3 * (factor2 * (e2 * v10)) - v13;
-    const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = v4 * v11 - Z1_3 * v12,
+    const double v14 = m7 * Z1_3;
+    const four v15 = v14 + m6 * v4, v16 = v4 * v11 - Z1_3 * v12,
         s2m3 = v16 + w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T21 * Y1 - T11 * t14));
     const four X4 = e1 * (c2m3 * v17) - T31 * s2m3;
     const double Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m9;
+    const four_mask doubt3 = v19 <= m10;
     const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
@@ -563,13 +562,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
     const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) + X4 * v24);
 
-    /* joint values */
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-t14), 0, 5, 2, 3)),
-        ratio2 = ratio_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7),
+        ratio2 = ratio_four(-(v6 + w3 * (m4 * (e2 * v4))), v8 + w3 * v7),
         ratio3 = ratio_four(v20, -X4),
         ratio4 = ratio_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) + X4 * v22)),
         ratio5 = ratio_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));

@@ -123,7 +123,6 @@ k1 = 1.76784  # 2 * d4 * a2 [m^2]
 k2 = 0.2958  # 2 * a3 * a2 [m^2]
 k3 = 1.8180560000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.31125925198890714  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 8.678915999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4050092836833894  # a constant angle [rad]
 low1 = -3.1415000010000003
@@ -134,14 +133,15 @@ low3 = -2.792500001
 high3 = 4.886900001
 low5 = -2.181600001
 high5 = 2.181600001
-m1 = 8.678916e-06  # doubt_limit1^2 [m^2]
-m3 = 0.5747126436781609  # a coefficient of Y1_2
-m4 = 0.1748597701149426  # a coefficient of Y1_2
-m5 = 0.0801013234623373  # a coefficient of c2m3
-m6 = 0.47872320375138055  # a coefficient of c2m3
-m7 = 0.14565440708058014  # a coefficient of c2m3
-m8 = 0.024371308271356914  # a coefficient of c2m3
-m9 = 1e-06  # doubt_limit^2
+m1 = 8.678915999999997e-08  # doubt_limit1^2 [m^2]
+m3 = 4.0149871931639605e-12  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 0.5747126436781609  # a coefficient of Y1_2
+m5 = 0.1748597701149426  # a coefficient of Y1_2
+m6 = 0.0801013234623373  # a coefficient of c2m3
+m7 = 0.47872320375138055  # a coefficient of c2m3
+m8 = 0.14565440708058014  # a coefficient of c2m3
+m9 = 0.024371308271356914  # a coefficient of c2m3
+m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -385,7 +385,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 a933c3eaba0422a7"
+_KEY = "fanuc_m710ic50 cd088a7c47111e68"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1039,42 +1039,44 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    Y1_2_p = m3 * N3_p - m4
-    Y1_2_m = m3 * N3_m - m4
+    Y1_2_p = m4 * N3_p - m5
+    Y1_2_m = m4 * N3_m - m5
     v8 = Z1_3 * Y1_2_p
     v9 = Z1_3 * Y1_2_m
-    v10 = m3 * Z1_3
-    v11 = m3 * -Z1_3
+    v10 = m4 * Z1_3
+    v11 = m4 * -Z1_3
     v12 = v3 * -Y1_2_p
     v13 = v4 * -Y1_2_m
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v14 = m5 * Z1_3
-    v15 = m6 * v3 - v14
-    v16 = m6 * v4 - v14
-    v17 = m6 + m7 * factor2_p
-    v18 = m6 + m7 * factor2_m
-    v19 = m5 + m8 * factor2_p
-    v20 = m5 + m8 * factor2_m
+    v14 = m6 * Z1_3
+    v15 = m7 * v3 - v14
+    v16 = m7 * v4 - v14
+    v17 = m7 + m8 * factor2_p
+    v18 = m7 + m8 * factor2_m
+    v19 = m6 + m9 * factor2_p
+    v20 = m6 + m9 * factor2_m
     v21 = Z1_3 * v17 + v3 * v19
     v22 = Z1_3 * v18 + v4 * v20
     c2m3_pp = w3_p * (factor2_p * v15) - v21
     c2m3_pm = w3_p * (factor2_p * -v15) - v21
     c2m3_mp = w3_m * (factor2_m * v16) - v22
     c2m3_mm = w3_m * (factor2_m * -v16) - v22
-    v23 = m6 * Z1_3
+    v23 = m7 * Z1_3
     v24 = v3 * v17 - Z1_3 * v19
     v25 = v4 * v18 - Z1_3 * v20
-    v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+    v26 = w3_p * (factor2_p * (v23 + m6 * v3))
     s2m3_pp = v24 + v26
     s2m3_pm = v24 - v26
-    v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+    v27 = w3_m * (factor2_m * (v23 + m6 * v4))
     s2m3_mp = v25 + v27
     s2m3_mm = v25 - v27
     v28 = w1 * (v2 * (T21 * Y1 - T11 * t14))
@@ -1102,12 +1104,10 @@ def _regular(pose, q, status):
     v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41)
 
     # joint values
-    v46 = w3_p * (m3 * v3)
+    v46 = w3_p * (m4 * v3)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v35 <= m9 or v34 <= m9 or v33 <= m9 or v1 <= m1 or v32 <= m9
+        v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
+        abs(D3_p) <= m3
     )
 
     # angles, side by side
@@ -1124,8 +1124,8 @@ def _regular(pose, q, status):
     room[10] = v45
     room[11] = -(v8 + v46)
     room[12] = v46 - v8
-    room[13] = -(v9 + w3_m * (m3 * v4))
-    room[14] = -(v9 + w3_m * (m3 * -v4))
+    room[13] = -(v9 + w3_m * (m4 * v4))
+    room[14] = -(v9 + w3_m * (m4 * -v4))
     room[15] = math.sqrt(v32)
     room[16] = math.sqrt(v33)
     room[17] = math.sqrt(v34)
@@ -1559,38 +1559,40 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            Y1_2_p = m3 * N3_p - m4
-            Y1_2_m = m3 * N3_m - m4
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            Y1_2_p = m4 * N3_p - m5
+            Y1_2_m = m4 * N3_m - m5
             v8 = Z1_3 * Y1_2_p
             v9 = Z1_3 * Y1_2_m
-            v10 = m3 * Z1_3
-            v11 = m3 * -Z1_3
+            v10 = m4 * Z1_3
+            v11 = m4 * -Z1_3
             v12 = v3 * -Y1_2_p
             v13 = v4 * -Y1_2_m
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v14 = m5 * Z1_3
-            v15 = m6 * v3 - v14
-            v16 = m6 * v4 - v14
-            v17 = m6 + m7 * factor2_p
-            v18 = m6 + m7 * factor2_m
-            v19 = m5 + m8 * factor2_p
-            v20 = m5 + m8 * factor2_m
+            v14 = m6 * Z1_3
+            v15 = m7 * v3 - v14
+            v16 = m7 * v4 - v14
+            v17 = m7 + m8 * factor2_p
+            v18 = m7 + m8 * factor2_m
+            v19 = m6 + m9 * factor2_p
+            v20 = m6 + m9 * factor2_m
             v21 = Z1_3 * v17 + v3 * v19
             v22 = Z1_3 * v18 + v4 * v20
             c2m3_pp = w3_p * (factor2_p * v15) - v21
             c2m3_pm = w3_p * (factor2_p * -v15) - v21
             c2m3_mp = w3_m * (factor2_m * v16) - v22
             c2m3_mm = w3_m * (factor2_m * -v16) - v22
-            v23 = m6 * Z1_3
+            v23 = m7 * Z1_3
             v24 = v3 * v17 - Z1_3 * v19
             v25 = v4 * v18 - Z1_3 * v20
-            v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+            v26 = w3_p * (factor2_p * (v23 + m6 * v3))
             s2m3_pp = v24 + v26
             s2m3_pm = v24 - v26
-            v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+            v27 = w3_m * (factor2_m * (v23 + m6 * v4))
             s2m3_mp = v25 + v27
             s2m3_mm = v25 - v27
             v28 = w1 * (v2 * (T21 * Y1 - T11 * t14))
@@ -1614,13 +1616,10 @@ def _in_tiles(T, q, status):
             v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40
             v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41)
             v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41)
-            v46 = w3_p * (m3 * v3)
+            v46 = w3_p * (m4 * v3)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v35 <= m9 or v34 <= m9 or v33
-                <= m9 or v1 <= m1 or v32 <= m9
+                v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1
+                or abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1645,8 +1644,8 @@ def _in_tiles(T, q, status):
             work[592 + k] = v45
             work[608 + k] = -(v8 + v46)
             work[624 + k] = v46 - v8
-            work[640 + k] = -(v9 + w3_m * (m3 * v4))
-            work[656 + k] = -(v9 + w3_m * (m3 * -v4))
+            work[640 + k] = -(v9 + w3_m * (m4 * v4))
+            work[656 + k] = -(v9 + w3_m * (m4 * -v4))
             work[672 + k] = math.sqrt(v32)
             work[688 + k] = math.sqrt(v33)
             work[704 + k] = math.sqrt(v34)

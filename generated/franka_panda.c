@@ -253,11 +253,11 @@ static const double
     k4 = 0.25318050000000003, /* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
     k5 = 15.193911990243306, /* 1 / k3 [m^-4] */
     k6 = -12.121212121212121, /* -1 / a3 [m^-1] */
-    doubt_limit_squared2 = 1.940449e-06, /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m8 = 3.765342321601e-12, /* doubt_limit_squared2^2 [m^4] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m8 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
 m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384, m10 = 12.121212121212121;
@@ -417,8 +417,8 @@ HELPER wide_mask solve_wide(
     const wide v10 = a3 * c4_p + d3 * s4_p - a4, v11 = a3 * c4_m - d3 * v8 - a4, v12 = m4 + m5 * Z4,
         v13 = m3 * w4, v14 = v12 - v13, v15 = v12 + v13, N5_p = v14 * v14, N5_m = v15 * v15,
         Z5 = c7 * w2y + s7 * w2x, v16 = Z5 * Z5, D5_p = N5_p - v16, D5_m = N5_m - v16,
-        w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v17 = w5_p - w5_p, v18 = w5_m - w5_m,
-        v19 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5)), inverse5_p = 1.0 / N5_p,
+        v17 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5)), w5_p = sqrt_wide(D5_p),
+        w5_m = sqrt_wide(D5_m), v18 = w5_p - w5_p, v19 = w5_m - w5_m, inverse5_p = 1.0 / N5_p,
         inverse5_m = 1.0 / N5_m, v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20,
         v23 = inverse5_m * v21, v24 = v14 * Z5, v25 = v15 * Z5, s5_p = inverse5_p * v24,
         s5_m = inverse5_m * v25, angle2 = atan2_wide(v24, -v20), angle3 = atan2_wide(v25, -v21),
@@ -534,12 +534,12 @@ HELPER wide_mask solve_wide(
         v168 = beyond(v164, 6);
     const wide q6_ppp = pick_wide(v165, angle4, v161), q6_pmp = pick_wide(v166, angle5, v162),
         q6_mpp = pick_wide(v167, angle6, v163), q6_mmp = pick_wide(v168, angle7, v164),
-        q4_ppp = v17 + v153, q4_mpp = v18 + v154, v169 = free_joints[0] + (w4 - w4),
-        q7_ppp = v17 + v169, q7_mpp = v18 + v169;
+        q4_ppp = v18 + v153, q4_mpp = v19 + v154, v169 = free_joints[0] + (w4 - w4),
+        q7_ppp = v18 + v169, q7_mpp = v19 + v169;
     const wide_mask doubt1 = (free_joints[0] < low(7)) | (abs_wide(D4) <= reach_slack2 *
         (reach_slack2 + 2.0 * abs_wide(Z4))) | (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8)
-        | (v74 <= m9) | (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(D5_p) <= v19) | (high(7) < free_joints[0]) | (N5_p <=
+        | (v74 <= m9) | (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v17) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(D5_p) <= v17) | (high(7) < free_joints[0]) | (N5_p <=
         doubt_limit_squared2);
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
@@ -607,10 +607,11 @@ HELPER int solve_regular(
     const double v7 = m4 + m5 * Z4;
     const four v8 = v7 - w4 * (m3 * e1), N5 = v8 * v8;
     const double Z5 = c7 * w2y + s7 * w2x, v9 = Z5 * Z5;
-    const four D5 = N5 - v9, w5 = sqrt_four(D5), v10 = w5 - w5;
-    const double v11 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
-    const four inverse5 = 1.0 / N5, v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5,
-        s5 = inverse5 * v14, v15 = signed_four(half_turn, v14), v16 = m6 * (1.0 - e2);
+    const four D5 = N5 - v9;
+    const double v10 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
+    const four w5 = sqrt_four(D5), v11 = w5 - w5, inverse5 = 1.0 / N5, v12 = v8 * w5,
+        v13 = inverse5 * v12, v14 = v8 * Z5, s5 = inverse5 * v14, v15 = signed_four(half_turn, v14),
+        v16 = m6 * (1.0 - e2);
 
     /* theta6 */
     const double v17 = m7 + m3 * Z4;
@@ -655,8 +656,8 @@ HELPER int solve_regular(
 
     /* joint values */
     const double v87 = free_joints[0] + (w4 - w4);
-    const four q7_p = v10 + v87;
-    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11),
+    const four q7_p = v11 + v87;
+    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v10),
         doubt3 = (v23 <= m8) | (v39 <= m9);
     const int doubt1 = (free_joints[0] < low(7)) | (high(7) < free_joints[0]) | (fabs(D4) <=
         reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4)));
@@ -676,7 +677,7 @@ HELPER int solve_regular(
     const four_mask v83 = beyond_four(v82, 4), v84 = beyond_four(q5_p, 5);
     const four v85 = angle3 + only_four(angle3 < low(6), turn);
     const four_mask v86 = beyond_four(v85, 6);
-    const four q6_p = pick_four(v86, angle3, v85), q4_p = v10 + v82;
+    const four q6_p = pick_four(v86, angle3, v85), q4_p = v11 + v82;
     const four_mask outside_p = v86 | v84 | v83 | beyond_four(angle5, 3) | beyond_four(angle4, 1) |
         beyond_four(angle6, 2),
         outside_m = v86 | v84 | v83 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1) |

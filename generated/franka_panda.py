@@ -123,7 +123,7 @@ k3 = 0.06581583470025  # k1^2 + k2^2 [m^4]
 k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k5 = 15.193911990243306  # 1 / k3 [m^-4]
 k6 = -12.121212121212121  # -1 / a3 [m^-1]
-doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 1.940449e-08  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.897300001
@@ -146,8 +146,8 @@ m3 = 1.2446337324912609  # a coefficient of v7
 m4 = 0.0825  # a coefficient of v7
 m5 = 0.2674017784649193  # a coefficient of v7
 m7 = 0.384  # a coefficient of Y1_6
-m8 = 3.765342321601e-12  # doubt_limit_squared2^2 [m^4]
-m9 = 1e-06  # doubt_limit^2
+m8 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
+m9 = 9.999999999999999e-09  # doubt_limit^2
 m10 = 12.121212121212121  # a coefficient of s3
 
 turn = 6.283185307179586  # 2 pi [rad]
@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 1e6a1cbc18a7c62b"
+_KEY = "franka_panda ac534e916b3210c3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1129,11 +1129,11 @@ def _regular(pose, q_free, q, status):
     v16 = Z5 * Z5
     D5_p = N5_p - v16
     D5_m = N5_m - v16
+    v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
     w5_p = math.sqrt(D5_p)
     w5_m = math.sqrt(D5_m)
-    v17 = w5_p - w5_p
-    v18 = w5_m - w5_m
-    v19 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
+    v18 = w5_p - w5_p
+    v19 = w5_m - w5_m
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
     v20 = v14 * w5_p
@@ -1320,12 +1320,12 @@ def _regular(pose, q_free, q, status):
 
     # joint values
     v169 = q_free[0] + (w4 - w4)
-    q7_ppp = v17 + v169
-    q7_mpp = v18 + v169
+    q7_ppp = v18 + v169
+    q7_mpp = v19 + v169
     doubt1 = (
         q_free[0] < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v76 <= m9 or
         v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or v40 <= m8 or
-        abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or high7 < q_free[0] or
+        abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or high7 < q_free[0] or
         N5_p <= doubt_limit_squared2
     )
 
@@ -1445,8 +1445,8 @@ def _regular(pose, q_free, q, status):
     q6_pmp = angle5 if v166 else v162
     q6_mpp = angle6 if v167 else v163
     q6_mmp = angle7 if v168 else v164
-    q4_ppp = v17 + v153
-    q4_mpp = v18 + v154
+    q4_ppp = v18 + v153
+    q4_mpp = v19 + v154
     outside_ppp = (
         v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1 < angle8
         or angle16 < low2 or high2 < angle16
@@ -1867,11 +1867,11 @@ def _in_tiles(T, q_free, q, status):
             v16 = Z5 * Z5
             D5_p = N5_p - v16
             D5_m = N5_m - v16
+            v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
             w5_p = math.sqrt(D5_p)
             w5_m = math.sqrt(D5_m)
-            v17 = w5_p - w5_p
-            v18 = w5_m - w5_m
-            v19 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
+            v18 = w5_p - w5_p
+            v19 = w5_m - w5_m
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
             v20 = v14 * w5_p
@@ -2048,16 +2048,16 @@ def _in_tiles(T, q_free, q, status):
             v151 = v22 * v134
             v152 = v23 * v134
             v169 = given1 + (w4 - w4)
-            q7_ppp = v17 + v169
-            q7_mpp = v18 + v169
+            q7_ppp = v18 + v169
+            q7_mpp = v19 + v169
             doubt1 = (
                 given1 < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v76 <=
                 m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or
-                v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or
+                v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or
                 high7 < given1 or N5_p <= doubt_limit_squared2
             )
-            work[464 + k] = v17
-            work[480 + k] = v18
+            work[464 + k] = v18
+            work[480 + k] = v19
             work[496 + k] = v24
             work[512 + k] = v25
             work[528 + k] = v69
@@ -2124,8 +2124,8 @@ def _in_tiles(T, q_free, q, status):
         for k in range(704, 1008):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v17 = work[464 + k]
-            v18 = work[480 + k]
+            v18 = work[464 + k]
+            v19 = work[480 + k]
             v24 = work[496 + k]
             v25 = work[512 + k]
             v69 = work[528 + k]
@@ -2190,8 +2190,8 @@ def _in_tiles(T, q_free, q, status):
             q6_pmp = angle5 if v166 else v162
             q6_mpp = angle6 if v167 else v163
             q6_mmp = angle7 if v168 else v164
-            q4_ppp = v17 + v153
-            q4_mpp = v18 + v154
+            q4_ppp = v18 + v153
+            q4_mpp = v19 + v154
             outside_ppp = (
                 v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
                 < angle8 or angle16 < low2 or high2 < angle16

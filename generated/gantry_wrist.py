@@ -100,7 +100,7 @@ d4 = 0.1  # joint offset 4 [m]
 d6 = 0.12  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-06  # doubt_limit^2
+m1 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -259,7 +259,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "gantry_wrist 549d78ffcc51437b"
+_KEY = "gantry_wrist 680d3eca6bf2f60e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

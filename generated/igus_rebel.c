@@ -262,14 +262,15 @@ static const double
     k2 = 0.0567392, /* 2 * a3 * a2 [m^2] */
     k3 = 0.09989556000000001, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 102.1511817908859, /* 1 / (k1^2 + k2^2) [m^-4] */
-    doubt_limit_squared2 = 8.049678400000001e-07, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 0.960070362405688, /* a constant angle [rad] */
-    m1 = 8.0496784e-07, /* doubt_limit1^2 [m^2] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m1 = 8.049678400000001e-09, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 1.582896478598658e-14,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 2.097315436241611, m4 = 0.028887499999999986, m5 = 1.3817607579944728,
-m6 = 1.9739439399921042, m7 = 0.027188235294117635, m8 = 0.019031764705882342;
+static const double m4 = 2.097315436241611, m5 = 0.028887499999999986, m6 = 1.3817607579944728,
+m7 = 1.9739439399921042, m8 = 0.027188235294117635, m9 = 0.019031764705882342;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -390,24 +391,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m);
 
     /* theta2 */
-    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m, v6 = Z1_3 * Y1_2_p,
-        v7 = Z1_3 * Y1_2_m, v8 = v3 * Y1_2_p, v9 = v4 * Y1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3,
+    const wide Y1_2_p = m5 + m4 * N3_p, Y1_2_m = m5 + m4 * N3_m, v6 = Z1_3 * Y1_2_p,
+        v7 = Z1_3 * Y1_2_m, v8 = v3 * Y1_2_p, v9 = v4 * Y1_2_m, v10 = m4 * Z1_3, v11 = m4 * -Z1_3,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v12 = m5 * Z1_3, v13 = v12 - m6 * v3, v14 = v12 - m6 * v4, v15 = m7 * factor2_p - m6,
-        v16 = m7 * factor2_m - m6, v17 = m8 * factor2_p - m5, v18 = m8 * factor2_m - m5,
+    const wide v12 = m6 * Z1_3, v13 = v12 - m7 * v3, v14 = v12 - m7 * v4, v15 = m8 * factor2_p - m7,
+        v16 = m8 * factor2_m - m7, v17 = m9 * factor2_p - m6, v18 = m9 * factor2_m - m6,
         v19 = Z1_3 * v15 + v3 * v17, v20 = Z1_3 * v16 + v4 * v18,
         c23_pp = v19 + w3_p * (factor2_p * v13), c23_pm = v19 + w3_p * (factor2_p * -v13),
         c23_mp = v20 + w3_m * (factor2_m * v14), c23_mm = v20 + w3_m * (factor2_m * -v14),
-        v21 = m6 * Z1_3, v22 = Z1_3 * v17 + v3 * -v15, v23 = Z1_3 * v18 + v4 * -v16,
-        v24 = w3_p * (factor2_p * (v21 + m5 * v3)), s23_pp = v22 - v24, s23_pm = v22 + v24,
-        v25 = w3_m * (factor2_m * (v21 + m5 * v4)), s23_mp = v23 - v25, s23_mm = v23 + v25,
+        v21 = m7 * Z1_3, v22 = Z1_3 * v17 + v3 * -v15, v23 = Z1_3 * v18 + v4 * -v16,
+        v24 = w3_p * (factor2_p * (v21 + m6 * v3)), s23_pp = v22 - v24, s23_pm = v22 + v24,
+        v25 = w3_m * (factor2_m * (v21 + m6 * v4)), s23_mp = v23 - v25, s23_mm = v23 + v25,
         v26 = w1 * (v2 * (T23 * Y1 - T13 * wx)), X4_pp = T33 * s23_pp - c23_pp * v26,
         X4_pm = T33 * s23_pm - c23_pm * v26, X4_mp = T33 * s23_mp + c23_mp * v26,
         X4_mm = T33 * s23_mm + c23_mm * v26, Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v27 = Y4 * Y4,
@@ -429,10 +430,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle9 = atan2_wide(v41, Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34);
 
     /* joint values */
-    const wide v42 = w3_p * (m3 * v3), angle10 = atan2_wide(v42 - v6, -(v8 + w3_p * v10)),
+    const wide v42 = w3_p * (m4 * v3), angle10 = atan2_wide(v42 - v6, -(v8 + w3_p * v10)),
         v43 = angle10 - offset2, angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11)),
-        v44 = angle11 - offset2, angle12 = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10)),
-        v45 = angle12 - offset2, angle13 = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11)),
+        v44 = angle11 - offset2, angle12 = atan2_wide(w3_m * (m4 * v4) - v7, -(v9 + w3_m * v10)),
+        v45 = angle12 - offset2, angle13 = atan2_wide(w3_m * (m4 * -v4) - v7, -(v9 + w3_m * v11)),
         v46 = angle13 - offset2, q2_ppp = v43 + only_wide(half_turn < v43, -turn),
         q2_pmp = v44 + only_wide(half_turn < v44, -turn),
         q2_mpp = v45 + only_wide(half_turn < v45, -turn),
@@ -451,11 +452,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v55 = angle18 - offset5, v56 = offset5 + angle18, v57 = angle19 - offset5,
         v58 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v31 <= m9) | (v30 <= m9) |
-        (v29 <= m9) | (v1 <= m1) | (v28 <= m9);
+    const wide_mask doubt1 = (v31 <= m10) | (v30 <= m10) | (v29 <= m10) | (v28 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2;
     q[4] = v51 + only_wide(v51 <= -half_turn, turn); q[5] = angle6;
@@ -506,24 +504,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four Y1_2 = m4 + m3 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3),
+    const four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v9 = m5 * Z1_3;
-    const four v10 = v9 - m6 * v4, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5,
+    const double v9 = m6 * Z1_3;
+    const four v10 = v9 - m7 * v4, v11 = m8 * factor2 - m7, v12 = m9 * factor2 - m6,
         v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
-    const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+    const double v14 = m7 * Z1_3;
+    const four v15 = v14 + m6 * v4, v16 = Z1_3 * v12 + v4 * -v11,
         s23 = v16 - w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v17);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m9;
+    const four_mask doubt3 = v19 <= m10;
     const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
@@ -531,13 +530,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) + X4 * v24);
 
-    /* joint values */
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = ratio_four(w3 * (m3 * (e2 * v4)) - v6, -(v7 + w3 * v8)),
+        ratio2 = ratio_four(w3 * (m4 * (e2 * v4)) - v6, -(v7 + w3 * v8)),
         ratio3 = ratio_four(v20, -X4),
         ratio4 = ratio_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) + X4 * v22)),
         ratio5 = ratio_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));

@@ -256,14 +256,16 @@ static const double
     k1 = 0.055421000000000005, /* a2^2 + a3^2 [m^2] */
     k2 = 18.932222642938278, /* 1 / (2 * a3 * a2) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 4.5941283999999983e-07, /* doubt_limit1^2 [m^2] */
-    m3 = 1e-12, /* doubt_limit_squared^2 */
-    m6 = 2.1106015755686555e-13, /* doubt_limit_squared2^2 [m^4] */
-    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m10 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
-    m11 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
+    m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m4 = 4.711883105914297e-15,
+    m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
+    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m11 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
+    m12 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
 /* coefficients */
-static const double m4 = 2.631578947368421, m5 = 0.04415526315789473, m7 = 0.19, m8 = 0.139;
+static const double m5 = 2.631578947368421, m6 = 0.04415526315789473, m8 = 0.19, m9 = 0.139;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -381,15 +383,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta3 */
     const wide v11 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v11, v12 = factor234 * (d5 * Z2_234),
         Z2_3 = T14 * c1 + T24 * s1 - v12, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v13 = w3 - w3, s3 = k2 * w3,
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v13 = w3 - w3, s3 = k2 * w3,
         c3 = k2 * K3, angle4 = atan2_wide(w3, K3);
 
     /* theta2 */
     const wide X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2,
-        v16 = v14 - v15, v17 = v14 + v15, v18 = m5 + m4 * N3, v19 = Z1_3 * v18,
-        S2_pp = v19 - w3 * (m4 * Z2_3), S2_pm = v19 - w3 * (m4 * -Z2_3), v20 = Z2_3 * X1_2,
-        v21 = Z1_3 * Y1_2, v22 = v20 + v21, v23 = v20 - v21, v24 = w3 * (m4 * Z1_3),
-        v25 = w3 * (m4 * -Z1_3), v26 = Z2_3 * v18, C2_pp = v24 + v26, C2_pm = v25 + v26,
+        v16 = v14 - v15, v17 = v14 + v15, v18 = m6 + m5 * N3, v19 = Z1_3 * v18,
+        S2_pp = v19 - w3 * (m5 * Z2_3), S2_pm = v19 - w3 * (m5 * -Z2_3), v20 = Z2_3 * X1_2,
+        v21 = Z1_3 * Y1_2, v22 = v20 + v21, v23 = v20 - v21, v24 = w3 * (m5 * Z1_3),
+        v25 = w3 * (m5 * -Z1_3), v26 = Z2_3 * v18, C2_pp = v24 + v26, C2_pm = v25 + v26,
         C2_mp = v24 - v26, C2_mm = v25 - v26, v27 = S2_pp * S2_pp, v28 = v27 + C2_pp * C2_pp,
         v29 = S2_pm * S2_pm, v30 = v29 + C2_pm * C2_pm, v31 = v29 + C2_mp * C2_mp,
         v32 = v27 + C2_mm * C2_mm, w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30),
@@ -399,8 +401,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         angle8 = atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v37 = m7 + m8 * c3, v38 = v22 * v37 - m8 * (s3 * v16),
-        v39 = v12 + w2_pp * (v33 * v38), v40 = m8 * (s3 * v17),
+    const wide v37 = m8 + m9 * c3, v38 = v22 * v37 - m9 * (s3 * v16),
+        v39 = v12 + w2_pp * (v33 * v38), v40 = m9 * (s3 * v17),
         v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40)),
         v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12, v43 = w2_mm * (v36 * -v38) - v12,
         v44 = d1 + v11, v45 = T33 - T33 * factor234, v46 = T31 - factor234 * (Z2_234 * v9),
@@ -431,15 +433,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v76 = pick_wide(-v72 <= -half_turn, all_wide(turn), only_wide(half_turn < -v72, -turn)) -
             v72;
     const double v77 = NAN;
-    const wide v78 = only_wide((v65 <= m10) == 0, v77), v79 = only_wide((v66 <= m10) == 0, v77),
-        v80 = only_wide((v67 <= m10) == 0, v77), v81 = only_wide((v68 <= m10) == 0, v77),
+    const wide v78 = only_wide((v65 <= m11) == 0, v77), v79 = only_wide((v66 <= m11) == 0, v77),
+        v80 = only_wide((v67 <= m11) == 0, v77), v81 = only_wide((v68 <= m11) == 0, v77),
         v82 = angle1 + v13, v83 = v13 + (angle1 - signed_wide(half_turn, v3)), v84 = angle3 + v13,
         v85 = v13 + (angle3 - signed_wide(half_turn, -Z2_5));
-    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v7 <= m3) | ((shortest3_reach <= N3) & (N3
-        <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((m10 < v68)
-        & (v68 <= m11)) | (v32 <= m6) | ((m10 < v67) & (v67 <= m11)) | (v31 <= m6) | ((m10 < v66) &
-        (v66 <= m11)) | (v30 <= m6) | ((m10 < v65) & (v65 <= m11)) | (m9 < v50 * v50 + (v49 * v49 +
-        (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46))))) | (v28 <= m6);
+    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v7 <= m3) | (abs_wide(D3) <= m4) | ((m11 <
+        v68) & (v68 <= m12)) | (v32 <= m7) | ((m11 < v67) & (v67 <= m12)) | (v31 <= m7) | ((m11 <
+        v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v50 * v50 + (v49
+        * v49 + (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46))))) | (v28 <= m7);
 
     q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
     q[3] = v78 + (v73 + only_wide(half_turn < v73, -turn)); q[4] = v78 + v84;
@@ -487,23 +488,23 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta3 */
     const double v14 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v14,
         v15 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v15,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, w3 = sqrt((longest3 - N3) * (N3 - shortest3)),
-        v16 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt(D3), v16 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
     const double X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v17 = Z1_3 * X1_2, v18 = Z2_3 * Y1_2;
     const four v19 = e1 * e2, v20 = v17 - v18 * v19;
-    const double v21 = m5 + m4 * N3, v22 = Z1_3 * v21;
-    const four S2 = v22 - w3 * (m4 * (Z2_3 * v19));
+    const double v21 = m6 + m5 * N3, v22 = Z1_3 * v21;
+    const four S2 = v22 - w3 * (m5 * (Z2_3 * v19));
     const double v23 = Z2_3 * X1_2, v24 = Z1_3 * Y1_2;
-    const four v25 = e1 * v23, v26 = e2 * v24, v27 = v25 + v26, v28 = w3 * (m4 * (e2 * Z1_3)),
+    const four v25 = e1 * v23, v26 = e2 * v24, v27 = v25 + v26, v28 = w3 * (m5 * (e2 * Z1_3)),
         v29 = Z2_3 * (e1 * v21), C2 = v28 + v29, v30 = S2 * S2 + C2 * C2, w2 = sqrt_four(v30),
         v31 = 1.0 / v30;
 
     /* is the pose one that the arm can take? */
     const four v32 = e2 * s3, v33 = e1 * v15;
-    const double v34 = m7 + m8 * c3;
-    const four v35 = v33 + w2 * (v31 * (v27 * v34 - m8 * (v20 * v32)));
+    const double v34 = m8 + m9 * c3;
+    const four v35 = v33 + w2 * (v31 * (v27 * v34 - m9 * (v20 * v32)));
     const double v36 = d1 + v14, v37 = T33 - T33 * factor234,
         v38 = T31 - factor234 * (Z2_234 * v11), v39 = T23 - factor234 * (s1 * Z2_234),
         v40 = T21 + (c1 * v12 + factor234 * (v11 * (s1 * T33))),
@@ -515,11 +516,10 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
 
     /* joint values */
     const double v51 = NAN;
-    const four v52 = only_four((v46 <= m10) == 0, v51);
-    const four_mask doubt2 = (v30 <= m6) | ((m10 < v46) & (v46 <= m11));
-    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m9 < v42 * v42 + (v41 * v41 + (v40 *
-        v40 + (v39 * v39 + (v37 * v37 + v38 * v38))))) | ((shortest3_reach <= N3) & (N3 <=
-        longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const four v52 = only_four((v46 <= m11) == 0, v51);
+    const four_mask doubt2 = (v30 <= m7) | ((m11 < v46) & (v46 <= m12));
+    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m10 < v42 * v42 + (v41 * v41 + (v40 *
+        v40 + (v39 * v39 + (v37 * v37 + v38 * v38))))) | (fabs(D3) <= m4);
 
     const four_ratio ratio1 = ratio_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5,
         K3 }), ratio2 = ratio_four(S2, C2);

@@ -116,16 +116,17 @@ pose_slack1 = 6.778e-06  # a pose may be rounded by this [m]
 k1 = 0.055421000000000005  # a2^2 + a3^2 [m^2]
 k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 4.5941283999999983e-07  # doubt_limit1^2 [m^2]
-m3 = 1e-12  # doubt_limit_squared^2
-m4 = 2.631578947368421  # a coefficient of S2
-m5 = 0.04415526315789473  # a coefficient of S2
-m6 = 2.1106015755686555e-13  # doubt_limit_squared2^2 [m^4]
-m7 = 0.19  # a coefficient of v12
-m8 = 0.139  # a coefficient of v12
-m9 = 1.0000000000000002e-10  # pose_slack^2
-m10 = 4.5941284e-11  # pose_slack1^2 [m^2]
-m11 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
+m1 = 4.594128399999999e-09  # doubt_limit1^2 [m^2]
+m3 = 9.999999999999997e-17  # doubt_limit_squared^2
+m4 = 4.711883105914297e-15  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m5 = 2.631578947368421  # a coefficient of S2
+m6 = 0.04415526315789473  # a coefficient of S2
+m7 = 2.1106015755686554e-17  # doubt_limit_squared2^2 [m^4]
+m8 = 0.19  # a coefficient of v12
+m9 = 0.139  # a coefficient of v12
+m10 = 1.0000000000000002e-10  # pose_slack^2
+m11 = 4.5941284e-11  # pose_slack1^2 [m^2]
+m12 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -340,7 +341,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 d6eddd487dfd949b"
+_KEY = "katana_400 94abde558cf0f31c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -954,7 +955,8 @@ def _regular(pose, q, status):
     Z2_3 = T14 * c1 + T24 * s1 - v12
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     K3 = N3 - k1
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v13 = w3 - w3
     s3 = k2 * w3
     c3 = k2 * K3
@@ -966,16 +968,16 @@ def _regular(pose, q, status):
     v15 = Z2_3 * Y1_2
     v16 = v14 - v15
     v17 = v14 + v15
-    v18 = m5 + m4 * N3
+    v18 = m6 + m5 * N3
     v19 = Z1_3 * v18
-    S2_pp = v19 - w3 * (m4 * Z2_3)
-    S2_pm = v19 - w3 * (m4 * -Z2_3)
+    S2_pp = v19 - w3 * (m5 * Z2_3)
+    S2_pm = v19 - w3 * (m5 * -Z2_3)
     v20 = Z2_3 * X1_2
     v21 = Z1_3 * Y1_2
     v22 = v20 + v21
     v23 = v20 - v21
-    v24 = w3 * (m4 * Z1_3)
-    v25 = w3 * (m4 * -Z1_3)
+    v24 = w3 * (m5 * Z1_3)
+    v25 = w3 * (m5 * -Z1_3)
     v26 = Z2_3 * v18
     C2_pp = v24 + v26
     C2_pm = v25 + v26
@@ -997,10 +999,10 @@ def _regular(pose, q, status):
     v36 = 1.0 / v32
 
     # is the pose one that the arm can take?
-    v37 = m7 + m8 * c3
-    v38 = v22 * v37 - m8 * (s3 * v16)
+    v37 = m8 + m9 * c3
+    v38 = v22 * v37 - m9 * (s3 * v16)
     v39 = v12 + w2_pp * (v33 * v38)
-    v40 = m8 * (s3 * v17)
+    v40 = m9 * (s3 * v17)
     v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40))
     v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12
     v43 = w2_mm * (v36 * -v38) - v12
@@ -1032,16 +1034,15 @@ def _regular(pose, q, status):
 
     # joint values
     v77 = math.sqrt(-1.0)
-    v78 = 0.0 if v65 <= m10 else v77
-    v79 = 0.0 if v66 <= m10 else v77
-    v80 = 0.0 if v67 <= m10 else v77
-    v81 = 0.0 if v68 <= m10 else v77
+    v78 = 0.0 if v65 <= m11 else v77
+    v79 = 0.0 if v66 <= m11 else v77
+    v80 = 0.0 if v67 <= m11 else v77
+    v81 = 0.0 if v68 <= m11 else v77
     doubt1 = (
-        v6 <= m3 or v4 <= m1 or v7 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or (m10 < v68 and v68 <= m11) or v32 <= m6
-        or (m10 < v67 and v67 <= m11) or v31 <= m6 or (m10 < v66 and v66 <= m11) or v30 <= m6 or
-        (m10 < v65 and v65 <= m11) or m9 < v50 * v50 + (v49 * v49 + (v48 * v48 + (v47 * v47 + (v45 *
-        v45 + v46 * v46)))) or v28 <= m6
+        v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or v32 <= m7
+        or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12) or v30 <= m7 or
+        (m11 < v65 and v65 <= m12) or m10 < v50 * v50 + (v49 * v49 + (v48 * v48 + (v47 * v47 + (v45
+        * v45 + v46 * v46)))) or v28 <= m7
     )
 
     # angles, side by side
@@ -1389,7 +1390,8 @@ def _in_tiles(T, q, status):
             Z2_3 = T14 * c1 + T24 * s1 - v12
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k1
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v13 = w3 - w3
             s3 = k2 * w3
             c3 = k2 * K3
@@ -1399,16 +1401,16 @@ def _in_tiles(T, q, status):
             v15 = Z2_3 * Y1_2
             v16 = v14 - v15
             v17 = v14 + v15
-            v18 = m5 + m4 * N3
+            v18 = m6 + m5 * N3
             v19 = Z1_3 * v18
-            S2_pp = v19 - w3 * (m4 * Z2_3)
-            S2_pm = v19 - w3 * (m4 * -Z2_3)
+            S2_pp = v19 - w3 * (m5 * Z2_3)
+            S2_pm = v19 - w3 * (m5 * -Z2_3)
             v20 = Z2_3 * X1_2
             v21 = Z1_3 * Y1_2
             v22 = v20 + v21
             v23 = v20 - v21
-            v24 = w3 * (m4 * Z1_3)
-            v25 = w3 * (m4 * -Z1_3)
+            v24 = w3 * (m5 * Z1_3)
+            v25 = w3 * (m5 * -Z1_3)
             v26 = Z2_3 * v18
             C2_pp = v24 + v26
             C2_pm = v25 + v26
@@ -1428,10 +1430,10 @@ def _in_tiles(T, q, status):
             v34 = 1.0 / v30
             v35 = 1.0 / v31
             v36 = 1.0 / v32
-            v37 = m7 + m8 * c3
-            v38 = v22 * v37 - m8 * (s3 * v16)
+            v37 = m8 + m9 * c3
+            v38 = v22 * v37 - m9 * (s3 * v16)
             v39 = v12 + w2_pp * (v33 * v38)
-            v40 = m8 * (s3 * v17)
+            v40 = m9 * (s3 * v17)
             v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40))
             v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12
             v43 = w2_mm * (v36 * -v38) - v12
@@ -1467,16 +1469,15 @@ def _in_tiles(T, q, status):
             v67 = v63 * v63 + (v55 * v55 + v59 * v59)
             v68 = v64 * v64 + (v56 * v56 + v60 * v60)
             v77 = math.sqrt(-1.0)
-            v78 = 0.0 if v65 <= m10 else v77
-            v79 = 0.0 if v66 <= m10 else v77
-            v80 = 0.0 if v67 <= m10 else v77
-            v81 = 0.0 if v68 <= m10 else v77
+            v78 = 0.0 if v65 <= m11 else v77
+            v79 = 0.0 if v66 <= m11 else v77
+            v80 = 0.0 if v67 <= m11 else v77
+            v81 = 0.0 if v68 <= m11 else v77
             doubt1 = (
-                v6 <= m3 or v4 <= m1 or v7 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach
-                and not (shortest3_apart < N3 and N3 < longest3_apart)) or (m10 < v68 and v68 <=
-                m11) or v32 <= m6 or (m10 < v67 and v67 <= m11) or v31 <= m6 or (m10 < v66 and v66
-                <= m11) or v30 <= m6 or (m10 < v65 and v65 <= m11) or m9 < v50 * v50 + (v49 * v49 +
-                (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46)))) or v28 <= m6
+                v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or
+                v32 <= m7 or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12)
+                or v30 <= m7 or (m11 < v65 and v65 <= m12) or m10 < v50 * v50 + (v49 * v49 + (v48 *
+                v48 + (v47 * v47 + (v45 * v45 + v46 * v46)))) or v28 <= m7
             )
             work[272 + k] = v3
             work[288 + k] = Z2_5

@@ -264,11 +264,13 @@ static const double
     k2 = 0.26665, /* a2^2 + d4^2 [m^2] */
     k3 = 14.106548524322777, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.3642239999999994e-06, /* doubt_limit1^2 [m^2] */
-    m4 = 1.861107122175999e-12, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m2 = 9.080736163016987e-14,
+    m5 = 1.8611071221759995e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 1.4084507042253522, m3 = 0.020563380281690184;
+static const double m3 = 1.4084507042253522, m4 = 0.020563380281690184;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -413,14 +415,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k1 * (N3 - k2),
-        s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v4 = w3 - w3,
+        v5 = k1 * (N3 - k2), s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
-        v11 = v8 - v9, v12 = m2 * N3 - m3, v13 = Z1_3 * v12, v14 = w3 * (m2 * w1),
+        v11 = v8 - v9, v12 = m3 * N3 - m4, v13 = Z1_3 * v12, v14 = w3 * (m3 * w1),
         S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
-        v18 = v15 + v16, v19 = w3 * (m2 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12, C2_pp = v20 - v19,
+        v18 = v15 + v16, v19 = w3 * (m3 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12, C2_pp = v20 - v19,
         C2_pm = v19 + v20, C2_mp = v21 - v19, C2_mm = v19 + v21, v22 = S2_pp * S2_pp,
         v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm, v25 = v24 + C2_pm * C2_pm,
         v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm, w2_pp = sqrt_wide(v23),
@@ -495,9 +497,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_mpp = v4 + (v61 + only_wide(half_turn < v61, -turn));
     const wide_mask v98 = v96 | beyond(q2_ppp, 2), v99 = v97 | beyond(q2_pmp, 2),
         v100 = v96 | beyond(q2_mpp, 2), v101 = v97 | beyond(q2_mmp, 2),
-        doubt1 = (v51 <= m5) | (v27 <= m4) | (v50 <= m5) | (v26 <= m4) | (v49 <= m5) | (v25 <= m4) |
-            (v48 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-            (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v23 <= m4);
+        doubt1 = (v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) | (v25 <= m5) |
+            (v48 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m2) | (v23 <= m5);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, turn);
     q[4] = q5_ppp; q[5] = v88 + only_wide(v88 <= -half_turn, turn);
@@ -535,7 +536,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m7 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -551,16 +552,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k1 * (N3 - k2),
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k1 * (N3 - k2),
         s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
     const four v10 = e1 * e2, v11 = v8 + v9 * v10;
-    const double v12 = m2 * N3 - m3, v13 = Z1_3 * v12;
-    const four S2 = v13 + w3 * (m2 * (w1 * v10));
+    const double v12 = m3 * N3 - m4, v13 = Z1_3 * v12;
+    const four S2 = v13 + w3 * (m3 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m2 * (e2 * Z1_3)),
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
         v22 = 1.0 / v21;
 
@@ -581,9 +582,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v36 = copysign(half_turn, wy), v39 = copysign(half_turn, v5);
     const four v41 = signed_four(half_turn, -(e1 * v28)),
         v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
-    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt2 = (v21 <= m4) | (v30 <= m5);
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
+    const four_mask doubt2 = (v21 <= m5) | (v30 <= m6);
 
     const four_ratio ratio1 = ratio_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 }),
         ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-(e1 * v28), v26),
@@ -592,9 +592,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
-    const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
+    const four v37 = angle1 + v36 * (m7 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
         q2_p = v38 + only_four(half_turn < v38, -turn),
-        v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3,
+        v40 = e2 * angle3 + v39 * (m7 * (1.0 - e2)) - offset3,
         q3_p = v40 + only_four(v40 <= -half_turn, turn), v42 = angle4 - offset4,
         v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, turn),
         q4_m = v43 + only_four(v43 <= -half_turn, turn), v44 = angle5 - offset5,

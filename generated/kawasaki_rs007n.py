@@ -131,11 +131,12 @@ low3 = -2.705260341591211
 high3 = 2.705260341591211
 low5 = -2.181661565992912
 high5 = 2.181661565992912
-m1 = 1.3642239999999994e-06  # doubt_limit1^2 [m^2]
-m2 = 1.4084507042253522  # a coefficient of S2
-m3 = 0.020563380281690184  # a coefficient of S2
-m4 = 1.861107122175999e-12  # doubt_limit_squared2^2 [m^4]
-m5 = 1e-06  # doubt_limit^2
+m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
+m2 = 9.080736163016987e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m3 = 1.4084507042253522  # a coefficient of S2
+m4 = 0.020563380281690184  # a coefficient of S2
+m5 = 1.8611071221759995e-16  # doubt_limit_squared2^2 [m^4]
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -380,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n f8307c3ba6ad4bcb"
+_KEY = "kawasaki_rs007n 5b44952511a9a8b4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1040,7 +1041,8 @@ def _regular(pose, q, status):
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = d1 + (d6 * T33 - T34)
     N3 = v1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v4 = w3 - w3
     v5 = k1 * (N3 - k2)
     s3 = k3 * v5
@@ -1054,16 +1056,16 @@ def _regular(pose, q, status):
     v9 = w1 * X2_2
     v10 = v8 + v9
     v11 = v8 - v9
-    v12 = m2 * N3 - m3
+    v12 = m3 * N3 - m4
     v13 = Z1_3 * v12
-    v14 = w3 * (m2 * w1)
+    v14 = w3 * (m3 * w1)
     S2_pp = v13 + v14
     S2_pm = v13 - v14
     v15 = w1 * X1_2
     v16 = Z1_3 * X2_2
     v17 = v15 - v16
     v18 = v15 + v16
-    v19 = w3 * (m2 * Z1_3)
+    v19 = w3 * (m3 * Z1_3)
     v20 = w1 * v12
     v21 = w1 * -v12
     C2_pp = v20 - v19
@@ -1127,9 +1129,8 @@ def _regular(pose, q, status):
     v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
     v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
     doubt1 = (
-        v51 <= m5 or v27 <= m4 or v50 <= m5 or v26 <= m4 or v49 <= m5 or v25 <= m4 or v48 <= m5 or
-        v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3
-        and N3 < longest3_apart)) or v23 <= m4
+        v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48 <= m6 or
+        v1 <= m1 or abs(D3) <= m2 or v23 <= m5
     )
 
     # angles, side by side
@@ -1584,7 +1585,8 @@ def _in_tiles(T, q, status):
             s1 = wy * factor1
             Z1_3 = d1 + (d6 * T33 - T34)
             N3 = v1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v4 = w3 - w3
             v5 = k1 * (N3 - k2)
             s3 = k3 * v5
@@ -1596,16 +1598,16 @@ def _in_tiles(T, q, status):
             v9 = w1 * X2_2
             v10 = v8 + v9
             v11 = v8 - v9
-            v12 = m2 * N3 - m3
+            v12 = m3 * N3 - m4
             v13 = Z1_3 * v12
-            v14 = w3 * (m2 * w1)
+            v14 = w3 * (m3 * w1)
             S2_pp = v13 + v14
             S2_pm = v13 - v14
             v15 = w1 * X1_2
             v16 = Z1_3 * X2_2
             v17 = v15 - v16
             v18 = v15 + v16
-            v19 = w3 * (m2 * Z1_3)
+            v19 = w3 * (m3 * Z1_3)
             v20 = w1 * v12
             v21 = w1 * -v12
             C2_pp = v20 - v19
@@ -1663,9 +1665,8 @@ def _in_tiles(T, q, status):
             v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
             v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
             doubt1 = (
-                v51 <= m5 or v27 <= m4 or v50 <= m5 or v26 <= m4 or v49 <= m5 or v25 <= m4 or v48 <=
-                m5 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or v23 <= m4
+                v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48 <=
+                m6 or v1 <= m1 or abs(D3) <= m2 or v23 <= m5
             )
             work[272 + k] = wy
             work[288 + k] = v4

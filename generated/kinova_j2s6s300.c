@@ -266,13 +266,13 @@ static const double
     k5 = 0.255061, /* 2 * d4 * a2 [m^2] */
     k6 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
     k7 = 15.371345486276748, /* 1 / (k5^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.6212928899999995e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m3 = 2.6285906351645502e-12, /* doubt_limit_squared2^2 [m^4] */
-    m4 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 9.367415598763348e-14,
+    m4 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.2195121951219514, m2 = 0.08700963109756096;
+static const double m2 = 1.2195121951219514, m3 = 0.08700963109756096;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -420,14 +420,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k5 * (N3 - k6),
-        v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v4 = w3 - w3,
+        v5 = k5 * (N3 - k6), v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
-        v11 = v8 - v9, v12 = m2 + m1 * N3, v13 = Z1_3 * v12, v14 = w3 * (m1 * w1),
+        v11 = v8 - v9, v12 = m3 + m2 * N3, v13 = Z1_3 * v12, v14 = w3 * (m2 * w1),
         S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
-        v18 = v15 + v16, v19 = w3 * (m1 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
+        v18 = v15 + v16, v19 = w3 * (m2 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
         C2_pm = v19 + v20, v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp,
         v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 - C2_pp * -C2_pp, w2_pp = sqrt_wide(v22),
         w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24), v25 = 1.0 / v22, v26 = 1.0 / v23,
@@ -511,10 +511,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, turn)),
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
-        doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v42 <= m4) | (v24 <= m3) |
-            (v41 <= m4) | (v40 <= m4) | (v23 <= m3) | (v39 <= m4) | ((shortest3_reach <= N3) & (N3
-            <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v22 <=
-            m3);
+        doubt1 = (v42 <= m5) | (v24 <= m4) | (v41 <= m5) | (v40 <= m5) | (v23 <= m4) | (v39 <= m5) |
+            (abs_wide(D1) <= k3) | (abs_wide(D3) <= m1) | (v22 <= m4);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
     q[5] = v62 + only_wide(half_turn < v62, -turn);
@@ -546,7 +544,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m5 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -565,16 +563,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k5 * (N3 - k6),
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k5 * (N3 - k6),
         v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
     const four v10 = e1 * e2, v11 = v8 + v9 * v10;
-    const double v12 = m2 + m1 * N3, v13 = Z1_3 * v12;
-    const four S2 = v13 + w3 * (m1 * (w1 * v10));
+    const double v12 = m3 + m2 * N3, v13 = Z1_3 * v12;
+    const four S2 = v13 + w3 * (m2 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m1 * (e2 * Z1_3)),
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m2 * (e2 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
         v22 = 1.0 / v21;
 
@@ -590,9 +588,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v35 = copysign(half_turn, -v5);
-    const four_mask doubt2 = (v21 <= m3) | (v27 <= m4);
-    const int doubt1 = (fabs(D1) <= k3) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3) <= m1);
+    const four_mask doubt2 = (v21 <= m4) | (v27 <= m5);
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(-v5), 0, 5, 2, 3), shuffle(c1,
         all_four(v7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-v25, -X4),
@@ -603,7 +600,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = angle_four(ratio3), angle6 = angle_four(ratio4), angle2 = angle_four(ratio5);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
         q2_ = v34 + only_four(v34 <= -half_turn, turn),
-        v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
+        v36 = e2 * angle5 + v35 * (m6 * (1.0 - e2)) - offset3,
         q3_ = v36 + only_four(v36 <= -half_turn, turn), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6,
         q6_p = v37 + only_four(half_turn < v37, -turn),

@@ -127,7 +127,6 @@ k4 = 2.4956680000016213e-16  # merge_slack1 * (merge_slack1 - k1 * 2) [m^2]
 k5 = 0.255061  # 2 * d4 * a2 [m^2]
 k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
 k7 = 15.371345486276748  # 1 / (k5^2) [m^-4]
-doubt_limit_squared2 = 1.6212928899999995e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low2 = 0.820304747437335
 high2 = 5.462880559742252
@@ -135,10 +134,11 @@ low3 = 0.3316125568789226
 high3 = 5.951572750300664
 low5 = 0.5235987745982988
 high5 = 5.759586532581287
-m1 = 1.2195121951219514  # a coefficient of S2
-m2 = 0.08700963109756096  # a coefficient of S2
-m3 = 2.6285906351645502e-12  # doubt_limit_squared2^2 [m^4]
-m4 = 1e-06  # doubt_limit^2
+m1 = 9.367415598763348e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 1.2195121951219514  # a coefficient of S2
+m3 = 0.08700963109756096  # a coefficient of S2
+m4 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
+m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 d1d53a0cb66a1a88"
+_KEY = "kinova_j2s6s300 39f77b69948e0adb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1046,7 +1046,8 @@ def _regular(pose, q, status):
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = d1 + (d6 * T33 - T34)
     N3 = D1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v4 = w3 - w3
     v5 = k5 * (N3 - k6)
     v6 = k7 * v5
@@ -1060,16 +1061,16 @@ def _regular(pose, q, status):
     v9 = w1 * X2_2
     v10 = v8 + v9
     v11 = v8 - v9
-    v12 = m2 + m1 * N3
+    v12 = m3 + m2 * N3
     v13 = Z1_3 * v12
-    v14 = w3 * (m1 * w1)
+    v14 = w3 * (m2 * w1)
     S2_pp = v13 + v14
     S2_pm = v13 - v14
     v15 = w1 * X1_2
     v16 = Z1_3 * X2_2
     v17 = v15 - v16
     v18 = v15 + v16
-    v19 = w3 * (m1 * Z1_3)
+    v19 = w3 * (m2 * Z1_3)
     v20 = w1 * v12
     C2_pp = v20 - v19
     C2_pm = v19 + v20
@@ -1131,9 +1132,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <=
-        m4 or v23 <= m3 or v39 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3
+        v42 <= m5 or v24 <= m4 or v41 <= m5 or v40 <= m5 or v23 <= m4 or v39 <= m5 or abs(D1) <= k3
+        or abs(D3) <= m1 or v22 <= m4
     )
 
     # angles, side by side
@@ -1604,7 +1604,8 @@ def _in_tiles(T, q, status):
             s1_m = v3 + w1 * (inverse1 * -wy)
             Z1_3 = d1 + (d6 * T33 - T34)
             N3 = D1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v4 = w3 - w3
             v5 = k5 * (N3 - k6)
             v6 = k7 * v5
@@ -1616,16 +1617,16 @@ def _in_tiles(T, q, status):
             v9 = w1 * X2_2
             v10 = v8 + v9
             v11 = v8 - v9
-            v12 = m2 + m1 * N3
+            v12 = m3 + m2 * N3
             v13 = Z1_3 * v12
-            v14 = w3 * (m1 * w1)
+            v14 = w3 * (m2 * w1)
             S2_pp = v13 + v14
             S2_pm = v13 - v14
             v15 = w1 * X1_2
             v16 = Z1_3 * X2_2
             v17 = v15 - v16
             v18 = v15 + v16
-            v19 = w3 * (m1 * Z1_3)
+            v19 = w3 * (m2 * Z1_3)
             v20 = w1 * v12
             C2_pp = v20 - v19
             C2_pm = v19 + v20
@@ -1679,9 +1680,8 @@ def _in_tiles(T, q, status):
             s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
             doubt1 = (
-                abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v42 <= m4 or v24 <= m3 or v41 <= m4
-                or v40 <= m4 or v23 <= m3 or v39 <= m4 or (shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3
+                v42 <= m5 or v24 <= m4 or v41 <= m5 or v40 <= m5 or v23 <= m4 or v39 <= m5 or
+                abs(D1) <= k3 or abs(D3) <= m1 or v22 <= m4
             )
             work[272 + k] = v1
             work[288 + k] = v4

@@ -261,10 +261,12 @@ static const double
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
-    doubt_limit_squared2 = 1.705636e-06, /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 2.9091941644959998e-12, /* doubt_limit_squared2^2 [m^4] */
-    m2 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
+    m1 = 1.4391687841457539e-13,
+    m2 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
+    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -414,8 +416,8 @@ HELPER wide_mask solve_wide(
 
     /* theta4 */
     const wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, Z1_2 = T34 - d7 * T33 - d1,
-        V4 = v1 + wx * wx + Z1_2 * Z1_2, w4 = sqrt_wide((longest4 - V4) * (V4 - shortest4)),
-        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
+        V4 = v1 + wx * wx + Z1_2 * Z1_2, D4 = (longest4 - V4) * (V4 - shortest4),
+        w4 = sqrt_wide(D4), v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
     const wide N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1),
@@ -554,11 +556,10 @@ HELPER wide_mask solve_wide(
         v104 = v101 | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
         v105 = v102 | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
         v106 = v102 | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
-        doubt1 = (N1 <= doubt_limit_squared2) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) &
-            (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (abs_wide(D1) <= reach_slack1
-            * (reach_slack1 + 2.0 * abs_wide(Z1))) | (free_joints[0] < low(3)) | (v51 <= m2) | (v27
-            <= m1) | (v50 <= m2) | (v49 <= m2) | (v26 <= m1) | (v48 <= m2) | (high(3) <
-            free_joints[0]) | (v25 <= m1);
+        doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (abs_wide(D1) <= reach_slack1
+            * (reach_slack1 + 2.0 * abs_wide(Z1))) | (free_joints[0] < low(3)) | (v51 <= m3) | (v27
+            <= m2) | (v50 <= m3) | (v49 <= m3) | (v26 <= m2) | (v48 <= m3) | (high(3) <
+            free_joints[0]) | (v25 <= m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
     q[6] = angle5;
@@ -602,7 +603,7 @@ HELPER int solve_regular(
 
     /* theta4 */
     const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, Z1_2 = T34 - d7 * T33 - d1,
-        V4 = v1 + wx * wx + Z1_2 * Z1_2, w4 = sqrt((longest4 - V4) * (V4 - shortest4)),
+        V4 = v1 + wx * wx + Z1_2 * Z1_2, D4 = (longest4 - V4) * (V4 - shortest4), w4 = sqrt(D4),
         v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
@@ -649,11 +650,9 @@ HELPER int solve_regular(
 
     /* joint values */
     const double q3_p = v6 + (free_joints[0] + (w4 - w4));
-    const four_mask doubt2 = (v23 <= m1) | (v39 <= m2);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | ((shortest4_reach <= V4) & (V4 <=
-        longest4_reach) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (fabs(D1) <=
-        reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (high(3) < free_joints[0]) |
-        (free_joints[0] < low(3));
+    const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (fabs(D1) <= reach_slack1 *
+        (reach_slack1 + 2.0 * fabs(Z1))) | (high(3) < free_joints[0]) | (free_joints[0] < low(3));
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
         }), ratio2 = ratio_four(s1, c1), ratio3 = ratio_four(S2, -v22),

@@ -125,7 +125,7 @@ offset6 = 3.141592653589793  # offset of joint 6 [rad]
 k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
-doubt_limit_squared2 = 1.705636e-06  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 1.705636e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604
 high1 = 2.9670597293903604
@@ -141,8 +141,9 @@ low6 = -2.0943951033931953
 high6 = 2.0943951033931953
 low7 = -3.054326191990077
 high7 = 3.054326191990077
-m1 = 2.9091941644959998e-12  # doubt_limit_squared2^2 [m^4]
-m2 = 1e-06  # doubt_limit^2
+m1 = 1.4391687841457539e-13  # -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4]
+m2 = 2.909194164496e-16  # doubt_limit_squared2^2 [m^4]
+m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -407,7 +408,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 ff77070f98749c31"
+_KEY = "kuka_iiwa14 73d1ef4aa4ad3778"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1077,7 +1078,8 @@ def _regular(pose, q_free, q, status):
     v1 = wy * wy
     Z1_2 = T34 - d7 * T33 - d1
     V4 = v1 + wx * wx + Z1_2 * Z1_2
-    w4 = math.sqrt((longest4 - V4) * (V4 - shortest4))
+    D4 = (longest4 - V4) * (V4 - shortest4)
+    w4 = math.sqrt(D4)
     v2 = k1 * (V4 - k2)
     v3 = k3 * v2
     v4 = k1 * w4
@@ -1245,10 +1247,9 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
-        N1 <= doubt_limit_squared2 or (shortest4_reach <= V4 and V4 <= longest4_reach and not
-        (shortest4_apart < V4 and V4 < longest4_apart)) or abs(D1) <= reach_slack1 * (reach_slack1 +
-        2.0 * abs(Z1)) or q_free[0] < low3 or v51 <= m2 or v27 <= m1 or v50 <= m2 or v49 <= m2 or
-        v26 <= m1 or v48 <= m2 or high3 < q_free[0] or v25 <= m1
+        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0
+        * abs(Z1)) or q_free[0] < low3 or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26 <=
+        m2 or v48 <= m3 or high3 < q_free[0] or v25 <= m2
     )
 
     # angles, side by side
@@ -1770,7 +1771,8 @@ def _in_tiles(T, q_free, q, status):
             v1 = wy * wy
             Z1_2 = T34 - d7 * T33 - d1
             V4 = v1 + wx * wx + Z1_2 * Z1_2
-            w4 = math.sqrt((longest4 - V4) * (V4 - shortest4))
+            D4 = (longest4 - V4) * (V4 - shortest4)
+            w4 = math.sqrt(D4)
             v2 = k1 * (V4 - k2)
             v3 = k3 * v2
             v4 = k1 * w4
@@ -1794,7 +1796,7 @@ def _in_tiles(T, q_free, q, status):
             work[288 + k] = wx
             work[304 + k] = wy
             work[320 + k] = Z1_2
-            work[336 + k] = V4
+            work[336 + k] = D4
             work[352 + k] = w4
             work[368 + k] = v3
             work[384 + k] = v5
@@ -1838,7 +1840,7 @@ def _in_tiles(T, q_free, q, status):
             wx = work[288 + k]
             wy = work[304 + k]
             Z1_2 = work[320 + k]
-            V4 = work[336 + k]
+            D4 = work[336 + k]
             w4 = work[352 + k]
             v3 = work[368 + k]
             v5 = work[384 + k]
@@ -1984,10 +1986,9 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
-                N1 <= doubt_limit_squared2 or (shortest4_reach <= V4 and V4 <= longest4_reach and
-                not (shortest4_apart < V4 and V4 < longest4_apart)) or abs(D1) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z1)) or given1 < low3 or v51 <= m2 or v27 <= m1 or v50 <=
-                m2 or v49 <= m2 or v26 <= m1 or v48 <= m2 or high3 < given1 or v25 <= m1
+                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1) <= reach_slack1 *
+                (reach_slack1 + 2.0 * abs(Z1)) or given1 < low3 or v51 <= m3 or v27 <= m2 or v50 <=
+                m3 or v49 <= m3 or v26 <= m2 or v48 <= m3 or high3 < given1 or v25 <= m2
             )
             work[720 + k] = c1_pp
             work[736 + k] = v12

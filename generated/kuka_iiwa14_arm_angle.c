@@ -262,8 +262,10 @@ static const double
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-24, /* free_limit^2 */
-    m2 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
+    m1 = 1.4391687841457539e-13,
+    m2 = 1e-24, /* free_limit^2 */
+    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -437,13 +439,13 @@ HELPER wide_mask solve_wide(
 
     /* theta4 */
     const wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
-        V4 = wx * wx + wy * wy + v1 * v1, v2 = k1 * (V4 - k2), v3 = k3 * v2,
-        v4 = k1 * sqrt_wide((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
+        V4 = wx * wx + wy * wy + v1 * v1, D4 = (longest4 - V4) * (V4 - shortest4),
+        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt_wide(D4), v5 = k3 * v4;
 
     /* shoulder */
     const wide v6 = sqrt_wide(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
         v7 = gy * gy + gx * gx;
-    const wide_mask upright = v7 <= m1;
+    const wide_mask upright = v7 <= m2;
     const wide v8 = 1.0 / pick_wide(upright, all_wide(1.0), sqrt_wide(v7)),
         v9 = pick_wide(upright, all_wide(0.0), gy * v8),
         v10 = pick_wide(upright, all_wide(1.0), -(gx * v8)), v11 = gz * v10, v12 = gz * v9,
@@ -548,9 +550,7 @@ HELPER wide_mask solve_wide(
         v106 = v91 | beyond(q3_pmp, 3) | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
         v107 = v92 | beyond(angle2, 3) | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
         v108 = v92 | beyond(q3_mmp, 3) | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
-        doubt1 = (v56 <= m2) | (v31 <= m2) | (v55 <= m2) | ((shortest4_reach <= V4) & (V4 <=
-            longest4_reach) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v30 <=
-            m2);
+        doubt1 = (v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (abs_wide(D4) <= m1) | (v30 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
     q[6] = angle5;
@@ -582,7 +582,7 @@ HELPER wide_mask solve_wide(
 
 #if LANES > 1
 static const double
-    m3 = 0.5; /* 1 / 2 */
+    m4 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -595,16 +595,14 @@ HELPER int solve_regular(
 
     /* theta4 */
     const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
-        V4 = wx * wx + wy * wy + v1 * v1;
-    const int doubt1 = (shortest4_reach <= V4) & (V4 <= longest4_reach) & (((shortest4_apart < V4) &
-        (V4 < longest4_apart)) == 0);
-    const double v2 = k1 * (V4 - k2), v3 = k3 * v2,
-        v4 = k1 * sqrt((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
+        V4 = wx * wx + wy * wy + v1 * v1, D4 = (longest4 - V4) * (V4 - shortest4);
+    const int doubt1 = fabs(D4) <= m1;
+    const double v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt(D4), v5 = k3 * v4;
 
     /* shoulder */
     const double v6 = sqrt(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
         v7 = gy * gy + gx * gx;
-    const int upright = v7 <= m1;
+    const int upright = v7 <= m2;
     const double v8 = 1.0 / (upright ? 1.0 : sqrt(v7)), v9 = upright ? 0.0 : (gy * v8),
         v10 = upright ? 1.0 : (-(gx * v8)), v11 = gz * v10, v12 = gz * v9,
         cos_psi = cos(free_joints[0]), sin_psi = sin(free_joints[0]),
@@ -630,7 +628,7 @@ HELPER int solve_regular(
     /* theta3 */
     const four v30 = v28 * (b22 * (ux * v21 + e1 * v23) + X1 * (uy * v21 + e1 * v24)),
         v31 = w1 * v30, v32 = v28 * (b22 * (nx * side) + X1 * (ny * side)), v33 = w1 * v32,
-        v34 = signed_four(half_turn, -v30), v35 = m3 * (e2 - 1.0);
+        v34 = signed_four(half_turn, -v30), v35 = m4 * (e2 - 1.0);
 
     /* theta5 */
     const four v36 = w1 * (v28 * (T23 * b22 - T13 * X1)), v37 = c2 * v36 + T33 * w1,
@@ -653,7 +651,7 @@ HELPER int solve_regular(
 
     /* joint values */
     const four v52 = signed_four(half_turn, b22);
-    const four_mask doubt2 = (v27 <= m2) | (v41 <= m2);
+    const four_mask doubt2 = (v27 <= m3) | (v41 <= m3);
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
         }), ratio2 = ratio_four(shuffle(-v30, Y5, 0, 5, 2, 7), shuffle(-v32, -X5, 0, 5, 2, 7)),

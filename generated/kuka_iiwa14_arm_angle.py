@@ -138,8 +138,9 @@ low6 = -2.0943951033931953
 high6 = 2.0943951033931953
 low7 = -3.054326191990077
 high7 = 3.054326191990077
-m1 = 1e-24  # free_limit^2
-m2 = 1e-06  # doubt_limit^2
+m1 = 1.4391687841457539e-13  # -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4]
+m2 = 1e-24  # free_limit^2
+m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -463,7 +464,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle f3540dc26596370c"
+_KEY = "kuka_iiwa14_arm_angle 310f95d1cd4292b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -940,9 +941,10 @@ def _regular(pose, q_free, q, status):
     wy = T24 - d7 * T23
     v1 = T34 - d7 * T33 - d1
     V4 = wx * wx + wy * wy + v1 * v1
+    D4 = (longest4 - V4) * (V4 - shortest4)
     v2 = k1 * (V4 - k2)
     v3 = k3 * v2
-    v4 = k1 * math.sqrt((longest4 - V4) * (V4 - shortest4))
+    v4 = k1 * math.sqrt(D4)
     v5 = k3 * v4
 
     # shoulder, its rotation, from the arm angle and theta4
@@ -951,7 +953,7 @@ def _regular(pose, q_free, q, status):
     gy = wy * v6
     gz = v1 * v6
     v7 = gy * gy + gx * gx
-    upright = v7 <= m1
+    upright = v7 <= m2
     v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
     v9 = 0.0 if upright else gy * v8
     v10 = 1.0 if upright else -(gx * v8)
@@ -1081,10 +1083,7 @@ def _regular(pose, q_free, q, status):
     q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
     v91 = q4_ppp < low4 or high4 < q4_ppp
     v92 = q4_mpp < low4 or high4 < q4_mpp
-    doubt1 = (
-        v56 <= m2 or v31 <= m2 or v55 <= m2 or (shortest4_reach <= V4 and V4 <= longest4_reach and
-        not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <= m2
-    )
+    doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
 
     # angles, side by side
     room[0] = -v36
@@ -1522,16 +1521,17 @@ def _in_tiles(T, q_free, q, status):
             wy = T24 - d7 * T23
             v1 = T34 - d7 * T33 - d1
             V4 = wx * wx + wy * wy + v1 * v1
+            D4 = (longest4 - V4) * (V4 - shortest4)
             v2 = k1 * (V4 - k2)
             v3 = k3 * v2
-            v4 = k1 * math.sqrt((longest4 - V4) * (V4 - shortest4))
+            v4 = k1 * math.sqrt(D4)
             v5 = k3 * v4
             v6 = math.sqrt(V4) * (1.0 / V4)
             gx = wx * v6
             gy = wy * v6
             gz = v1 * v6
             v7 = gy * gy + gx * gx
-            upright = v7 <= m1
+            upright = v7 <= m2
             v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
             v9 = 0.0 if upright else gy * v8
             v10 = 1.0 if upright else -(gx * v8)
@@ -1563,7 +1563,7 @@ def _in_tiles(T, q_free, q, status):
             v72 = arm * (v16 * (gz * (v14 * T31)))
             v73 = v13 * T31
             v76 = v13 * T32
-            work[288 + k] = V4
+            work[288 + k] = D4
             work[304 + k] = v3
             work[320 + k] = v5
             work[336 + k] = gx
@@ -1611,7 +1611,7 @@ def _in_tiles(T, q_free, q, status):
             T31 = work[128 + k]
             T32 = work[144 + k]
             T33 = work[160 + k]
-            V4 = work[288 + k]
+            D4 = work[288 + k]
             v3 = work[304 + k]
             v5 = work[320 + k]
             gx = work[336 + k]
@@ -1715,10 +1715,7 @@ def _in_tiles(T, q_free, q, status):
             q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
             v91 = q4_ppp < low4 or high4 < q4_ppp
             v92 = q4_mpp < low4 or high4 < q4_mpp
-            doubt1 = (
-                v56 <= m2 or v31 <= m2 or v55 <= m2 or (shortest4_reach <= V4 and V4 <=
-                longest4_reach and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <= m2
-            )
+            doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
             work[800 + k] = b22_p
             work[816 + k] = b22_m
             work[832 + k] = v36

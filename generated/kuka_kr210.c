@@ -260,14 +260,14 @@ static const double
     k2 = 0.135, /* 2 * a3 * a2 [m^2] */
     k3 = 3.815416, /* a2^2 + (d4^2 + a3^2) [m^2] */
     k4 = 0.07101907039587806, /* 1 / (k1^2 + k2^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.7698848999999998e-05,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.7698848999999998e-05, /* doubt_limit1^2 [m^2] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.7698849000000003e-07, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 1.73640268392503e-11,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 0.009587574503443538, m4 = 1.016127365600848, m5 = 0.26632151398454273,
-m6 = 0.03658058516163053, m7 = 0.4, m8 = 0.27616640000000003;
+static const double m4 = 0.009587574503443538, m5 = 1.016127365600848, m6 = 0.26632151398454273,
+m7 = 0.03658058516163053, m8 = 0.4, m9 = 0.27616640000000003;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -385,20 +385,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d7 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v6 = m5 * N3_p - m4,
-        v7 = m5 * N3_m - m4, v8 = m3 * w3_p, v9 = v6 + v8, v10 = v6 - v8, v11 = m3 * w3_m,
-        v12 = v7 + v11, v13 = v7 - v11, v14 = m6 - m3 * N3_p, v15 = m6 - m3 * N3_m, v16 = m5 * w3_p,
-        c3_pp = v14 + v16, c3_pm = v14 - v16, v17 = m5 * w3_m, c3_mp = v15 + v17, c3_mm = v15 - v17,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v6 = m6 * N3_p - m5, v7 = m6 * N3_m - m5, v8 = m4 * w3_p,
+        v9 = v6 + v8, v10 = v6 - v8, v11 = m4 * w3_m, v12 = v7 + v11, v13 = v7 - v11,
+        v14 = m7 - m4 * N3_p, v15 = m7 - m4 * N3_m, v16 = m6 * w3_p, c3_pp = v14 + v16,
+        c3_pm = v14 - v16, v17 = m6 * w3_m, c3_mp = v15 + v17, c3_mm = v15 - v17,
         angle2 = atan2_wide(-v9, c3_pp), angle3 = atan2_wide(-v10, c3_pm),
         angle4 = atan2_wide(-v12, c3_mp), angle5 = atan2_wide(-v13, c3_mm);
 
     /* theta2 */
-    const wide X2_2_p = m8 - m7 * N3_p, X2_2_m = m8 - m7 * N3_m, v18 = Z1_3 * X2_2_p,
-        v19 = Z1_3 * X2_2_m, v20 = w3_p * (m7 * v3), S2_pp = v18 + v20, S2_pm = v18 - v20,
-        S2_mp = v19 + w3_m * (m7 * v4), S2_mm = v19 + w3_m * (m7 * -v4), v21 = v3 * X2_2_p,
-        v22 = v4 * X2_2_m, v23 = m7 * Z1_3, v24 = m7 * -Z1_3, C2_pp = v21 - w3_p * v23,
+    const wide X2_2_p = m9 - m8 * N3_p, X2_2_m = m9 - m8 * N3_m, v18 = Z1_3 * X2_2_p,
+        v19 = Z1_3 * X2_2_m, v20 = w3_p * (m8 * v3), S2_pp = v18 + v20, S2_pm = v18 - v20,
+        S2_mp = v19 + w3_m * (m8 * v4), S2_mm = v19 + w3_m * (m8 * -v4), v21 = v3 * X2_2_p,
+        v22 = v4 * X2_2_m, v23 = m8 * Z1_3, v24 = m8 * -Z1_3, C2_pp = v21 - w3_p * v23,
         C2_pm = v21 - w3_p * v24, C2_mp = v22 - w3_m * v23, C2_mm = v22 - w3_m * v24,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
@@ -446,11 +446,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q2_mpp = v48 + only_wide(half_turn < v48, -turn),
         q2_mmp = v49 + only_wide(half_turn < v49, -turn), q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v35 <= m9) | (v33 <= m9) |
-        (v31 <= m9) | (v1 <= m1) | (v30 <= m9);
+    const wide_mask doubt1 = (v35 <= m10) | (v33 <= m10) | (v31 <= m10) | (v30 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle2; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -500,12 +497,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d7 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)), v6 = m3 * e2,
-        v7 = m5 * N3 - m4, v8 = v7 + w3 * v6, v9 = m5 * e2, v10 = m6 - m3 * N3, c3 = v10 + w3 * v9;
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
+    const four v6 = m4 * e2, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6, v9 = m6 * e2, v10 = m7 - m4 * N3,
+        c3 = v10 + w3 * v9;
 
     /* theta2 */
-    const four X2_2 = m8 - m7 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m7 * (e2 * v4)),
-        v12 = v4 * X2_2, v13 = m7 * (e2 * Z1_3), C2 = v12 - w3 * v13, factor2 = 1.0 / N3;
+    const four X2_2 = m9 - m8 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m8 * (e2 * v4)),
+        v12 = v4 * X2_2, v13 = m8 * (e2 * Z1_3), C2 = v12 - w3 * v13, factor2 = 1.0 / N3;
 
     /* theta4 */
     const four c23 = c3 * C2 + v8 * S2, s23 = c3 * S2 - v8 * C2;
@@ -513,17 +512,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four X4 = e1 * (c23 * v14) - T33 * s23;
     const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v16 = v15 * v15;
     const four v17 = v16 + factor2 * (X4 * (factor2 * X4));
-    const four_mask doubt3 = v17 <= m9;
+    const four_mask doubt3 = v17 <= m10;
     const four v18 = signed_four(half_turn, -(e1 * v15));
 
     /* theta6 */
     const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v20 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
         v21 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
-
-    /* joint values */
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14
         }), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-v8, c3),

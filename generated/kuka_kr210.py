@@ -121,16 +121,16 @@ k1 = 3.75  # 2 * d4 * a2 [m^2]
 k2 = 0.135  # 2 * a3 * a2 [m^2]
 k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.7698848999999998e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.7698848999999998e-05  # doubt_limit1^2 [m^2]
-m3 = 0.009587574503443538  # a coefficient of v4
-m4 = 1.016127365600848  # a coefficient of v4
-m5 = 0.26632151398454273  # a coefficient of v4
-m6 = 0.03658058516163053  # a coefficient of c3
-m7 = 0.4  # a coefficient of X2_2
-m8 = 0.27616640000000003  # a coefficient of X2_2
-m9 = 1e-06  # doubt_limit^2
+m1 = 1.7698849000000003e-07  # doubt_limit1^2 [m^2]
+m3 = 1.73640268392503e-11  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 0.009587574503443538  # a coefficient of v4
+m5 = 1.016127365600848  # a coefficient of v4
+m6 = 0.26632151398454273  # a coefficient of v4
+m7 = 0.03658058516163053  # a coefficient of c3
+m8 = 0.4  # a coefficient of X2_2
+m9 = 0.27616640000000003  # a coefficient of X2_2
+m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -366,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 b07027f9d2392f43"
+_KEY = "kuka_kr210 c4f1bc37726883bc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -782,39 +782,41 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v6 = m5 * N3_p - m4
-    v7 = m5 * N3_m - m4
-    v8 = m3 * w3_p
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
+    v6 = m6 * N3_p - m5
+    v7 = m6 * N3_m - m5
+    v8 = m4 * w3_p
     v9 = v6 + v8
     v10 = v6 - v8
-    v11 = m3 * w3_m
+    v11 = m4 * w3_m
     v12 = v7 + v11
     v13 = v7 - v11
-    v14 = m6 - m3 * N3_p
-    v15 = m6 - m3 * N3_m
-    v16 = m5 * w3_p
+    v14 = m7 - m4 * N3_p
+    v15 = m7 - m4 * N3_m
+    v16 = m6 * w3_p
     c3_pp = v14 + v16
     c3_pm = v14 - v16
-    v17 = m5 * w3_m
+    v17 = m6 * w3_m
     c3_mp = v15 + v17
     c3_mm = v15 - v17
 
     # theta2, type 3: U1[1, 4] and U1[3, 4]
-    X2_2_p = m8 - m7 * N3_p
-    X2_2_m = m8 - m7 * N3_m
+    X2_2_p = m9 - m8 * N3_p
+    X2_2_m = m9 - m8 * N3_m
     v18 = Z1_3 * X2_2_p
     v19 = Z1_3 * X2_2_m
-    v20 = w3_p * (m7 * v3)
+    v20 = w3_p * (m8 * v3)
     S2_pp = v18 + v20
     S2_pm = v18 - v20
-    S2_mp = v19 + w3_m * (m7 * v4)
-    S2_mm = v19 + w3_m * (m7 * -v4)
+    S2_mp = v19 + w3_m * (m8 * v4)
+    S2_mm = v19 + w3_m * (m8 * -v4)
     v21 = v3 * X2_2_p
     v22 = v4 * X2_2_m
-    v23 = m7 * Z1_3
-    v24 = m7 * -Z1_3
+    v23 = m8 * Z1_3
+    v24 = m8 * -Z1_3
     C2_pp = v21 - w3_p * v23
     C2_pm = v21 - w3_p * v24
     C2_mp = v22 - w3_m * v23
@@ -859,10 +861,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v35 <= m9 or v33 <= m9 or v31 <= m9 or v1 <= m1 or v30 <= m9
+        v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
+        abs(D3_p) <= m3
     )
 
     # angles, side by side
@@ -1265,37 +1265,39 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v6 = m5 * N3_p - m4
-            v7 = m5 * N3_m - m4
-            v8 = m3 * w3_p
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            v6 = m6 * N3_p - m5
+            v7 = m6 * N3_m - m5
+            v8 = m4 * w3_p
             v9 = v6 + v8
             v10 = v6 - v8
-            v11 = m3 * w3_m
+            v11 = m4 * w3_m
             v12 = v7 + v11
             v13 = v7 - v11
-            v14 = m6 - m3 * N3_p
-            v15 = m6 - m3 * N3_m
-            v16 = m5 * w3_p
+            v14 = m7 - m4 * N3_p
+            v15 = m7 - m4 * N3_m
+            v16 = m6 * w3_p
             c3_pp = v14 + v16
             c3_pm = v14 - v16
-            v17 = m5 * w3_m
+            v17 = m6 * w3_m
             c3_mp = v15 + v17
             c3_mm = v15 - v17
-            X2_2_p = m8 - m7 * N3_p
-            X2_2_m = m8 - m7 * N3_m
+            X2_2_p = m9 - m8 * N3_p
+            X2_2_m = m9 - m8 * N3_m
             v18 = Z1_3 * X2_2_p
             v19 = Z1_3 * X2_2_m
-            v20 = w3_p * (m7 * v3)
+            v20 = w3_p * (m8 * v3)
             S2_pp = v18 + v20
             S2_pm = v18 - v20
-            S2_mp = v19 + w3_m * (m7 * v4)
-            S2_mm = v19 + w3_m * (m7 * -v4)
+            S2_mp = v19 + w3_m * (m8 * v4)
+            S2_mm = v19 + w3_m * (m8 * -v4)
             v21 = v3 * X2_2_p
             v22 = v4 * X2_2_m
-            v23 = m7 * Z1_3
-            v24 = m7 * -Z1_3
+            v23 = m8 * Z1_3
+            v24 = m8 * -Z1_3
             C2_pp = v21 - w3_p * v23
             C2_pm = v21 - w3_p * v24
             C2_mp = v22 - w3_m * v23
@@ -1334,11 +1336,8 @@ def _in_tiles(T, q, status):
             v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
             v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v35 <= m9 or v33 <= m9 or v31
-                <= m9 or v1 <= m1 or v30 <= m9
+                v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1
+                or abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p

@@ -516,15 +516,18 @@ static const double
     doubtful_slack1 = 0.022, /* a row may miss the pose by this before it is tightened [m] */
     k1 = 1.2800000000000002, /* 2 * a3 * a2 [m^2] */
     k2 = 0.7812499999999999, /* 1 / k1 [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 4.8399999999999986e-06,
+    doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m3 = 1e-24, /* exact_slack^2 */
-    m4 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
-    m5 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.8076207197736455e-13,
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 0.0001802301952675207,
+    m5 = 1e-24, /* exact_slack^2 */
+    m6 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
+    m7 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
 /* coefficients */
-static const double m2 = 0.625;
+static const double m4 = 0.625;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -634,13 +637,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* theta3 */
     const wide v5 = factor234 * (a4 * T31), Z1_3 = T34 - d1 - v5, v6 = a1 + factor234 * (a4 * T33),
         Z2_3 = c1 * T14 - v4 * T24 - v6, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), angle2 = atan2_wide(w3, N3 - k1);
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3),
+        angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v7 = w3 * (m2 * Z2_3), v8 = w3 * (m2 * -Z2_3), v9 = m2 * (Z1_3 * N3), v10 = v7 + v9,
-        v11 = v8 + v9, v12 = m2 * (Z2_3 * N3), factor2 = 1.0 / N3, v13 = m2 * (N3 * -Z1_3),
-        angle3 = atan2_wide(-v10, v12 - w3 * (m2 * Z1_3)),
-        angle4 = atan2_wide(-v11, v12 - w3 * (m2 * -Z1_3));
+    const wide v7 = w3 * (m4 * Z2_3), v8 = w3 * (m4 * -Z2_3), v9 = m4 * (Z1_3 * N3), v10 = v7 + v9,
+        v11 = v8 + v9, v12 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3, v13 = m4 * (N3 * -Z1_3),
+        angle3 = atan2_wide(-v10, v12 - w3 * (m4 * Z1_3)),
+        angle4 = atan2_wide(-v11, v12 - w3 * (m4 * -Z1_3));
 
     /* is the pose one that the arm can take? */
     const wide v14 = v6 + Z2_3, v15 = d1 + v5, v16 = T33 - T33 * factor234,
@@ -655,12 +659,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* joint values */
     const wide v30 = angle1 - (angle2 + angle3), v31 = angle1 - (angle4 - angle2);
     const double v32 = NAN;
-    const wide v33 = only_wide((v28 <= m4) == 0, v32), v34 = only_wide((v29 <= m4) == 0, v32),
+    const wide v33 = only_wide((v28 <= m6) == 0, v32), v34 = only_wide((v29 <= m6) == 0, v32),
         angle5 = atan2_wide(-T12, T22), v35 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = (v2 <= m1) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <=
-        longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <=
-        doubt_limit_squared2) | (m3 < v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16
-        + v17 * v17))))) | ((m4 < v28) & (v28 <= m5)) | ((m4 < v29) & (v29 <= m5));
+    const wide_mask doubt1 = (v2 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (N3 <=
+        doubt_limit_squared2) | (m5 < v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16
+        + v17 * v17))))) | ((m6 < v28) & (v28 <= m7)) | ((m6 < v29) & (v29 <= m7));
 
     q[0] = v33 + v35; q[1] = angle3 + v33; q[2] = angle2 + v33;
     q[3] = v33 + (v30 + pick_wide(v30 <= -half_turn, all_wide(turn), only_wide(half_turn < v30,
@@ -693,13 +696,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* theta3 */
     const double v5 = factor234 * (a4 * T31), Z1_3 = T34 - d1 - v5,
         v6 = a1 + factor234 * (a4 * T33), Z2_3 = c1 * T14 - v4 * T24 - v6,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3);
 
     /* theta2 */
-    const four v7 = w3 * (m2 * (e1 * Z2_3));
-    const double v8 = m2 * (Z1_3 * N3);
+    const four v7 = w3 * (m4 * (e1 * Z2_3));
+    const double v8 = m4 * (Z1_3 * N3);
     const four v9 = v7 + v8;
-    const double v10 = m2 * (Z2_3 * N3), factor2 = 1.0 / N3, v11 = m2 * (N3 * -Z1_3);
+    const double v10 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3, v11 = m4 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
     const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T33 - T33 * factor234,
@@ -709,19 +712,19 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v20 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
     const double v21 = T14 - c1 * v12, v22 = v21 * v21, v23 = T24 + v4 * v12, v24 = v23 * v23;
     const four v25 = v24 + (v22 + v20 * v20);
-    const four_mask doubt2 = (m4 < v25) & (v25 <= m5);
+    const four_mask doubt2 = (m6 < v25) & (v25 <= m7);
 
     /* joint values */
     const double v28 = NAN;
-    const four v29 = only_four((v25 <= m4) == 0, v28);
-    const int doubt1 = (v2 <= m1) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (m3 < v19 * v19 + (v18 * v18 +
-        (v17 * v17 + (v16 * v16 + (v14 * v14 + v15 * v15))))) | (N3 <= doubt_limit_squared2);
+    const four v29 = only_four((v25 <= m6) == 0, v28);
+    const int doubt1 = (v2 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (m5 < v19 * v19 + (v18
+        * v18 + (v17 * v17 + (v16 * v16 + (v14 * v14 + v15 * v15))))) | (N3 <=
+        doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22,
         T22 }),
         ratio2 = ratio_four(shuffle(shuffle(-v9, all_four(-T31), 0, 1, 6, 3), all_four(w3), 0, 1, 2,
-            7), shuffle(shuffle(v10 - w3 * (m2 * (e1 * Z1_3)), all_four(T33), 0, 1, 6, 3),
+            7), shuffle(shuffle(v10 - w3 * (m4 * (e1 * Z1_3)), all_four(T33), 0, 1, 6, 3),
             all_four(N3 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 0, 0, 0),
         packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 1, 0, 1),

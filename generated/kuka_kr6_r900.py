@@ -124,17 +124,17 @@ k1 = 0.3822  # 2 * d4 * a2 [m^2]
 k2 = 0.022750000000000003  # 2 * a3 * a2 [m^2]
 k3 = 0.38405  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.821542862115762  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 2.002225e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5113426674862398  # a constant angle [rad]
-m1 = 2.002225e-06  # doubt_limit1^2 [m^2]
-m3 = 1.0989010989010988  # a coefficient of Y1_2
-m4 = 0.03296703296703301  # a coefficient of Y1_2
-m5 = 0.07061149555147579  # a coefficient of c23
-m6 = 1.1862731252647931  # a coefficient of c23
-m7 = 0.035588193757943844  # a coefficient of c23
-m8 = 0.0021183448665442767  # a coefficient of c23
-m9 = 1e-06  # doubt_limit^2
+m1 = 2.0022250000000006e-08  # doubt_limit1^2 [m^2]
+m3 = 1.8983996380000456e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 1.0989010989010988  # a coefficient of Y1_2
+m5 = 0.03296703296703301  # a coefficient of Y1_2
+m6 = 0.07061149555147579  # a coefficient of c23
+m7 = 1.1862731252647931  # a coefficient of c23
+m8 = 0.035588193757943844  # a coefficient of c23
+m9 = 0.0021183448665442767  # a coefficient of c23
+m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -380,7 +380,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr6_r900 e60f3ec259f87d0d"
+_KEY = "kuka_kr6_r900 ec9150c7c2e1f297"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -801,42 +801,44 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    Y1_2_p = m4 + m3 * N3_p
-    Y1_2_m = m4 + m3 * N3_m
+    Y1_2_p = m5 + m4 * N3_p
+    Y1_2_m = m5 + m4 * N3_m
     v6 = Z1_3 * Y1_2_p
     v7 = Z1_3 * Y1_2_m
     v8 = v3 * Y1_2_p
     v9 = v4 * Y1_2_m
-    v10 = m3 * Z1_3
-    v11 = m3 * -Z1_3
+    v10 = m4 * Z1_3
+    v11 = m4 * -Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v12 = m5 * Z1_3
-    v13 = v12 - m6 * v3
-    v14 = v12 - m6 * v4
-    v15 = m7 * factor2_p - m6
-    v16 = m7 * factor2_m - m6
-    v17 = m8 * factor2_p - m5
-    v18 = m8 * factor2_m - m5
+    v12 = m6 * Z1_3
+    v13 = v12 - m7 * v3
+    v14 = v12 - m7 * v4
+    v15 = m8 * factor2_p - m7
+    v16 = m8 * factor2_m - m7
+    v17 = m9 * factor2_p - m6
+    v18 = m9 * factor2_m - m6
     v19 = Z1_3 * v15 + v3 * v17
     v20 = Z1_3 * v16 + v4 * v18
     c23_pp = v19 + w3_p * (factor2_p * v13)
     c23_pm = v19 + w3_p * (factor2_p * -v13)
     c23_mp = v20 + w3_m * (factor2_m * v14)
     c23_mm = v20 + w3_m * (factor2_m * -v14)
-    v21 = m6 * Z1_3
+    v21 = m7 * Z1_3
     v22 = Z1_3 * v17 + v3 * -v15
     v23 = Z1_3 * v18 + v4 * -v16
-    v24 = w3_p * (factor2_p * (v21 + m5 * v3))
+    v24 = w3_p * (factor2_p * (v21 + m6 * v3))
     s23_pp = v22 - v24
     s23_pm = v22 + v24
-    v25 = w3_m * (factor2_m * (v21 + m5 * v4))
+    v25 = w3_m * (factor2_m * (v21 + m6 * v4))
     s23_mp = v23 - v25
     s23_mm = v23 + v25
     v26 = w1 * (v2 * (T23 * Y1 - T13 * wx))
@@ -864,12 +866,10 @@ def _regular(pose, q, status):
     v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
 
     # joint values
-    v42 = w3_p * (m3 * v3)
+    v42 = w3_p * (m4 * v3)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v31 <= m9 or v30 <= m9 or v29 <= m9 or v1 <= m1 or v28 <= m9
+        v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
+        abs(D3_p) <= m3
     )
 
     # angles, side by side
@@ -884,8 +884,8 @@ def _regular(pose, q, status):
     room[8] = v41
     room[9] = v42 - v6
     room[10] = -(v6 + v42)
-    room[11] = w3_m * (m3 * v4) - v7
-    room[12] = w3_m * (m3 * -v4) - v7
+    room[11] = w3_m * (m4 * v4) - v7
+    room[12] = w3_m * (m4 * -v4) - v7
     room[13] = w3_p
     room[14] = w3_m
     room[15] = math.sqrt(v28)
@@ -1290,38 +1290,40 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            Y1_2_p = m4 + m3 * N3_p
-            Y1_2_m = m4 + m3 * N3_m
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            Y1_2_p = m5 + m4 * N3_p
+            Y1_2_m = m5 + m4 * N3_m
             v6 = Z1_3 * Y1_2_p
             v7 = Z1_3 * Y1_2_m
             v8 = v3 * Y1_2_p
             v9 = v4 * Y1_2_m
-            v10 = m3 * Z1_3
-            v11 = m3 * -Z1_3
+            v10 = m4 * Z1_3
+            v11 = m4 * -Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v12 = m5 * Z1_3
-            v13 = v12 - m6 * v3
-            v14 = v12 - m6 * v4
-            v15 = m7 * factor2_p - m6
-            v16 = m7 * factor2_m - m6
-            v17 = m8 * factor2_p - m5
-            v18 = m8 * factor2_m - m5
+            v12 = m6 * Z1_3
+            v13 = v12 - m7 * v3
+            v14 = v12 - m7 * v4
+            v15 = m8 * factor2_p - m7
+            v16 = m8 * factor2_m - m7
+            v17 = m9 * factor2_p - m6
+            v18 = m9 * factor2_m - m6
             v19 = Z1_3 * v15 + v3 * v17
             v20 = Z1_3 * v16 + v4 * v18
             c23_pp = v19 + w3_p * (factor2_p * v13)
             c23_pm = v19 + w3_p * (factor2_p * -v13)
             c23_mp = v20 + w3_m * (factor2_m * v14)
             c23_mm = v20 + w3_m * (factor2_m * -v14)
-            v21 = m6 * Z1_3
+            v21 = m7 * Z1_3
             v22 = Z1_3 * v17 + v3 * -v15
             v23 = Z1_3 * v18 + v4 * -v16
-            v24 = w3_p * (factor2_p * (v21 + m5 * v3))
+            v24 = w3_p * (factor2_p * (v21 + m6 * v3))
             s23_pp = v22 - v24
             s23_pm = v22 + v24
-            v25 = w3_m * (factor2_m * (v21 + m5 * v4))
+            v25 = w3_m * (factor2_m * (v21 + m6 * v4))
             s23_mp = v23 - v25
             s23_mm = v23 + v25
             v26 = w1 * (v2 * (T23 * Y1 - T13 * wx))
@@ -1345,13 +1347,10 @@ def _in_tiles(T, q, status):
             v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
             v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
             v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
-            v42 = w3_p * (m3 * v3)
+            v42 = w3_p * (m4 * v3)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v31 <= m9 or v30 <= m9 or v29
-                <= m9 or v1 <= m1 or v28 <= m9
+                v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <= m1
+                or abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1374,8 +1373,8 @@ def _in_tiles(T, q, status):
             work[560 + k] = v41
             work[576 + k] = v42 - v6
             work[592 + k] = -(v6 + v42)
-            work[608 + k] = w3_m * (m3 * v4) - v7
-            work[624 + k] = w3_m * (m3 * -v4) - v7
+            work[608 + k] = w3_m * (m4 * v4) - v7
+            work[624 + k] = w3_m * (m4 * -v4) - v7
             work[640 + k] = w3_p
             work[656 + k] = w3_m
             work[672 + k] = math.sqrt(v28)

@@ -258,15 +258,17 @@ static const double
     k1 = 0.04225, /* a2^2 + a3^2 [m^2] */
     k2 = 23.894862604540023, /* 1 / (2 * a3 * a2) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 4.7265624999999995e-07, /* doubt_limit1^2 [m^2] */
-    m3 = 1e-12, /* doubt_limit_squared^2 */
-    m6 = 2.234039306640625e-13, /* doubt_limit_squared2^2 [m^4] */
-    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m10 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
-    m11 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
+    m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m4 = 3.3360314510859984e-15,
+    m7 = 2.2340393066406244e-17, /* doubt_limit_squared2^2 [m^4] */
+    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m11 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
+    m12 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
 /* coefficients */
-static const double m4 = 3.2258064516129035, m5 = 0.018709677419354823, m7 = 3.7037037037037037,
-m8 = 0.021481481481481466;
+static const double m5 = 3.2258064516129035, m6 = 0.018709677419354823, m8 = 3.7037037037037037,
+m9 = 0.021481481481481466;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -389,16 +391,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v14 = T14 * c1 + T24 * s1, v15 = v14 - a1, v16 = a1 + v14, v17 = factor234 * v13,
         v18 = v15 - v17, v19 = v17 - v16, v20 = w234 * (v7 * v13), Z2_3_p = v15 - v20,
         Z2_3_m = v20 - v16, v21 = Z1_3 * Z1_3, N3_p = v21 + Z2_3_p * Z2_3_p,
-        N3_m = v21 + Z2_3_m * Z2_3_m, w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v22 = w3_p - w3_p,
-        v23 = w3_m - w3_m, angle4 = atan2_wide(w3_p, N3_p - k1),
-        angle5 = atan2_wide(w3_m, N3_m - k1);
+        N3_m = v21 + Z2_3_m * Z2_3_m, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v22 = w3_p - w3_p, v23 = w3_m - w3_m,
+        angle4 = atan2_wide(w3_p, N3_p - k1), angle5 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v24 = m5 + m4 * N3_p, v25 = m5 + m4 * N3_m, v26 = Z1_3 * v24, v27 = Z1_3 * v25,
-        S2_pp = v26 - w3_p * (m4 * v18), S2_pm = v26 - w3_p * (m4 * -v18),
-        S2_mp = v27 - w3_m * (m4 * v19), S2_mm = v27 - w3_m * (m4 * -v19), v28 = m4 * Z1_3,
-        v29 = m4 * -Z1_3, v30 = v18 * v24, v31 = v19 * v25, C2_pp = v30 + w3_p * v28,
+    const wide v24 = m6 + m5 * N3_p, v25 = m6 + m5 * N3_m, v26 = Z1_3 * v24, v27 = Z1_3 * v25,
+        S2_pp = v26 - w3_p * (m5 * v18), S2_pm = v26 - w3_p * (m5 * -v18),
+        S2_mp = v27 - w3_m * (m5 * v19), S2_mm = v27 - w3_m * (m5 * -v19), v28 = m5 * Z1_3,
+        v29 = m5 * -Z1_3, v30 = v18 * v24, v31 = v19 * v25, C2_pp = v30 + w3_p * v28,
         C2_pm = v30 + w3_p * v29, C2_mp = v31 + w3_m * v28, C2_mm = v31 + w3_m * v29,
         v32 = S2_pp * S2_pp + C2_pp * C2_pp, v33 = S2_pm * S2_pm + C2_pm * C2_pm,
         v34 = S2_mp * S2_mp + C2_mp * C2_mp, v35 = S2_mm * S2_mm + C2_mm * C2_mm,
@@ -410,7 +412,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         angle9 = atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v40 = m7 * Z1_3, v41 = m7 * -Z1_3, v42 = m7 * N3_p - m8, v43 = m7 * N3_m - m8,
+    const wide v40 = m8 * Z1_3, v41 = m8 * -Z1_3, v42 = m8 * N3_p - m9, v43 = m8 * N3_m - m9,
         v44 = v18 * v42, v45 = v19 * v43, v46 = Z1_3 * v42, v47 = Z1_3 * v43, v48 = a1 + v17,
         v49 = a1 - v17, v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp)),
         v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm)),
@@ -421,13 +423,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33))),
         v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11),
         v60 = T13 - factor234 * (c1 * Z2_234),
-        v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m7 *
+        v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m8 *
             v18)))),
-        v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m7 *
+        v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m8 *
             -v18)))),
-        v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m7 *
+        v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m8 *
             v19)))),
-        v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m7 *
+        v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 *
             -v19)))), v65 = T14 - c1 * v50, v66 = T14 - c1 * v51, v67 = T14 + c1 * v52,
         v68 = T14 + c1 * v53, v69 = T24 - s1 * v50, v70 = T24 - s1 * v51, v71 = T24 + s1 * v52,
         v72 = T24 + s1 * v53, v73 = v69 * v69 + (v61 * v61 + v65 * v65),
@@ -446,17 +448,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v88 = pick_wide(-v84 <= -half_turn, all_wide(turn), only_wide(half_turn < -v84, -turn)) -
             v84;
     const double v89 = NAN;
-    const wide v90 = only_wide((v73 <= m10) == 0, v89), v91 = only_wide((v74 <= m10) == 0, v89),
-        v92 = only_wide((v75 <= m10) == 0, v89), v93 = only_wide((v76 <= m10) == 0, v89),
+    const wide v90 = only_wide((v73 <= m11) == 0, v89), v91 = only_wide((v74 <= m11) == 0, v89),
+        v92 = only_wide((v75 <= m11) == 0, v89), v93 = only_wide((v76 <= m11) == 0, v89),
         v94 = angle1 + v22, v95 = v23 + (angle1 - signed_wide(half_turn, v3)), v96 = angle3 + v22,
         v97 = v23 + (angle3 - signed_wide(half_turn, -S5));
-    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m10 < v76) & (v76 <= m11)) |
-        (v35 <= m6) | ((m10 < v75) & (v75 <= m11)) | (v34 <= m6) | ((m10 < v74) & (v74 <= m11)) |
-        (v33 <= m6) | ((m10 < v73) & (v73 <= m11)) | (v32 <= m6) | (m9 < v60 * v60 + (v59 * v59 +
-        (v58 * v58 + (v57 * v57 + (v55 * v55 + v56 * v56))))) | ((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) |
-        ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
-        longest3_apart)) == 0));
+    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m11 < v76) & (v76 <= m12)) |
+        (v35 <= m7) | ((m11 < v75) & (v75 <= m12)) | (v34 <= m7) | ((m11 < v74) & (v74 <= m12)) |
+        (v33 <= m7) | ((m11 < v73) & (v73 <= m12)) | (v32 <= m7) | (m10 < v60 * v60 + (v59 * v59 +
+        (v58 * v58 + (v57 * v57 + (v55 * v55 + v56 * v56))))) | (abs_wide(D3_p) <= m4) |
+        (abs_wide(D3_m) <= m4);
 
     q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, turn)); q[2] = angle4 + v90;
     q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, turn)); q[4] = v90 + v96;
@@ -510,33 +510,32 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double v19 = factor234 * v16;
     const four v20 = e1 * v19, v21 = v18 - v20, Z2_3 = v18 - w234 * (v9 * (e1 * v16));
     const double v22 = Z1_3 * Z1_3;
-    const four N3 = v22 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+    const four N3 = v22 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v23 = w3 - w3;
-    const four_mask doubt2 = (shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0);
+    const four_mask doubt2 = abs_four(D3) <= m4;
 
     /* theta2 */
-    const four v24 = e2 * v21, v25 = m5 + m4 * N3, v26 = Z1_3 * v25, S2 = v26 - w3 * (m4 * v24),
-        v27 = e2 * Z1_3, v28 = m4 * v27, v29 = v21 * v25, C2 = v29 + w3 * v28,
+    const four v24 = e2 * v21, v25 = m6 + m5 * N3, v26 = Z1_3 * v25, S2 = v26 - w3 * (m5 * v24),
+        v27 = e2 * Z1_3, v28 = m5 * v27, v29 = v21 * v25, C2 = v29 + w3 * v28,
         v30 = S2 * S2 + C2 * C2, w2 = sqrt_four(v30), v31 = 1.0 / v30, factor2 = w2 * v31;
 
     /* is the pose one that the arm can take? */
-    const four v32 = m7 * v27, v33 = m7 * N3 - m8, v34 = v21 * v33, v35 = Z1_3 * v33,
+    const four v32 = m8 * v27, v33 = m8 * N3 - m9, v34 = v21 * v33, v35 = Z1_3 * v33,
         v36 = a1 + v20, v37 = v36 + w2 * (v31 * (a3 * (v34 - w3 * v32) + a2 * C2));
     const double v38 = d1 + v15, v39 = T33 - T33 * factor234,
         v40 = T31 + factor234 * (Z2_234 * v12), v41 = T23 - factor234 * (s1 * Z2_234),
         v42 = T21 - (c1 * v13 + factor234 * (v12 * (s1 * T33))),
         v43 = T11 - (factor234 * (v12 * (c1 * T33)) - s1 * v13),
         v44 = T13 - factor234 * (c1 * Z2_234);
-    const four v45 = T34 - (v38 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m7 * v24)))),
+    const four v45 = T34 - (v38 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m8 * v24)))),
         v46 = T14 - e1 * (c1 * v37), v47 = T24 - e1 * (s1 * v37),
         v48 = v47 * v47 + (v45 * v45 + v46 * v46);
 
     /* joint values */
     const double v54 = NAN;
-    const four v55 = only_four((v48 <= m10) == 0, v54);
-    const four_mask doubt3 = (v30 <= m6) | ((m10 < v48) & (v48 <= m11));
-    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m9 < v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 *
+    const four v55 = only_four((v48 <= m11) == 0, v54);
+    const four_mask doubt3 = (v30 <= m7) | ((m11 < v48) & (v48 <= m12));
+    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m10 < v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 *
         v41 + (v39 * v39 + v40 * v40))))) | (v10 <= m3);
 
     const four_ratio ratio1 = ratio_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5

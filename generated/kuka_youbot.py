@@ -119,16 +119,17 @@ pose_slack1 = 6.875e-06  # a pose may be rounded by this [m]
 k1 = 0.04225  # a2^2 + a3^2 [m^2]
 k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 4.7265624999999995e-07  # doubt_limit1^2 [m^2]
-m3 = 1e-12  # doubt_limit_squared^2
-m4 = 3.2258064516129035  # a coefficient of S2
-m5 = 0.018709677419354823  # a coefficient of S2
-m6 = 2.234039306640625e-13  # doubt_limit_squared2^2 [m^4]
-m7 = 3.7037037037037037  # a coefficient of c23
-m8 = 0.021481481481481466  # a coefficient of c23
-m9 = 1.0000000000000002e-10  # pose_slack^2
-m10 = 4.7265625e-11  # pose_slack1^2 [m^2]
-m11 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
+m1 = 4.726562499999999e-09  # doubt_limit1^2 [m^2]
+m3 = 9.999999999999997e-17  # doubt_limit_squared^2
+m4 = 3.3360314510859984e-15  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m5 = 3.2258064516129035  # a coefficient of S2
+m6 = 0.018709677419354823  # a coefficient of S2
+m7 = 2.2340393066406244e-17  # doubt_limit_squared2^2 [m^4]
+m8 = 3.7037037037037037  # a coefficient of c23
+m9 = 0.021481481481481466  # a coefficient of c23
+m10 = 1.0000000000000002e-10  # pose_slack^2
+m11 = 4.7265625e-11  # pose_slack1^2 [m^2]
+m12 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -347,7 +348,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 8bfe528372cc5faf"
+_KEY = "kuka_youbot 2c5bc9a28a41cf44"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -975,22 +976,24 @@ def _regular(pose, q, status):
     v21 = Z1_3 * Z1_3
     N3_p = v21 + Z2_3_p * Z2_3_p
     N3_m = v21 + Z2_3_m * Z2_3_m
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
     v22 = w3_p - w3_p
     v23 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v24 = m5 + m4 * N3_p
-    v25 = m5 + m4 * N3_m
+    v24 = m6 + m5 * N3_p
+    v25 = m6 + m5 * N3_m
     v26 = Z1_3 * v24
     v27 = Z1_3 * v25
-    S2_pp = v26 - w3_p * (m4 * v18)
-    S2_pm = v26 - w3_p * (m4 * -v18)
-    S2_mp = v27 - w3_m * (m4 * v19)
-    S2_mm = v27 - w3_m * (m4 * -v19)
-    v28 = m4 * Z1_3
-    v29 = m4 * -Z1_3
+    S2_pp = v26 - w3_p * (m5 * v18)
+    S2_pm = v26 - w3_p * (m5 * -v18)
+    S2_mp = v27 - w3_m * (m5 * v19)
+    S2_mm = v27 - w3_m * (m5 * -v19)
+    v28 = m5 * Z1_3
+    v29 = m5 * -Z1_3
     v30 = v18 * v24
     v31 = v19 * v25
     C2_pp = v30 + w3_p * v28
@@ -1015,10 +1018,10 @@ def _regular(pose, q, status):
     factor2_mm = w2_mm * v39
 
     # is the pose one that the arm can take?
-    v40 = m7 * Z1_3
-    v41 = m7 * -Z1_3
-    v42 = m7 * N3_p - m8
-    v43 = m7 * N3_m - m8
+    v40 = m8 * Z1_3
+    v41 = m8 * -Z1_3
+    v42 = m8 * N3_p - m9
+    v43 = m8 * N3_m - m9
     v44 = v18 * v42
     v45 = v19 * v43
     v46 = Z1_3 * v42
@@ -1036,10 +1039,10 @@ def _regular(pose, q, status):
     v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33)))
     v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11)
     v60 = T13 - factor234 * (c1 * Z2_234)
-    v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m7 * v18))))
-    v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m7 * -v18))))
-    v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m7 * v19))))
-    v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m7 * -v19))))
+    v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m8 * v18))))
+    v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m8 * -v18))))
+    v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m8 * v19))))
+    v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 * -v19))))
     v65 = T14 - c1 * v50
     v66 = T14 - c1 * v51
     v67 = T14 + c1 * v52
@@ -1055,17 +1058,15 @@ def _regular(pose, q, status):
 
     # joint values
     v89 = math.sqrt(-1.0)
-    v90 = 0.0 if v73 <= m10 else v89
-    v91 = 0.0 if v74 <= m10 else v89
-    v92 = 0.0 if v75 <= m10 else v89
-    v93 = 0.0 if v76 <= m10 else v89
+    v90 = 0.0 if v73 <= m11 else v89
+    v91 = 0.0 if v74 <= m11 else v89
+    v92 = 0.0 if v75 <= m11 else v89
+    v93 = 0.0 if v76 <= m11 else v89
     doubt1 = (
-        v6 <= m3 or v4 <= m1 or v8 <= m3 or (m10 < v76 and v76 <= m11) or v35 <= m6 or (m10 < v75
-        and v75 <= m11) or v34 <= m6 or (m10 < v74 and v74 <= m11) or v33 <= m6 or (m10 < v73 and
-        v73 <= m11) or v32 <= m6 or m9 < v60 * v60 + (v59 * v59 + (v58 * v58 + (v57 * v57 + (v55 *
-        v55 + v56 * v56)))) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-        (shortest3_apart < N3_p and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <=
-        longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart))
+        v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11 < v75
+        and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or (m11 < v73 and
+        v73 <= m12) or v32 <= m7 or m10 < v60 * v60 + (v59 * v59 + (v58 * v58 + (v57 * v57 + (v55 *
+        v55 + v56 * v56)))) or abs(D3_p) <= m4 or abs(D3_m) <= m4
     )
 
     # angles, side by side
@@ -1433,20 +1434,22 @@ def _in_tiles(T, q, status):
             v21 = Z1_3 * Z1_3
             N3_p = v21 + Z2_3_p * Z2_3_p
             N3_m = v21 + Z2_3_m * Z2_3_m
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
             v22 = w3_p - w3_p
             v23 = w3_m - w3_m
-            v24 = m5 + m4 * N3_p
-            v25 = m5 + m4 * N3_m
+            v24 = m6 + m5 * N3_p
+            v25 = m6 + m5 * N3_m
             v26 = Z1_3 * v24
             v27 = Z1_3 * v25
-            S2_pp = v26 - w3_p * (m4 * v18)
-            S2_pm = v26 - w3_p * (m4 * -v18)
-            S2_mp = v27 - w3_m * (m4 * v19)
-            S2_mm = v27 - w3_m * (m4 * -v19)
-            v28 = m4 * Z1_3
-            v29 = m4 * -Z1_3
+            S2_pp = v26 - w3_p * (m5 * v18)
+            S2_pm = v26 - w3_p * (m5 * -v18)
+            S2_mp = v27 - w3_m * (m5 * v19)
+            S2_mm = v27 - w3_m * (m5 * -v19)
+            v28 = m5 * Z1_3
+            v29 = m5 * -Z1_3
             v30 = v18 * v24
             v31 = v19 * v25
             C2_pp = v30 + w3_p * v28
@@ -1469,10 +1472,10 @@ def _in_tiles(T, q, status):
             factor2_pm = w2_pm * v37
             factor2_mp = w2_mp * v38
             factor2_mm = w2_mm * v39
-            v40 = m7 * Z1_3
-            v41 = m7 * -Z1_3
-            v42 = m7 * N3_p - m8
-            v43 = m7 * N3_m - m8
+            v40 = m8 * Z1_3
+            v41 = m8 * -Z1_3
+            v42 = m8 * N3_p - m9
+            v43 = m8 * N3_m - m9
             v44 = v18 * v42
             v45 = v19 * v43
             v46 = Z1_3 * v42
@@ -1491,19 +1494,19 @@ def _in_tiles(T, q, status):
             v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11)
             v60 = T13 - factor234 * (c1 * Z2_234)
             v61 = (
-                T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m7 *
+                T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m8 *
                 v18))))
             )
             v62 = (
-                T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m7 *
+                T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m8 *
                 -v18))))
             )
             v63 = (
-                T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m7 *
+                T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m8 *
                 v19))))
             )
             v64 = (
-                T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m7 *
+                T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 *
                 -v19))))
             )
             v65 = T14 - c1 * v50
@@ -1519,18 +1522,15 @@ def _in_tiles(T, q, status):
             v75 = v71 * v71 + (v63 * v63 + v67 * v67)
             v76 = v72 * v72 + (v64 * v64 + v68 * v68)
             v89 = math.sqrt(-1.0)
-            v90 = 0.0 if v73 <= m10 else v89
-            v91 = 0.0 if v74 <= m10 else v89
-            v92 = 0.0 if v75 <= m10 else v89
-            v93 = 0.0 if v76 <= m10 else v89
+            v90 = 0.0 if v73 <= m11 else v89
+            v91 = 0.0 if v74 <= m11 else v89
+            v92 = 0.0 if v75 <= m11 else v89
+            v93 = 0.0 if v76 <= m11 else v89
             doubt1 = (
-                v6 <= m3 or v4 <= m1 or v8 <= m3 or (m10 < v76 and v76 <= m11) or v35 <= m6 or (m10
-                < v75 and v75 <= m11) or v34 <= m6 or (m10 < v74 and v74 <= m11) or v33 <= m6 or
-                (m10 < v73 and v73 <= m11) or v32 <= m6 or m9 < v60 * v60 + (v59 * v59 + (v58 * v58
-                + (v57 * v57 + (v55 * v55 + v56 * v56)))) or (shortest3_reach <= N3_p and N3_p <=
-                longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
-                (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m
-                and N3_m < longest3_apart))
+                v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11
+                < v75 and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or
+                (m11 < v73 and v73 <= m12) or v32 <= m7 or m10 < v60 * v60 + (v59 * v59 + (v58 * v58
+                + (v57 * v57 + (v55 * v55 + v56 * v56)))) or abs(D3_p) <= m4 or abs(D3_m) <= m4
             )
             work[272 + k] = v3
             work[288 + k] = S5

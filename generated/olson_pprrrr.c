@@ -251,9 +251,9 @@ static const double
     merge_slack1 = 7e-14, /* nearer to that boundary two branches are one [m] */
     /* the same where they follow an angle that is good to few digits [m] */
     blur_slack1 = 6.999999999999999e-11,
-    doubt_limit_squared2 = 4.9e-05, /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 4.9e-07, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-06; /* doubt_limit^2 */
+    m1 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 4.0;
 
@@ -393,8 +393,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         v23 = angle2 + angle7, q3_pp = angle1 + v6,
         q3_mp = v6 + (angle1 - signed_wide(half_turn, -T13)), q6_pp = angle3 + v6,
         q6_mp = v6 + (angle3 - signed_wide(half_turn, -v4));
-    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= reach_slack1 *
-        (reach_slack1 + 2.0 * abs_wide(v5))) | (v1 <= m1);
+    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= blur_slack1 *
+        (blur_slack1 + 2.0 * abs_wide(v5)) * 10.0) | (v1 <= m1);
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp;
     q[3] = v20 + pick_wide(v20 <= -half_turn, all_wide(turn), only_wide(half_turn < v20, -turn));
@@ -458,8 +458,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four v24 = wy + inverse5 * (v21 * v23), q1 = v24 + w5 * (inverse5 * (v19 * v23));
 
     /* joint values */
-    const int doubt1 = (N5 <= doubt_limit_squared2) | (fabs(D5) <= reach_slack1 * (reach_slack1 +
-        2.0 * fabs(v9))) | (v1 <= m1);
+    const int doubt1 = (N5 <= doubt_limit_squared2) | (fabs(D5) <= blur_slack1 * (blur_slack1 + 2.0
+        * fabs(v9)) * 10.0) | (v1 <= m1);
 
     const four_ratio ratio1 = ratio_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23
         }), ratio2 = ratio_four(v16 * v17 - v11, -(v14 + v15));

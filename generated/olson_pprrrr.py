@@ -108,9 +108,9 @@ reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
 # the same where they follow an angle that is good to few digits [m]
 blur_slack1 = 6.999999999999999e-11
-doubt_limit_squared2 = 4.9e-05  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 4.9e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-06  # doubt_limit^2
+m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 4.0  # a coefficient of Y5
 
 turn = 6.283185307179586  # 2 pi [rad]
@@ -305,7 +305,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 8252e7763e3f7491"
+_KEY = "olson_pprrrr 94e0011e99dc9dc5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -911,8 +911,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N5 <= doubt_limit_squared2 or abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 * abs(v5)) or v1
-        <= m1
+        N5 <= doubt_limit_squared2 or abs(D5) <= blur_slack1 * (blur_slack1 + 2.0 * abs(v5)) * 10.0
+        or v1 <= m1
     )
 
     # angles, side by side
@@ -1255,8 +1255,8 @@ def _in_tiles(T, q, status):
             q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
             q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
             doubt1 = (
-                N5 <= doubt_limit_squared2 or abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 *
-                abs(v5)) or v1 <= m1
+                N5 <= doubt_limit_squared2 or abs(D5) <= blur_slack1 * (blur_slack1 + 2.0 * abs(v5))
+                * 10.0 or v1 <= m1
             )
             work[272 + k] = v4
             work[288 + k] = v6

@@ -516,14 +516,19 @@ static const double
     doubtful_slack1 = 3.5500000000000003,
     k1 = 22050.0, /* 2 * a3 * a2 [mm^2] */
     k2 = 4.5351473922902495e-05, /* 1 / k1 [mm^-2] */
-    doubt_limit_squared2 = 0.126025, /* square of a length that fixes no angle [mm^2] */
+    /* square of a length that fixes no angle [mm^2] */
+    doubt_limit_squared2 = 0.0012602499999999999,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m3 = 1e-24, /* exact_slack^2 */
-    m4 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
-    m5 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
+    m2 = 6.577829481102304e-05,
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4] */
+    m3 = 65755.87888877846,
+    m5 = 1e-24, /* exact_slack^2 */
+    m6 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
+    m7 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
 /* coefficients */
-static const double m2 = 0.004761904761904762;
+static const double m4 = 0.004761904761904762;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -632,13 +637,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* theta3 */
     const wide v5 = factor2m3m4 * (a4 * T33), Z1_3 = T34 - d1 - v5, v6 = factor2m3m4 * (a4 * T31),
         Z2_3 = s1 * T24 - v3 * T14 - v6, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), angle2 = atan2_wide(w3, N3 - k1);
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3),
+        angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v7 = w3 * (m2 * Z2_3), v8 = w3 * (m2 * -Z2_3), v9 = m2 * (Z1_3 * N3), S2_p = v9 - v7,
-        S2_m = v9 - v8, v10 = m2 * (Z2_3 * N3), factor2 = 1.0 / N3,
-        angle3 = atan2_wide(S2_p, -(v10 + w3 * (m2 * Z1_3))),
-        angle4 = atan2_wide(S2_m, -(v10 + w3 * (m2 * -Z1_3)));
+    const wide v7 = w3 * (m4 * Z2_3), v8 = w3 * (m4 * -Z2_3), v9 = m4 * (Z1_3 * N3), S2_p = v9 - v7,
+        S2_m = v9 - v8, v10 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3,
+        angle3 = atan2_wide(S2_p, -(v10 + w3 * (m4 * Z1_3))),
+        angle4 = atan2_wide(S2_m, -(v10 + w3 * (m4 * -Z1_3)));
 
     /* is the pose one that the arm can take? */
     const wide v11 = -Z2_3 - v6, v12 = d1 + v5, v13 = T33 * factor2m3m4 - T33, v14 = T22 - v3,
@@ -652,12 +658,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v26 = angle3 - offset2, v27 = angle4 - offset2, v28 = angle3 - angle2 - angle1,
         v29 = angle2 + angle4 - angle1;
     const double v30 = NAN;
-    const wide v31 = only_wide((v24 <= m4) == 0, v30), v32 = only_wide((v25 <= m4) == 0, v30),
+    const wide v31 = only_wide((v24 <= m6) == 0, v30), v32 = only_wide((v25 <= m6) == 0, v30),
         angle5 = atan2_wide(T12, -T22), v33 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = (v4 <= m1) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <=
-        longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <=
-        doubt_limit_squared2) | (m3 < v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32
-        + v13 * v13))))) | ((m4 < v24) & (v24 <= m5)) | ((m4 < v25) & (v25 <= m5));
+    const wide_mask doubt1 = (v4 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (N3 <=
+        doubt_limit_squared2) | (m5 < v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32
+        + v13 * v13))))) | ((m6 < v24) & (v24 <= m7)) | ((m6 < v25) & (v25 <= m7));
 
     q[0] = v31 + v33; q[1] = v31 + (v26 + only_wide(v26 <= -half_turn, turn)); q[2] = angle2 + v31;
     q[3] = v31 + (v28 + pick_wide(v28 <= -half_turn, all_wide(turn), only_wide(half_turn < v28,
@@ -690,13 +695,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* theta3 */
     const double v5 = factor2m3m4 * (a4 * T33), Z1_3 = T34 - d1 - v5, v6 = factor2m3m4 * (a4 * T31),
         Z2_3 = s1 * T24 - v3 * T14 - v6, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3);
 
     /* theta2 */
-    const four v7 = w3 * (m2 * (e1 * Z2_3));
-    const double v8 = m2 * (Z1_3 * N3);
+    const four v7 = w3 * (m4 * (e1 * Z2_3));
+    const double v8 = m4 * (Z1_3 * N3);
     const four S2 = v8 - v7;
-    const double v9 = m2 * (Z2_3 * N3), factor2 = 1.0 / N3;
+    const double v9 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
     const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = T33 * factor2m3m4 - T33, v13 = T22 - v3,
@@ -704,19 +709,19 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v17 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
     const double v18 = T14 - v3 * v10, v19 = v18 * v18, v20 = T24 + s1 * v10, v21 = v20 * v20;
     const four v22 = v21 + (v19 + v17 * v17);
-    const four_mask doubt2 = (m4 < v22) & (v22 <= m5);
+    const four_mask doubt2 = (m6 < v22) & (v22 <= m7);
 
     /* joint values */
     const double v26 = NAN;
-    const four v27 = only_four((v22 <= m4) == 0, v26);
-    const int doubt1 = (v4 <= m1) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (m3 < v16 * v16 + (v15 * v15 +
-        (v14 * v14 + (v13 * v13 + (T32 * T32 + v12 * v12))))) | (N3 <= doubt_limit_squared2);
+    const four v27 = only_four((v22 <= m6) == 0, v26);
+    const int doubt1 = (v4 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (m5 < v16 * v16 + (v15
+        * v15 + (v14 * v14 + (v13 * v13 + (T32 * T32 + v12 * v12))))) | (N3 <=
+        doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four((four){ T12, T12, T12, T12 }, (four){ -T22, -T22, -T22,
         -T22 }),
         ratio2 = ratio_four(shuffle(shuffle(S2, all_four(T33), 0, 1, 6, 3), all_four(w3), 0, 1, 2,
-            7), shuffle(shuffle(-(v9 + w3 * (m2 * (e1 * Z1_3))), all_four(-T31), 0, 1, 6, 3),
+            7), shuffle(shuffle(-(v9 + w3 * (m4 * (e1 * Z1_3))), all_four(-T31), 0, 1, 6, 3),
             all_four(N3 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 0, 0, 0),
         packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 1, 0, 1),

@@ -216,7 +216,7 @@ static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-06; /* doubt_limit1^2 [m^2] */
+    m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

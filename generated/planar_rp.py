@@ -96,7 +96,7 @@ offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low2 = -1e-09
 high2 = 1.000000001
-m1 = 1e-06  # doubt_limit1^2 [m^2]
+m1 = 9.999999999999999e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -232,7 +232,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 9155b9d6b934be51"
+_KEY = "planar_rp cc3addc4ffe1216d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

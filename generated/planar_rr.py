@@ -102,9 +102,9 @@ shortest2_apart = 0.010000000000001405  # the shortest, where branches merge [m^
 free_limit_squared2 = 4.899999999999999e-25  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-doubt_limit_squared2 = 4.899999999999999e-07  # square of a length that fixes no angle [m^2]
-m1 = 1.25  # a coefficient of S1
-m2 = 0.08750000000000001  # a coefficient of S1
+m1 = 4.7082338028313255e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -240,7 +240,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rr a03dfb3e94b967c4"
+_KEY = "planar_rr 5972c774267dc5a6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -536,20 +536,16 @@ def _regular(pose, q, status):
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
+    doubt1 = abs(D2) <= m1
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v1 = m2 + m1 * N2
+    v1 = m3 + m2 * N2
     v2 = T24 * v1
     v3 = T14 * v1
-    v4 = w2 * (m1 * T14)
-    v5 = w2 * (m1 * T24)
-
-    # joint values
-    doubt1 = (
-        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or N2 <= doubt_limit_squared2
-    )
+    v4 = w2 * (m2 * T14)
+    v5 = w2 * (m2 * T24)
 
     # angles, side by side
     room[0] = w2
@@ -786,16 +782,14 @@ def _in_tiles(T, q, status):
             T14 = work[48 + k]
             T24 = work[112 + k]
             N2 = T14 * T14 + T24 * T24
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            v1 = m2 + m1 * N2
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
+            doubt1 = abs(D2) <= m1
+            v1 = m3 + m2 * N2
             v2 = T24 * v1
             v3 = T14 * v1
-            v4 = w2 * (m1 * T14)
-            v5 = w2 * (m1 * T24)
-            doubt1 = (
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or N2 <= doubt_limit_squared2
-            )
+            v4 = w2 * (m2 * T14)
+            v5 = w2 * (m2 * T24)
             work[272 + k] = doubt1
             work[288 + k] = w2
             work[304 + k] = v2 - v4

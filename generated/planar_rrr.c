@@ -263,15 +263,16 @@ static const double
     pose_slack1 = 8.5e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    doubt_limit_squared2 = 7.224999999999999e-07, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
-    m7 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
+    m2 = 5.715428130771723e-14,
+    m7 = 7.225e-11, /* pose_slack1^2 [m^2] */
+    m8 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m9 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
 /* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001, m4 = 1.666666666666667,
-m5 = 0.1166666666666667;
+static const double m3 = 1.25, m4 = 0.08750000000000001, m5 = 1.666666666666667,
+m6 = 0.1166666666666667;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -361,32 +362,31 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 
     /* theta2 */
     const wide v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
-        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)),
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt_wide(D2),
         angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v5 = m3 + m2 * N2, v6 = Z2_2 * v5, S1_p = v6 - w2 * (m2 * Z1_2),
-        S1_m = v6 - w2 * (m2 * -Z1_2), v7 = Z1_2 * v5, C1_p = v7 + w2 * (m2 * Z2_2),
-        C1_m = v7 + w2 * (m2 * -Z2_2), factor1 = 1.0 / N2, angle3 = atan2_wide(S1_p, C1_p),
+    const wide v5 = m4 + m3 * N2, v6 = Z2_2 * v5, S1_p = v6 - w2 * (m3 * Z1_2),
+        S1_m = v6 - w2 * (m3 * -Z1_2), v7 = Z1_2 * v5, C1_p = v7 + w2 * (m3 * Z2_2),
+        C1_m = v7 + w2 * (m3 * -Z2_2), factor1 = 1.0 / N2, angle3 = atan2_wide(S1_p, C1_p),
         angle4 = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T33 - 1.0,
+    const wide v8 = m5 - m6 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T33 - 1.0,
         v12 = T21 - T21 * v2, v13 = T11 - T11 * v2,
-        v14 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1))),
-        v15 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1))),
-        v16 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1))),
-        v17 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1))),
+        v14 = T14 - (a2 * (v9 - w2 * (m5 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1))),
+        v15 = T14 - (a2 * (v9 - w2 * (m5 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1))),
+        v16 = T24 - (a2 * (v10 + w2 * (m5 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1))),
+        v17 = T24 - (a2 * (v10 + w2 * (m5 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1))),
         v18 = v14 * v14 + v16 * v16, v19 = v15 * v15 + v17 * v17;
 
     /* joint values */
     const wide v20 = angle1 - (angle2 + angle3), v21 = angle1 - (angle4 - angle2);
     const double v22 = NAN;
-    const wide v23 = only_wide((v18 <= m6) == 0, v22), v24 = only_wide((v19 <= m6) == 0, v22);
-    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
-        < N2) & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (N2 <= doubt_limit_squared2) | (m6 <
-        T34 * T34) | (m7 < T13 * T13 + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 *
-        T31))))) | ((m6 < v18) & (v18 <= m8)) | ((m6 < v19) & (v19 <= m8));
+    const wide v23 = only_wide((v18 <= m7) == 0, v22), v24 = only_wide((v19 <= m7) == 0, v22);
+    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (v1 <= m1) | (m7 < T34 * T34) | (m8 < T13 * T13
+        + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 * T31))))) | ((m7 < v18) & (v18 <=
+        m9)) | ((m7 < v19) & (v19 <= m9));
 
     q[0] = angle3 + v23; q[1] = angle2 + v23;
     q[2] = v23 + (v20 + pick_wide(v20 <= -half_turn, all_wide(turn), only_wide(half_turn < v20,
@@ -414,30 +414,29 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* theta2 */
     const double v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
-        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
     const four v5 = e1 * Z1_2;
-    const double v6 = m3 + m2 * N2, v7 = Z2_2 * v6;
-    const four S1 = v7 - w2 * (m2 * v5), v8 = e1 * Z2_2;
+    const double v6 = m4 + m3 * N2, v7 = Z2_2 * v6;
+    const four S1 = v7 - w2 * (m3 * v5), v8 = e1 * Z2_2;
     const double v9 = Z1_2 * v6;
-    const four C1 = v9 + w2 * (m2 * v8);
+    const four C1 = v9 + w2 * (m3 * v8);
     const double factor1 = 1.0 / N2;
 
     /* is the pose one that the arm can take? */
-    const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T33 - 1.0,
+    const double v10 = m5 - m6 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T33 - 1.0,
         v14 = T21 - T21 * v2, v15 = T11 - T11 * v2;
-    const four v16 = T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1))) + (v3 + a1 * (C1 * factor1))),
-        v17 = T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) + (v4 + a1 * (S1 * factor1))),
+    const four v16 = T14 - (a2 * (v11 - w2 * (m5 * (v8 * factor1))) + (v3 + a1 * (C1 * factor1))),
+        v17 = T24 - (a2 * (v12 + w2 * (m5 * (v5 * factor1))) + (v4 + a1 * (S1 * factor1))),
         v18 = v16 * v16 + v17 * v17;
-    const four_mask doubt2 = (m6 < v18) & (v18 <= m8);
+    const four_mask doubt2 = (m7 < v18) & (v18 <= m9);
 
     /* joint values */
     const double v21 = NAN;
-    const four v22 = only_four((v18 <= m6) == 0, v21);
-    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
-        & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (N2 <= doubt_limit_squared2) | (m7 < T13 *
-        T13 + (v15 * v15 + (v14 * v14 + (T23 * T23 + (v13 * v13 + T31 * T31))))) | (m6 < T34 * T34);
+    const four v22 = only_four((v18 <= m7) == 0, v21);
+    const int doubt1 = (fabs(D2) <= m2) | (v1 <= m1) | (m8 < T13 * T13 + (v15 * v15 + (v14 * v14 +
+        (T23 * T23 + (v13 * v13 + T31 * T31))))) | (m7 < T34 * T34);
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(S1, all_four(T21), 0, 1, 6, 3),
         all_four(w2), 0, 1, 2, 7), shuffle(shuffle(C1, all_four(T11), 0, 1, 6, 3), all_four(N2 -

@@ -107,16 +107,16 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-doubt_limit_squared2 = 7.224999999999999e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 1.25  # a coefficient of S1
-m3 = 0.08750000000000001  # a coefficient of S1
-m4 = 1.666666666666667  # a coefficient of c12
-m5 = 0.1166666666666667  # a coefficient of c12
-m6 = 7.225e-11  # pose_slack1^2 [m^2]
-m7 = 1.0000000000000002e-10  # pose_slack^2
-m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 5.715428130771723e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m3 = 1.25  # a coefficient of S1
+m4 = 0.08750000000000001  # a coefficient of S1
+m5 = 1.666666666666667  # a coefficient of c12
+m6 = 0.1166666666666667  # a coefficient of c12
+m7 = 7.225e-11  # pose_slack1^2 [m^2]
+m8 = 1.0000000000000002e-10  # pose_slack^2
+m9 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -275,7 +275,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 80f3d7bf27d0014b"
+_KEY = "planar_rrr 7b005644ebaafa2e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -825,41 +825,41 @@ def _regular(pose, q, status):
     v4 = v2 * (a3 * T21)
     Z2_2 = T24 - v4
     N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v5 = m3 + m2 * N2
+    v5 = m4 + m3 * N2
     v6 = Z2_2 * v5
-    S1_p = v6 - w2 * (m2 * Z1_2)
-    S1_m = v6 - w2 * (m2 * -Z1_2)
+    S1_p = v6 - w2 * (m3 * Z1_2)
+    S1_m = v6 - w2 * (m3 * -Z1_2)
     v7 = Z1_2 * v5
-    C1_p = v7 + w2 * (m2 * Z2_2)
-    C1_m = v7 + w2 * (m2 * -Z2_2)
+    C1_p = v7 + w2 * (m3 * Z2_2)
+    C1_m = v7 + w2 * (m3 * -Z2_2)
     factor1 = 1.0 / N2
 
     # is the pose one that the arm can take?
-    v8 = m4 - m5 * factor1
+    v8 = m5 - m6 * factor1
     v9 = Z1_2 * v8
     v10 = Z2_2 * v8
     v11 = T33 - 1.0
     v12 = T21 - T21 * v2
     v13 = T11 - T11 * v2
-    v14 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
-    v15 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
-    v16 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
-    v17 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+    v14 = T14 - (a2 * (v9 - w2 * (m5 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+    v15 = T14 - (a2 * (v9 - w2 * (m5 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+    v16 = T24 - (a2 * (v10 + w2 * (m5 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+    v17 = T24 - (a2 * (v10 + w2 * (m5 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
     v18 = v14 * v14 + v16 * v16
     v19 = v15 * v15 + v17 * v17
 
     # joint values
     v22 = math.sqrt(-1.0)
-    v23 = 0.0 if v18 <= m6 else v22
-    v24 = 0.0 if v19 <= m6 else v22
+    v23 = 0.0 if v18 <= m7 else v22
+    v24 = 0.0 if v19 <= m7 else v22
     doubt1 = (
-        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m6 < T34 * T34 or m7 < T13 *
-        T13 + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 * T31)))) or (m6 < v18 and v18
-        <= m8) or (m6 < v19 and v19 <= m8)
+        abs(D2) <= m2 or v1 <= m1 or m7 < T34 * T34 or m8 < T13 * T13 + (v13 * v13 + (v12 * v12 +
+        (T23 * T23 + (v11 * v11 + T31 * T31)))) or (m7 < v18 and v18 <= m9) or (m7 < v19 and v19 <=
+        m9)
     )
 
     # angles, side by side
@@ -1136,35 +1136,35 @@ def _in_tiles(T, q, status):
             v4 = v2 * (a3 * T21)
             Z2_2 = T24 - v4
             N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            v5 = m3 + m2 * N2
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
+            v5 = m4 + m3 * N2
             v6 = Z2_2 * v5
-            S1_p = v6 - w2 * (m2 * Z1_2)
-            S1_m = v6 - w2 * (m2 * -Z1_2)
+            S1_p = v6 - w2 * (m3 * Z1_2)
+            S1_m = v6 - w2 * (m3 * -Z1_2)
             v7 = Z1_2 * v5
-            C1_p = v7 + w2 * (m2 * Z2_2)
-            C1_m = v7 + w2 * (m2 * -Z2_2)
+            C1_p = v7 + w2 * (m3 * Z2_2)
+            C1_m = v7 + w2 * (m3 * -Z2_2)
             factor1 = 1.0 / N2
-            v8 = m4 - m5 * factor1
+            v8 = m5 - m6 * factor1
             v9 = Z1_2 * v8
             v10 = Z2_2 * v8
             v11 = T33 - 1.0
             v12 = T21 - T21 * v2
             v13 = T11 - T11 * v2
-            v14 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
-            v15 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
-            v16 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
-            v17 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+            v14 = T14 - (a2 * (v9 - w2 * (m5 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+            v15 = T14 - (a2 * (v9 - w2 * (m5 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+            v16 = T24 - (a2 * (v10 + w2 * (m5 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+            v17 = T24 - (a2 * (v10 + w2 * (m5 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
             v18 = v14 * v14 + v16 * v16
             v19 = v15 * v15 + v17 * v17
             v22 = math.sqrt(-1.0)
-            v23 = 0.0 if v18 <= m6 else v22
-            v24 = 0.0 if v19 <= m6 else v22
+            v23 = 0.0 if v18 <= m7 else v22
+            v24 = 0.0 if v19 <= m7 else v22
             doubt1 = (
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m6 < T34 * T34 or m7
-                < T13 * T13 + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 * T31)))) or
-                (m6 < v18 and v18 <= m8) or (m6 < v19 and v19 <= m8)
+                abs(D2) <= m2 or v1 <= m1 or m7 < T34 * T34 or m8 < T13 * T13 + (v13 * v13 + (v12 *
+                v12 + (T23 * T23 + (v11 * v11 + T31 * T31)))) or (m7 < v18 and v18 <= m9) or (m7 <
+                v19 and v19 <= m9)
             )
             work[272 + k] = v23
             work[288 + k] = v24

@@ -263,9 +263,10 @@ static const double
     f2 = 0.09800665778412417, /* d3 * cat2 [m] */
     g1 = 0.2701996003807408, /* d1 - sat2 * a2 [m] */
     g2 = 0.09800665778412417, /* d3 * cat2 [m] */
-    doubt_limit_squared2 = 1.5376e-06, /* square of a length that fixes no angle [m^2] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.5375999999999998e-08,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m5 = 1e-06; /* doubt_limit^2 */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 11.314168873492461, m2 = 0.7750600530519154, m3 = 2.1049616508823186,
 m4 = 4.165947785154044;
@@ -449,9 +450,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_ppp = v3 + angle15, angle16 = atan2_wide(s3_m, -v17), q3_pmp = v3 + angle16,
         q2_mpp = v23 - v20, q2_mmp = v23 - v21;
     const wide_mask doubt1 = (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared2) | (N1 <= near_limit_squared2) | (abs_wide(D3) <= reach_slack1 *
-        (reach_slack1 + 2.0 * abs_wide(Z3))) | (v43 <= m5) | (v42 <= m5) | (v40 <= m5) | (v41 <=
-        m5);
+        (N1 <= doubt_limit_squared2) | (abs_wide(D3) <= blur_slack1 * (blur_slack1 + 2.0 *
+        abs_wide(Z3)) * 10.0) | (v43 <= m5) | (v42 <= m5) | (v40 <= m5) | (v41 <= m5);
 
     q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0], 0);
@@ -533,9 +533,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v51 = v25 * (s3 * v50 - v11 * v49) + X4 * v44;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (N1 <=
-        doubt_limit_squared2) | (fabs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3))) | (N1
-        <= near_limit_squared2);
+    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <=
+        blur_slack1 * (blur_slack1 + 2.0 * fabs(Z3)) * 10.0) | (N1 <= doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four(s3, -v11), ratio2 = ratio_four(-v8, c1),
         ratio3 = ratio_four(-v25, -X4),

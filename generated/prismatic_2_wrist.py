@@ -130,13 +130,13 @@ f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 g2 = 0.09800665778412417  # d3 * cat2 [m]
-doubt_limit_squared2 = 1.5376e-06  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 1.5375999999999998e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 11.314168873492461  # a coefficient of v12
 m2 = 0.7750600530519154  # a coefficient of v12
 m3 = 2.1049616508823186  # a coefficient of v12
 m4 = 4.165947785154044  # a coefficient of s3
-m5 = 1e-06  # doubt_limit^2
+m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 167ffb7400c70ae0"
+_KEY = "prismatic_2_wrist ade3c6f0c745ce61"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -905,9 +905,9 @@ def _regular(pose, q, status):
     q2_mpp = v23 - v20
     q2_mmp = v23 - v21
     doubt1 = (
-        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or N1
-        <= near_limit_squared2 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or v43 <=
-        m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
+        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
+        abs(D3) <= blur_slack1 * (blur_slack1 + 2.0 * abs(Z3)) * 10.0 or v43 <= m5 or v42 <= m5 or
+        v40 <= m5 or v41 <= m5
     )
 
     # angles, side by side
@@ -1378,8 +1378,8 @@ def _in_tiles(T, q, status):
             q2_mmp = v23 - v21
             doubt1 = (
                 abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <=
-                doubt_limit_squared2 or N1 <= near_limit_squared2 or abs(D3) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z3)) or v43 <= m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
+                doubt_limit_squared2 or abs(D3) <= blur_slack1 * (blur_slack1 + 2.0 * abs(Z3)) *
+                10.0 or v43 <= m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
             )
             work[272 + k] = v3
             work[288 + k] = v13

@@ -252,13 +252,13 @@ static const double
     k6 = 2.681666262986505, /* 1 / k5 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
     g1 = 0.8636, /* L2 + D4 [m] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 3.5728130410619597e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m2 = 1.2764993026382408e-11, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 2.435176934946171e-13,
+    m3 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.1579434923575729, m3 = 3.105217997900075, m4 = 2.3158869847151458;
+static const double m2 = 1.1579434923575729, m4 = 3.105217997900075, m5 = 2.3158869847151458;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -381,12 +381,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3,
+        D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3_), v6 = w3 - w3,
         angle1 = atan2_wide(w3, N3 - k5);
 
     /* theta2 */
-    const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
-        v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
+    const wide v7 = w3 * (m2 * t34), v8 = m2 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
+        v11 = m2 * (t34 * N3), v12 = w3 * (m2 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
         v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14,
         v16 = v14 - v10 * -v10, factor2_pp = sqrt_wide(v13) * (1.0 / v13),
         factor2_pm = sqrt_wide(v15) * (1.0 / v15), factor2_mp = sqrt_wide(v16) * (1.0 / v16),
@@ -394,7 +394,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19)),
+    const wide v17 = m4 * N3, v18 = m2 - v17, v19 = v17 - m5, v20 = w1 * (N3 * (v18 + v19)),
         s23_pp = v7 + v20, s23_pm = v20 - v7, v21 = w1 * (N3 * (-v18 - v19)), s23_mp = v7 + v21,
         s23_mm = v21 - v7, v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m,
         X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm,
@@ -434,10 +434,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle18 = atan2_wide(s1_p, c1_p), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, c1_m), q1_mpp = v6 + angle19, q3_ppp = v1 + angle1,
         q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v31 <= m5) |
-        (v30 <= m5) | (v16 <= m2) | (v29 <= m5) | (v15 <= m2) | (v28 <= m5) | ((shortest3_reach <=
-        N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) |
-        (v13 <= m2);
+    const wide_mask doubt1 = (v31 <= m6) | (v30 <= m6) | (v16 <= m3) | (v29 <= m6) | (v15 <= m3) |
+        (v28 <= m6) | (abs_wide(D1) <= k3) | (abs_wide(D3_) <= m1) | (v13 <= m3);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -486,19 +484,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3;
+        D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_), v4 = w3 - w3;
 
     /* theta2 */
-    const four v5 = w3 * (m1 * (e2 * t34)), v6 = m1 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
-    const double v9 = m1 * (t34 * N3);
-    const four C2 = v9 - w3 * (m1 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
+    const four v5 = w3 * (m2 * (e2 * t34)), v6 = m2 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
+    const double v9 = m2 * (t34 * N3);
+    const four C2 = v9 - w3 * (m2 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
         factor2 = sqrt_four(v10) * (1.0 / v10);
 
     /* theta4 */
-    const four c23 = v9 + w3 * (w1 * (m1 * v8));
-    const double v11 = m3 * N3, v12 = m1 - v11;
+    const four c23 = v9 + w3 * (w1 * (m2 * v8));
+    const double v11 = m4 * N3, v12 = m2 - v11;
     const four v13 = e1 * v12;
-    const double v14 = v11 - m4;
+    const double v14 = v11 - m5;
     const four v15 = e2 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)), v16 = T13 * s1 - T23 * c1,
         X4 = c23 * v16 - T33 * s23, v17 = T13 * c1 + T23 * s1, v18 = v17 * v17,
         v19 = v18 + factor2 * (X4 * (factor2 * X4)), v20 = signed_four(half_turn, -v17);
@@ -508,9 +506,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
     /* joint values */
-    const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
-    const int doubt1 = (fabs(D1) <= k3) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3_) <= m1);
+    const four_mask doubt2 = (v10 <= m3) | (v19 <= m6);
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
         all_four(N3 - k5), 0, 5, 2, 3)), ratio2 = ratio_four(-v7, C2),

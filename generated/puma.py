@@ -120,13 +120,13 @@ k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
 k6 = 2.681666262986505  # 1 / k5 [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
-doubt_limit_squared2 = 3.5728130410619597e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.1579434923575729  # a coefficient of v5
-m2 = 1.2764993026382408e-11  # doubt_limit_squared2^2 [m^4]
-m3 = 3.105217997900075  # a coefficient of c23
-m4 = 2.3158869847151458  # a coefficient of s23
-m5 = 1e-06  # doubt_limit^2
+m1 = 2.435176934946171e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 1.1579434923575729  # a coefficient of v5
+m3 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
+m4 = 3.105217997900075  # a coefficient of c23
+m5 = 2.3158869847151458  # a coefficient of s23
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma c87192eb0f943247"
+_KEY = "puma 97eb9e88a9a152c0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -789,16 +789,17 @@ def _regular(pose, q, status):
     # theta3, type 8: U1[3, 4] and U1[2, 4]
     t34 = T34 + D3 * T31 + k1 * T33
     N3 = D1 + t34 * t34
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3_ = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3_)
     v6 = w3 - w3
 
     # theta2, type 3: U1[3, 4] and U1[2, 4]
-    v7 = w3 * (m1 * t34)
-    v8 = m1 * (w1 * N3)
+    v7 = w3 * (m2 * t34)
+    v8 = m2 * (w1 * N3)
     v9 = v7 + v8
     v10 = v8 - v7
-    v11 = m1 * (t34 * N3)
-    v12 = w3 * (m1 * w1)
+    v11 = m2 * (t34 * N3)
+    v12 = w3 * (m2 * w1)
     C2_pp = v11 - v12
     C2_pm = v11 + v12
     v13 = v9 * v9 + C2_pp * C2_pp
@@ -810,9 +811,9 @@ def _regular(pose, q, status):
     factor2_mp = math.sqrt(v16) * (1.0 / v16)
 
     # theta4, type 2: U4[1, 3]
-    v17 = m3 * N3
-    v18 = m1 - v17
-    v19 = v17 - m4
+    v17 = m4 * N3
+    v18 = m2 - v17
+    v19 = v17 - m5
     v20 = w1 * (N3 * (v18 + v19))
     s23_pp = v7 + v20
     s23_pm = v20 - v7
@@ -856,9 +857,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <=
-        m5 or v15 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2
+        v31 <= m6 or v30 <= m6 or v16 <= m3 or v29 <= m6 or v15 <= m3 or v28 <= m6 or abs(D1) <= k3
+        or abs(D3_) <= m1 or v13 <= m3
     )
 
     # angles, side by side
@@ -1255,14 +1255,15 @@ def _in_tiles(T, q, status):
             s1_m = v4 + v5
             t34 = T34 + D3 * T31 + k1 * T33
             N3 = D1 + t34 * t34
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3_ = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3_)
             v6 = w3 - w3
-            v7 = w3 * (m1 * t34)
-            v8 = m1 * (w1 * N3)
+            v7 = w3 * (m2 * t34)
+            v8 = m2 * (w1 * N3)
             v9 = v7 + v8
             v10 = v8 - v7
-            v11 = m1 * (t34 * N3)
-            v12 = w3 * (m1 * w1)
+            v11 = m2 * (t34 * N3)
+            v12 = w3 * (m2 * w1)
             C2_pp = v11 - v12
             C2_pm = v11 + v12
             v13 = v9 * v9 + C2_pp * C2_pp
@@ -1272,9 +1273,9 @@ def _in_tiles(T, q, status):
             factor2_pp = math.sqrt(v13) * (1.0 / v13)
             factor2_pm = math.sqrt(v15) * (1.0 / v15)
             factor2_mp = math.sqrt(v16) * (1.0 / v16)
-            v17 = m3 * N3
-            v18 = m1 - v17
-            v19 = v17 - m4
+            v17 = m4 * N3
+            v18 = m2 - v17
+            v19 = v17 - m5
             v20 = w1 * (N3 * (v18 + v19))
             s23_pp = v7 + v20
             s23_pm = v20 - v7
@@ -1312,9 +1313,8 @@ def _in_tiles(T, q, status):
             v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
             doubt1 = (
-                abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v31 <= m5 or v30 <= m5 or v16 <= m2
-                or v29 <= m5 or v15 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2
+                v31 <= m6 or v30 <= m6 or v16 <= m3 or v29 <= m6 or v15 <= m3 or v28 <= m6 or
+                abs(D1) <= k3 or abs(D3_) <= m1 or v13 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -253,13 +253,14 @@ static const double
     k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
     k7 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
-    doubt_limit_squared2 = 2.9096854084e-06, /* square of a length that fixes no angle [m^2] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m7 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 2.1999652436149993e-13,
+    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.12579382426107213, m2 = 0.9988973492016866, m3 = 2.675752380095121,
-m4 = 0.046960667412677716, m5 = 1.1579434923575729, m6 = 0.000477176933765627;
+static const double m2 = 0.12579382426107213, m3 = 0.9988973492016866, m4 = 2.675752380095121,
+m5 = 0.046960667412677716, m6 = 1.1579434923575729, m7 = 0.000477176933765627;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -401,15 +402,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         s1_m = v5 - v6, angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v7 = w3 - w3, v8 = m2 - m3 * N3,
-        v9 = m1 * w3, s3_p = v8 + v9, s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3,
-        c3_p = v10 + v11, c3_m = v10 - v11, angle3 = atan2_wide(w3, N3 - k6),
-        q3__p = angle3 - turn1, v12 = turn1 + angle3;
+    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m3 - m4 * N3, v9 = m2 * w3, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = m2 * N3 - m5, v11 = m4 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        angle3 = atan2_wide(w3, N3 - k6), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
-        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
+    const wide X1_2 = m6 * N3 - m7, v13 = Z1_3 * X1_2, v14 = w3 * (m6 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m6 * Z1_3), v16 = w3 * (m6 * -Z1_3), v17 = w1 * X1_2,
         v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
         C2_mm = v16 + v18, factor2 = 1.0 / N3, angle4 = atan2_wide(S2_pp, C2_pp),
         angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
@@ -459,9 +459,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
     const wide_mask v50 = v48 | v46 | beyond(angle4, 2), v51 = v49 | v46 | beyond(angle5, 2),
         v52 = v48 | v47 | beyond(angle6, 2), v53 = v49 | v47 | beyond(angle7, 2),
-        doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | ((shortest3_reach <= N3) &
-            (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3
-            <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
+        doubt1 = (abs_wide(D3) <= m1) | (abs_wide(D1) <= k2) | (v31 <= m8) | (v30 <= m8) | (v28 <=
+            m8) | (v29 <= m8);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], v50 | beyond(angle12, 5));
@@ -508,15 +507,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four s1 = v3 + w1 * (inverse1 * (e1 * T24));
 
     /* theta3 */
-    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = m2 - m3 * N3;
-    const four s3 = v5 + w3 * (m1 * e2);
-    const double v6 = m1 * N3 - m4;
-    const four c3 = v6 + w3 * (m3 * e2);
+    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt(D3), v4 = w3 - w3, v5 = m3 - m4 * N3;
+    const four s3 = v5 + w3 * (m2 * e2);
+    const double v6 = m2 * N3 - m5;
+    const four c3 = v6 + w3 * (m4 * e2);
 
     /* theta2 */
-    const double X1_2 = m5 * N3 - m6, v7 = Z1_3 * X1_2;
-    const four S2 = v7 - w3 * (m5 * (w1 * (e1 * e2))), v8 = w3 * (m5 * (e2 * Z1_3)),
+    const double X1_2 = m6 * N3 - m7, v7 = Z1_3 * X1_2;
+    const four S2 = v7 - w3 * (m6 * (w1 * (e1 * e2))), v8 = w3 * (m6 * (e2 * Z1_3)),
         v9 = w1 * (e1 * X1_2), C2 = v8 + v9;
     const double factor2 = 1.0 / N3;
 
@@ -524,7 +523,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, v10 = c1 * T13 + s1 * T23,
         c4 = c23 * v10 + s23 * T33, Y4 = c1 * T23 - s1 * T13, v11 = Y4 * Y4, v12 = factor2 * c4,
         v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m7;
+    const four_mask doubt2 = v13 <= m8;
     const four v14 = signed_four(half_turn, Y4);
 
     /* theta6 */
@@ -532,9 +531,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v18 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (N1 <= doubt_limit_squared2) | (N3 <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
         all_four(N3 - k6), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(Y4, v12),

@@ -121,7 +121,6 @@ k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
-doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.7925268041909272
@@ -132,13 +131,14 @@ low3 = -2.356194491192345
 high3 = 2.356194491192345
 low5 = -1.7453292529943296
 high5 = 1.7453292529943296
-m1 = 0.12579382426107213  # a coefficient of s3
-m2 = 0.9988973492016866  # a coefficient of s3
-m3 = 2.675752380095121  # a coefficient of s3
-m4 = 0.046960667412677716  # a coefficient of c3
-m5 = 1.1579434923575729  # a coefficient of X1_2
-m6 = 0.000477176933765627  # a coefficient of X1_2
-m7 = 1e-06  # doubt_limit^2
+m1 = 2.1999652436149993e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 0.12579382426107213  # a coefficient of s3
+m3 = 0.9988973492016866  # a coefficient of s3
+m4 = 2.675752380095121  # a coefficient of s3
+m5 = 0.046960667412677716  # a coefficient of c3
+m6 = 1.1579434923575729  # a coefficient of X1_2
+m7 = 0.000477176933765627  # a coefficient of X1_2
+m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -349,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 7c1036098f9f227a"
+_KEY = "puma560 d3802edbdae95c5d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1002,25 +1002,26 @@ def _regular(pose, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     N3 = D1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v7 = w3 - w3
-    v8 = m2 - m3 * N3
-    v9 = m1 * w3
+    v8 = m3 - m4 * N3
+    v9 = m2 * w3
     s3_p = v8 + v9
     s3_m = v8 - v9
-    v10 = m1 * N3 - m4
-    v11 = m3 * w3
+    v10 = m2 * N3 - m5
+    v11 = m4 * w3
     c3_p = v10 + v11
     c3_m = v10 - v11
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m5 * N3 - m6
+    X1_2 = m6 * N3 - m7
     v13 = Z1_3 * X1_2
-    v14 = w3 * (m5 * w1)
+    v14 = w3 * (m6 * w1)
     S2_pp = v13 - v14
     S2_pm = v13 + v14
-    v15 = w3 * (m5 * Z1_3)
-    v16 = w3 * (m5 * -Z1_3)
+    v15 = w3 * (m6 * Z1_3)
+    v16 = w3 * (m6 * -Z1_3)
     v17 = w1 * X1_2
     v18 = w1 * -X1_2
     C2_pp = v15 + v17
@@ -1072,11 +1073,7 @@ def _regular(pose, q, status):
     v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
     # joint values
-    doubt1 = (
-        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <=
-        doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
-    )
+    doubt1 = abs(D3) <= m1 or abs(D1) <= k2 or v31 <= m8 or v30 <= m8 or v28 <= m8 or v29 <= m8
 
     # angles, side by side
     room[0] = s1_p
@@ -1496,23 +1493,24 @@ def _in_tiles(T, q, status):
             s1_m = v5 - v6
             Z1_3 = T34 - d1
             N3 = D1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v7 = w3 - w3
-            v8 = m2 - m3 * N3
-            v9 = m1 * w3
+            v8 = m3 - m4 * N3
+            v9 = m2 * w3
             s3_p = v8 + v9
             s3_m = v8 - v9
-            v10 = m1 * N3 - m4
-            v11 = m3 * w3
+            v10 = m2 * N3 - m5
+            v11 = m4 * w3
             c3_p = v10 + v11
             c3_m = v10 - v11
-            X1_2 = m5 * N3 - m6
+            X1_2 = m6 * N3 - m7
             v13 = Z1_3 * X1_2
-            v14 = w3 * (m5 * w1)
+            v14 = w3 * (m6 * w1)
             S2_pp = v13 - v14
             S2_pm = v13 + v14
-            v15 = w3 * (m5 * Z1_3)
-            v16 = w3 * (m5 * -Z1_3)
+            v15 = w3 * (m6 * Z1_3)
+            v16 = w3 * (m6 * -Z1_3)
             v17 = w1 * X1_2
             v18 = w1 * -X1_2
             C2_pp = v15 + v17
@@ -1559,9 +1557,7 @@ def _in_tiles(T, q, status):
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
             doubt1 = (
-                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <=
-                doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
+                abs(D3) <= m1 or abs(D1) <= k2 or v31 <= m8 or v30 <= m8 or v28 <= m8 or v29 <= m8
             )
             work[272 + k] = v1
             work[288 + k] = v7

@@ -139,10 +139,12 @@ static const float
     doubt_limit_squared2 = 2.9096855e-06f,
     turn1 = 1.5238184f, /* a constant angle [rad] */
     half_turn = 3.1415927f, /* pi [rad] */
-    m7 = 1e-06f; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 8.803972e-06f,
+    m8 = 1e-06f; /* doubt_limit^2 */
 /* coefficients */
-static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
-m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
+static const float m2 = 0.12579383f, m3 = 0.9988974f, m4 = 2.6757524f,
+m5 = 0.046960667f, m6 = 1.1579435f, m7 = 0.00047717695f;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -286,15 +288,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         s1_m = v5 - v6, angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v7 = w3 - w3, v8 = m2 - m3 * N3,
-        v9 = m1 * w3, s3_p = v8 + v9, s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3,
-        c3_p = v10 + v11, c3_m = v10 - v11, angle3 = atan2_wide(w3, N3 - k6),
-        q3__p = angle3 - turn1, v12 = turn1 + angle3;
+    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m3 - m4 * N3, v9 = m2 * w3, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = m2 * N3 - m5, v11 = m4 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        angle3 = atan2_wide(w3, N3 - k6), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
-        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
+    const wide X1_2 = m6 * N3 - m7, v13 = Z1_3 * X1_2, v14 = w3 * (m6 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m6 * Z1_3), v16 = w3 * (m6 * -Z1_3), v17 = w1 * X1_2,
         v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
         C2_mm = v16 + v18, factor2 = 1.0f / N3, angle4 = atan2_wide(S2_pp, C2_pp),
         angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
@@ -344,9 +345,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
     const wide_mask v50 = v48 | v46 | beyond(angle4, 2), v51 = v49 | v46 | beyond(angle5, 2),
         v52 = v48 | v47 | beyond(angle6, 2), v53 = v49 | v47 | beyond(angle7, 2),
-        doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | ((shortest3_reach <= N3) &
-            (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3
-            <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
+        doubt1 = (abs_wide(D3) <= m1) | (abs_wide(D1) <= k2) | (N3 <= doubt_limit_squared2) | (v31
+            <= m8) | (v30 <= m8) | (v28 <= m8) | (v29 <= m8);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], v50 | beyond(angle12, 5));

@@ -233,11 +233,12 @@ static const double
     k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
     k7 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
-    doubt_limit_squared2 = 2.9096854084e-06, /* square of a length that fixes no angle [m^2] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    half_turn = 3.141592653589793; /* pi [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 2.1999652436149993e-13;
 /* coefficients */
-static const double m1 = 1.1579434923575729, m2 = 0.000477176933765627;
+static const double m2 = 1.1579434923575729, m3 = 0.000477176933765627;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -302,17 +303,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     ENTRIES(wide);
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
-        v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const wide D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1, v2 = d3 * T14,
+        v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3,
-        angle1 = atan2_wide(w3, N3 - k6), q3__p = angle1 - turn1, v7 = turn1 + angle1;
+    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt_wide(D3), v6 = w3 - w3, angle1 = atan2_wide(w3, N3 - k6), q3__p = angle1 - turn1,
+        v7 = turn1 + angle1;
 
     /* theta2 */
-    const wide X1_2 = m1 * N3 - m2, v8 = Z1_3 * X1_2, v9 = w3 * (m1 * Z1_3),
-        v10 = w3 * (m1 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m1 * w1),
+    const wide X1_2 = m2 * N3 - m3, v8 = Z1_3 * X1_2, v9 = w3 * (m2 * Z1_3),
+        v10 = w3 * (m2 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m2 * w1),
         v14 = v8 - v13, v15 = v8 + v13;
 
     /* joint values */
@@ -320,9 +321,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
         q3_pp = v1 + (q3__p + only_wide(q3__p <= -half_turn, turn)),
         q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (N3 <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1);
 
     q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -347,25 +346,23 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
-        v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const double D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1), v1 = w1 - w1, v2 = d3 * T14,
+        v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
-    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3;
+    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt(D3), v6 = w3 - w3;
 
     /* theta2 */
-    const double X1_2 = m1 * N3 - m2, v7 = Z1_3 * X1_2;
-    const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
+    const double X1_2 = m2 * N3 - m3, v7 = Z1_3 * X1_2;
+    const four v8 = w3 * (m2 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (N1 <= doubt_limit_squared2) | (N3 <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
 
     const four_ratio ratio1 = ratio_four(shuffle(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3), shuffle(e1
         * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3)),
-        ratio2 = ratio_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);
+        ratio2 = ratio_four(v7 - w3 * (m2 * (w1 * (e1 * e2))), v8 + v9);
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2);
     const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3,

@@ -113,11 +113,11 @@ k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
-doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.1579434923575729  # a coefficient of X1_2
-m2 = 0.000477176933765627  # a coefficient of X1_2
+m1 = 2.1999652436149993e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 1.1579434923575729  # a coefficient of X1_2
+m3 = 0.000477176933765627  # a coefficient of X1_2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -284,7 +284,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm dfde8a25099c6a32"
+_KEY = "puma_arm af2e9397c6e91645"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -605,8 +605,7 @@ def _regular(pose, q, status):
     room = carray(_room(16), 16)
 
     # theta1, type 2: U1[3, 4]
-    N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
+    D1 = T14 * T14 + T24 * T24 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     v2 = d3 * T14
@@ -617,26 +616,23 @@ def _regular(pose, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     N3 = D1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v6 = w3 - w3
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m1 * N3 - m2
+    X1_2 = m2 * N3 - m3
     v8 = Z1_3 * X1_2
-    v9 = w3 * (m1 * Z1_3)
-    v10 = w3 * (m1 * -Z1_3)
+    v9 = w3 * (m2 * Z1_3)
+    v10 = w3 * (m2 * -Z1_3)
     v11 = w1 * X1_2
     v12 = w1 * -X1_2
-    v13 = w3 * (m1 * w1)
+    v13 = w3 * (m2 * w1)
     v14 = v8 - v13
     v15 = v8 + v13
 
     # joint values
-    doubt1 = (
-        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or N3 <= doubt_limit_squared2 or
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart))
-    )
+    doubt1 = abs(D1) <= k2 or abs(D3) <= m1
 
     # angles, side by side
     room[0] = w3
@@ -907,8 +903,7 @@ def _in_tiles(T, q, status):
             T14 = work[48 + k]
             T24 = work[112 + k]
             T34 = work[176 + k]
-            N1 = T14 * T14 + T24 * T24
-            D1 = N1 - k1
+            D1 = T14 * T14 + T24 * T24 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             v2 = d3 * T14
@@ -917,22 +912,19 @@ def _in_tiles(T, q, status):
             v5 = T24 * w1
             Z1_3 = T34 - d1
             N3 = D1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v6 = w3 - w3
-            X1_2 = m1 * N3 - m2
+            X1_2 = m2 * N3 - m3
             v8 = Z1_3 * X1_2
-            v9 = w3 * (m1 * Z1_3)
-            v10 = w3 * (m1 * -Z1_3)
+            v9 = w3 * (m2 * Z1_3)
+            v10 = w3 * (m2 * -Z1_3)
             v11 = w1 * X1_2
             v12 = w1 * -X1_2
-            v13 = w3 * (m1 * w1)
+            v13 = w3 * (m2 * w1)
             v14 = v8 - v13
             v15 = v8 + v13
-            doubt1 = (
-                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or N3 <= doubt_limit_squared2 or
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart))
-            )
+            doubt1 = abs(D1) <= k2 or abs(D3) <= m1
             work[272 + k] = v1
             work[288 + k] = v6
             work[304 + k] = doubt1

@@ -512,9 +512,9 @@ static const double
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     doubtful_slack1 = 0.06, /* a row may miss the pose by this before it is tightened [m] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.296e-09, /* doubt_limit_squared2^2 [m^4] */
-    m2 = 1e-06, /* doubt_limit^2 */
-    m4 = 1e-12, /* doubt_limit_squared^2 */
+    m1 = 1.296e-13, /* doubt_limit_squared2^2 [m^4] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m4 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     m6 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
     m7 = 1e-24; /* exact_slack^2 */
 /* coefficients */

@@ -217,7 +217,7 @@ static const double
     d1 = 0.5, /* joint offset 1 [m] */
     free_limit1 = 5e-13, /* a length that fixes no angle [m] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 2.5e-07; /* doubt_limit1^2 [m^2] */
+    m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

@@ -95,7 +95,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 d1 = 0.5  # joint offset 1 [m]
 free_limit1 = 5e-13  # a length that fixes no angle [m]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 2.5e-07  # doubt_limit1^2 [m^2]
+m1 = 2.4999999999999996e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -223,7 +223,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp 6ef31af23c6e111b"
+_KEY = "rpp cbd94506fe3f7715"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -222,7 +222,7 @@ static const double
     k1 = 0.09, /* a3^2 [m^2] */
     k2 = 11.111111111111112, /* 1 / k1 [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 6.4e-07; /* doubt_limit1^2 [m^2] */
+    m1 = 6.400000000000001e-09; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

@@ -102,7 +102,7 @@ merge_slack1 = 8e-15  # nearer to that boundary two branches are one [m]
 k1 = 0.09  # a3^2 [m^2]
 k2 = 11.111111111111112  # 1 / k1 [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 6.4e-07  # doubt_limit1^2 [m^2]
+m1 = 6.400000000000001e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -248,7 +248,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr 091e662ecca983d8"
+_KEY = "rpr c5b92edc806db3b4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

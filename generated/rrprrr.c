@@ -237,7 +237,7 @@ static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-06; /* doubt_limit1^2 [m^2] */
+    m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

@@ -104,7 +104,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-06  # doubt_limit1^2 [m^2]
+m1 = 9.999999999999999e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -284,7 +284,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rrprrr 90635c20c2138d09"
+_KEY = "rrprrr 5efa4fbaf4bb68fb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -243,12 +243,13 @@ static const double
     pose_slack1 = 8e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* L1^2 + L2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * L2 * L1) [m^-2] */
-    doubt_limit_squared2 = 6.399999999999998e-07, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-12, /* doubt_limit_squared^2 */
-    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
+    m2 = 5.379696688124914e-14,
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001;
+static const double m3 = 1.25, m4 = 0.08750000000000001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -374,12 +375,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta2 */
     const wide t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
-        w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)), angle2 = atan2_wide(w2, N2 - k1);
+        D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt_wide(D2),
+        angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3,
-        angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24)),
-        angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
+    const wide v3 = m4 + m3 * N2, v4 = t24 * v3, v5 = t14 * v3,
+        angle3 = atan2_wide(v4 - w2 * (m3 * t14), v5 + w2 * (m3 * t24)),
+        angle4 = atan2_wide(v4 - w2 * (m3 * -t14), v5 + w2 * (m3 * -t24));
 
     /* is the pose one that the arm can take? */
     const wide v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
@@ -388,9 +390,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
     const wide_mask v11 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
-        < N2) & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 +
-        (T23 * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
+    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
+        T23 + (v6 * v6 + T31 * T31))))) | (v1 <= m1);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
     q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
@@ -419,10 +420,10 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta2 */
     const double t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
-        w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+        D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
-    const double v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3;
+    const double v3 = m4 + m3 * N2, v4 = t24 * v3, v5 = t14 * v3;
 
     /* is the pose one that the arm can take? */
     const double v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
@@ -430,12 +431,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const int v10 = beyond(t34, 3);
     const double q3 = t34 + (w2 - w2);
-    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
-        & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23
-        * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 *
+        v6 + T31 * T31))))) | (v1 <= m1);
 
-    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m2 * (e1 * t14)), all_four(T21),
-        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m2 * (e1 * t24)),
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m3 * (e1 * t14)), all_four(T21),
+        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m3 * (e1 * t24)),
         all_four(T11), 0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),

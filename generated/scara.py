@@ -108,7 +108,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
-doubt_limit_squared2 = 6.399999999999998e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.2689280285926285
 high1 = 2.2689280285926285
@@ -116,10 +115,11 @@ low2 = -2.530727416391778
 high2 = 2.530727416391778
 low3 = -0.200000001
 high3 = 1e-09
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 1.25  # a coefficient of S1
-m3 = 0.08750000000000001  # a coefficient of S1
-m4 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 5.379696688124914e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m3 = 1.25  # a coefficient of S1
+m4 = 0.08750000000000001  # a coefficient of S1
+m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -279,7 +279,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 45f00bc5ce20b5df"
+_KEY = "scara 82224c6812a78e33"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -897,10 +897,11 @@ def _regular(pose, q, status):
     t14 = T14 - L4 * T11
     t24 = T24 - L4 * T21
     N2 = t14 * t14 + t24 * t24
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m3 + m2 * N2
+    v3 = m4 + m3 * N2
     v4 = t24 * v3
     v5 = t14 * v3
 
@@ -913,20 +914,19 @@ def _regular(pose, q, status):
     v11 = t34 < low3 or high3 < t34
     q3_p = t34 + (w2 - w2)
     doubt1 = (
-        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 * v6
-        + T31 * T31)))) or N2 <= doubt_limit_squared2
+        abs(D2) <= m2 or m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 * v6 + T31 *
+        T31)))) or v1 <= m1
     )
 
     # angles, side by side
     room[0] = T21
     room[1] = w2
-    room[2] = v4 - w2 * (m2 * t14)
-    room[3] = v4 - w2 * (m2 * -t14)
+    room[2] = v4 - w2 * (m3 * t14)
+    room[3] = v4 - w2 * (m3 * -t14)
     room[8] = T11
     room[9] = N2 - k1
-    room[10] = v5 + w2 * (m2 * t24)
-    room[11] = v5 + w2 * (m2 * -t24)
+    room[10] = v5 + w2 * (m3 * t24)
+    room[11] = v5 + w2 * (m3 * -t24)
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -1194,8 +1194,9 @@ def _in_tiles(T, q, status):
             t14 = T14 - L4 * T11
             t24 = T24 - L4 * T21
             N2 = t14 * t14 + t24 * t24
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            v3 = m3 + m2 * N2
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
+            v3 = m4 + m3 * N2
             v4 = t24 * v3
             v5 = t14 * v3
             v6 = T33 - 1.0
@@ -1204,21 +1205,20 @@ def _in_tiles(T, q, status):
             v11 = t34 < low3 or high3 < t34
             q3_p = t34 + (w2 - w2)
             doubt1 = (
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23
-                + (v6 * v6 + T31 * T31)))) or N2 <= doubt_limit_squared2
+                abs(D2) <= m2 or m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 * v6 + T31
+                * T31)))) or v1 <= m1
             )
             work[272 + k] = v11
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
             work[336 + k] = w2
-            work[352 + k] = v4 - w2 * (m2 * t14)
-            work[368 + k] = v4 - w2 * (m2 * -t14)
+            work[352 + k] = v4 - w2 * (m3 * t14)
+            work[368 + k] = v4 - w2 * (m3 * -t14)
             work[384 + k] = T11
             work[400 + k] = N2 - k1
-            work[416 + k] = v5 + w2 * (m2 * t24)
-            work[432 + k] = v5 + w2 * (m2 * -t24)
+            work[416 + k] = v5 + w2 * (m3 * t24)
+            work[432 + k] = v5 + w2 * (m3 * -t24)
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):

@@ -107,12 +107,12 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
-doubt_limit_squared2 = 3.025e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 1.6666666666666667  # a coefficient of S2
-m3 = 0.045833333333333316  # a coefficient of S2
-m4 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 1.813549310725559e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m3 = 1.6666666666666667  # a coefficient of S2
+m4 = 0.045833333333333316  # a coefficient of S2
+m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -261,7 +261,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr 183eba6ef79647eb"
+_KEY = "scara_prrr 7c1a40cf985f849a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -632,14 +632,15 @@ def _regular(pose, q, status):
 
     # theta3, type 8: U0[1, 4] and U0[2, 4]
     N3 = T14 * T14 + T24 * T24
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
 
     # theta2, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m3 + m2 * N3
+    v3 = m4 + m3 * N3
     v4 = T24 * v3
     v5 = T14 * v3
-    v6 = w3 * (m2 * T14)
-    v7 = w3 * (m2 * T24)
+    v6 = w3 * (m3 * T14)
+    v7 = w3 * (m3 * T24)
 
     # is the pose one that the arm can take?
     v8 = 1.0 + T33
@@ -649,9 +650,8 @@ def _regular(pose, q, status):
     # joint values
     q1_p = w3 - w3 + T34
     doubt1 = (
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 *
-        v8 + T31 * T31)))) or N3 <= doubt_limit_squared2
+        abs(D3) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 + T31 *
+        T31)))) or v1 <= m1
     )
 
     # angles, side by side
@@ -925,20 +925,20 @@ def _in_tiles(T, q, status):
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
             N3 = T14 * T14 + T24 * T24
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v3 = m3 + m2 * N3
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
+            v3 = m4 + m3 * N3
             v4 = T24 * v3
             v5 = T14 * v3
-            v6 = w3 * (m2 * T14)
-            v7 = w3 * (m2 * T24)
+            v6 = w3 * (m3 * T14)
+            v7 = w3 * (m3 * T24)
             v8 = 1.0 + T33
             v9 = T21 - T21 * v2
             v10 = T11 - T11 * v2
             q1_p = w3 - w3 + T34
             doubt1 = (
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 *
-                T23 + (v8 * v8 + T31 * T31)))) or N3 <= doubt_limit_squared2
+                abs(D3) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 +
+                T31 * T31)))) or v1 <= m1
             )
             work[272 + k] = q1_p
             work[288 + k] = doubt1

@@ -227,10 +227,10 @@ static const double
     free_limit_squared2 = 1.4399999999999998e-24, /* square of a length that fixes no angle [m^2] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.4399999999999998e-06;
+    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
+    m1 = 8.06554822929966e-14;
 /* coefficients */
-static const double m1 = 1.25, m2 = 0.08750000000000001;
+static const double m2 = 1.25, m3 = 0.08750000000000001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -290,17 +290,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     ENTRIES(wide);
 
     /* theta2 */
-    const wide N2 = T14 * T14 + T24 * T24, w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)),
-        angle1 = atan2_wide(w2, N2 - k1);
+    const wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
+        w2 = sqrt_wide(D2);
+    const wide_mask doubt1 = abs_wide(D2) <= m1;
+    const wide angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m1 * T14),
-        v5 = w2 * (m1 * T24);
+    const wide v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
+        v5 = w2 * (m2 * T24);
 
     /* joint values */
     const wide q3_p = T34 - d1 + (w2 - w2);
-    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
-        < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
     q[0] = atan2_wide(v2 - v4, v3 + v5); q[1] = angle1; q[2] = q3_p;
     kind[0] = kind_of(q[0], 0);
@@ -320,18 +320,17 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     ENTRIES(double);
 
     /* theta2 */
-    const double N2 = T14 * T14 + T24 * T24, w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+    const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
+    const int doubt1 = fabs(D2) <= m1;
 
     /* theta1 */
-    const double v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1;
+    const double v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1;
 
     /* joint values */
     const double q3 = T34 - d1 + (w2 - w2);
-    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
-        & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
-    const four_ratio ratio1 = ratio_four(shuffle(v2 - w2 * (m1 * (e1 * T14)), all_four(w2), 0, 1, 6,
-        3), shuffle(v3 + w2 * (m1 * (e1 * T24)), all_four(N2 - k1), 0, 1, 6, 3));
+    const four_ratio ratio1 = ratio_four(shuffle(v2 - w2 * (m2 * (e1 * T14)), all_four(w2), 0, 1, 6,
+        3), shuffle(v3 + w2 * (m2 * (e1 * T24)), all_four(N2 - k1), 0, 1, 6, 3));
     const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2);
     const four q2 = e1 * angle1;

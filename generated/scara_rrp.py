@@ -104,9 +104,9 @@ shortest2_apart = 0.010000000000002408  # the shortest, where branches merge [m^
 free_limit_squared2 = 1.4399999999999998e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-doubt_limit_squared2 = 1.4399999999999998e-06  # square of a length that fixes no angle [m^2]
-m1 = 1.25  # a coefficient of S1
-m2 = 0.08750000000000001  # a coefficient of S1
+m1 = 8.06554822929966e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -245,7 +245,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_rrp e17dc5699dd7d6b8"
+_KEY = "scara_rrp 844d07bcd4445163"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -548,21 +548,19 @@ def _regular(pose, q, status):
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
+    doubt1 = abs(D2) <= m1
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v1 = m2 + m1 * N2
+    v1 = m3 + m2 * N2
     v2 = T24 * v1
     v3 = T14 * v1
-    v4 = w2 * (m1 * T14)
-    v5 = w2 * (m1 * T24)
+    v4 = w2 * (m2 * T14)
+    v5 = w2 * (m2 * T24)
 
     # joint values
     q3_p = T34 - d1 + (w2 - w2)
-    doubt1 = (
-        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or N2 <= doubt_limit_squared2
-    )
 
     # angles, side by side
     room[0] = w2
@@ -807,19 +805,17 @@ def _in_tiles(T, q, status):
             T24 = work[112 + k]
             T34 = work[176 + k]
             N2 = T14 * T14 + T24 * T24
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            v1 = m2 + m1 * N2
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
+            doubt1 = abs(D2) <= m1
+            v1 = m3 + m2 * N2
             v2 = T24 * v1
             v3 = T14 * v1
-            v4 = w2 * (m1 * T14)
-            v5 = w2 * (m1 * T24)
+            v4 = w2 * (m2 * T14)
+            v5 = w2 * (m2 * T24)
             q3_p = T34 - d1 + (w2 - w2)
-            doubt1 = (
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or N2 <= doubt_limit_squared2
-            )
-            work[272 + k] = q3_p
-            work[288 + k] = doubt1
+            work[272 + k] = doubt1
+            work[288 + k] = q3_p
             work[304 + k] = w2
             work[320 + k] = v2 - v4
             work[336 + k] = v2 + v4
@@ -829,8 +825,8 @@ def _in_tiles(T, q, status):
         for k in range(304, 352):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
-            q3_p = work[272 + k]
-            doubt1 = work[288 + k] != 0.0
+            doubt1 = work[272 + k] != 0.0
+            q3_p = work[288 + k]
             angle1 = work[304 + k]
             angle2 = work[320 + k]
             angle3 = work[336 + k]

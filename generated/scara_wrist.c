@@ -255,11 +255,12 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    doubt_limit_squared2 = 1.69e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m3 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
+    m1 = 8.737011114593444e-14,
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.25, m2 = 0.08750000000000001;
+static const double m2 = 1.25, m3 = 0.08750000000000001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -362,13 +363,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 
     /* theta2 */
     const wide wx = T14 - d6 * T13, wy = T24 - d6 * T23, N2 = wx * wx + wy * wy,
-        w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)), v1 = w2 - w2,
+        D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt_wide(D2), v1 = w2 - w2,
         angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2,
-        angle2 = atan2_wide(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy)),
-        angle3 = atan2_wide(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy));
+    const wide v2 = m3 + m2 * N2, v3 = wy * v2, v4 = wx * v2,
+        angle2 = atan2_wide(v3 - w2 * (m2 * wx), v4 + w2 * (m2 * wy)),
+        angle3 = atan2_wide(v3 - w2 * (m2 * -wx), v4 + w2 * (m2 * -wy));
 
     /* theta12m4 */
     const wide v5 = T13 * T13 + T23 * T23, v6 = angle1 + angle2, v7 = angle3 - angle1;
@@ -384,8 +385,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         v9 = v6 - angle6, v10 = v6 - v8, v11 = v7 - angle6, v12 = v7 - v8,
         q3_pp = v1 + (T34 - d6 * T33 - d1), q5_pp = v1 + angle4, q5_pm = v1 - angle4,
         q6_pp = v1 + angle5, q6_pm = v1 + (angle5 - signed_wide(half_turn, s6));
-    const wide_mask doubt1 = (N2 <= doubt_limit_squared2) | (v5 <= m3) | ((shortest2_reach <= N2) &
-        (N2 <= longest2_reach) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
+    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (v5 <= m4);
 
     q[0] = angle2; q[1] = angle1; q[2] = q3_pp;
     q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
@@ -409,7 +409,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 
 #if LANES > 1
 static const double
-    m4 = 0.5; /* 1 / 2 */
+    m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -421,27 +421,26 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 
     /* theta2 */
     const double wx = T14 - d6 * T13, wy = T24 - d6 * T23, N2 = wx * wx + wy * wy,
-        w2 = sqrt((longest2 - N2) * (N2 - shortest2)), v1 = w2 - w2;
+        D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2), v1 = w2 - w2;
 
     /* theta1 */
-    const double v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2;
+    const double v2 = m3 + m2 * N2, v3 = wy * v2, v4 = wx * v2;
 
     /* theta12m4 */
     const double v5 = T13 * T13 + T23 * T23;
 
     /* theta6 */
     const double s6 = T13 * T21 - T23 * T11, v7 = copysign(half_turn, s6);
-    const four v8 = m4 * (e2 - 1.0);
+    const four v8 = m5 * (e2 - 1.0);
 
     /* joint values */
     const double v9 = copysign(half_turn, -T23), q3 = v1 + (T34 - d6 * T33 - d1);
-    const int doubt1 = (N2 <= doubt_limit_squared2) | (v5 <= m3) | ((shortest2_reach <= N2) & (N2 <=
-        longest2_reach) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
+    const int doubt1 = (fabs(D2) <= m1) | (v5 <= m4);
 
     const four_ratio ratio1 = ratio_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12,
         -T13, T13 * T22 - T23 * T12, T13 * T22 - T23 * T12 }),
-        ratio2 = ratio_four(shuffle(shuffle(v3 - w2 * (m1 * (e1 * wx)), all_four(w2), 0, 5, 2, 3),
-            all_four(sqrt(v5)), 0, 1, 2, 7), shuffle(shuffle(v4 + w2 * (m1 * (e1 * wy)), all_four(N2
+        ratio2 = ratio_four(shuffle(shuffle(v3 - w2 * (m2 * (e1 * wx)), all_four(w2), 0, 5, 2, 3),
+            all_four(sqrt(v5)), 0, 1, 2, 7), shuffle(shuffle(v4 + w2 * (m2 * (e1 * wy)), all_four(N2
             - k1), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), packed2 = angle_four(ratio2),

@@ -112,11 +112,11 @@ free_limit_squared2 = 1.69e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-doubt_limit_squared2 = 1.69e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.25  # a coefficient of S1
-m2 = 0.08750000000000001  # a coefficient of S1
-m3 = 1e-06  # doubt_limit^2
+m1 = 8.737011114593444e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
+m4 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -313,7 +313,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_wrist 9ad474a074e38881"
+_KEY = "scara_wrist 238cf367524d9b63"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -691,11 +691,12 @@ def _regular(pose, q, status):
     wx = T14 - d6 * T13
     wy = T24 - d6 * T23
     N2 = wx * wx + wy * wy
-    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    w2 = math.sqrt(D2)
     v1 = w2 - w2
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
-    v2 = m2 + m1 * N2
+    v2 = m3 + m2 * N2
     v3 = wy * v2
     v4 = wx * v2
 
@@ -707,21 +708,18 @@ def _regular(pose, q, status):
 
     # joint values
     q3_pp = v1 + (T34 - d6 * T33 - d1)
-    doubt1 = (
-        N2 <= doubt_limit_squared2 or v5 <= m3 or (shortest2_reach <= N2 and N2 <= longest2_reach
-        and not (shortest2_apart < N2 and N2 < longest2_apart))
-    )
+    doubt1 = abs(D2) <= m1 or v5 <= m4
 
     # angles, side by side
     room[0] = w2
-    room[1] = v3 - w2 * (m1 * wx)
-    room[2] = v3 - w2 * (m1 * -wx)
+    room[1] = v3 - w2 * (m2 * wx)
+    room[2] = v3 - w2 * (m2 * -wx)
     room[3] = math.sqrt(v5)
     room[4] = s6
     room[5] = -T23
     room[8] = N2 - k1
-    room[9] = v4 + w2 * (m1 * wy)
-    room[10] = v4 + w2 * (m1 * -wy)
+    room[9] = v4 + w2 * (m2 * wy)
+    room[10] = v4 + w2 * (m2 * -wy)
     room[11] = -T33
     room[12] = T13 * T22 - T23 * T12
     room[13] = -T13
@@ -1023,31 +1021,29 @@ def _in_tiles(T, q, status):
             wx = T14 - d6 * T13
             wy = T24 - d6 * T23
             N2 = wx * wx + wy * wy
-            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+            D2 = (longest2 - N2) * (N2 - shortest2)
+            w2 = math.sqrt(D2)
             v1 = w2 - w2
-            v2 = m2 + m1 * N2
+            v2 = m3 + m2 * N2
             v3 = wy * v2
             v4 = wx * v2
             v5 = T13 * T13 + T23 * T23
             s6 = T13 * T21 - T23 * T11
             q3_pp = v1 + (T34 - d6 * T33 - d1)
-            doubt1 = (
-                N2 <= doubt_limit_squared2 or v5 <= m3 or (shortest2_reach <= N2 and N2 <=
-                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart))
-            )
+            doubt1 = abs(D2) <= m1 or v5 <= m4
             work[272 + k] = v1
             work[288 + k] = s6
             work[304 + k] = q3_pp
             work[320 + k] = doubt1
             work[336 + k] = w2
-            work[352 + k] = v3 - w2 * (m1 * wx)
-            work[368 + k] = v3 - w2 * (m1 * -wx)
+            work[352 + k] = v3 - w2 * (m2 * wx)
+            work[368 + k] = v3 - w2 * (m2 * -wx)
             work[384 + k] = math.sqrt(v5)
             work[400 + k] = s6
             work[416 + k] = -T23
             work[432 + k] = N2 - k1
-            work[448 + k] = v4 + w2 * (m1 * wy)
-            work[464 + k] = v4 + w2 * (m1 * -wy)
+            work[448 + k] = v4 + w2 * (m2 * wy)
+            work[464 + k] = v4 + w2 * (m2 * -wy)
             work[480 + k] = -T33
             work[496 + k] = T13 * T22 - T23 * T12
             work[512 + k] = -T13

@@ -504,14 +504,18 @@ static const double
     k1 = 0.097682, /* 2 * a3 * a2 [m^2] */
     k2 = 10.237300628570258, /* 1 / k1 [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 9.063039999999999e-07, /* doubt_limit1^2 [m^2] */
-    m3 = 1e-12, /* doubt_limit_squared^2 */
-    m6 = 8.213869404159994e-13, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 1e-24, /* exact_slack^2 */
-    m8 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
-    m9 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
+    m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m4 = 1.6429994031951628e-15,
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m5 = 1.6442094386282138e-06,
+    m8 = 8.213869404159996e-17, /* doubt_limit_squared2^2 [m^4] */
+    m9 = 1e-24, /* exact_slack^2 */
+    m10 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
+    m11 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
 /* coefficients */
-static const double m4 = 4.524886877828054, m5 = 2.262443438914027;
+static const double m6 = 4.524886877828054, m7 = 2.262443438914027;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -611,19 +615,20 @@ HELPER wide_mask solve_wide(
         v16 = T14 * v6 + T24 * v7, v17 = a1 + v16, v18 = a1 - v16, v19 = v11 * v15, v20 = v19 - v17,
         v21 = w234 * (v10 * v15), Z2_3_p = v21 - v17, v22 = v18 + v21, v23 = Z1_3 * Z1_3,
         N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + v22 * v22, K3_p = N3_p - k1, K3_m = N3_m - k1,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v24 = w3_p - w3_p,
-        v25 = w3_m - w3_m, s3_p = k2 * w3_p, s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m,
-        angle3 = atan2_wide(w3_p, K3_p), angle4 = atan2_wide(w3_m, K3_m);
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v24 = w3_p - w3_p, v25 = w3_m - w3_m, s3_p = k2 * w3_p,
+        s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m, angle3 = atan2_wide(w3_p, K3_p),
+        angle4 = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
     const wide v26 = v12 * v13, v27 = v10 * (v12 * v12 + v15 * v15), v28 = v13 * v13,
-        Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17))),
-        Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18))),
-        v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m5 * v20),
-        v32 = v29 + w3_p * (m5 * -v20), v33 = w3_m * (m5 * (v18 + v19)), v34 = v30 - v33,
-        v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m5 * Z1_3,
-        v39 = m5 * -Z1_3, C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39,
+        Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17))),
+        Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18))),
+        v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m7 * v20),
+        v32 = v29 + w3_p * (m7 * -v20), v33 = w3_m * (m7 * (v18 + v19)), v34 = v30 - v33,
+        v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m7 * Z1_3,
+        v39 = m7 * -Z1_3, C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39,
         v40 = v37 + w3_m * v38, v41 = v37 + w3_m * v39, v42 = v31 * v31 + C2_pp * C2_pp,
         v43 = v32 * v32 + C2_pm * C2_pm, v44 = v34 * v34 + v40 * v40, v45 = v35 * v35 + v41 * v41,
         w2_pp = sqrt_wide(v42), w2_pm = sqrt_wide(v43), w2_mp = sqrt_wide(v44),
@@ -664,16 +669,14 @@ HELPER wide_mask solve_wide(
         v83 = pick_wide(-v79 <= -half_turn, all_wide(turn), only_wide(half_turn < -v79, -turn)) -
             v79;
     const double v84 = NAN;
-    const wide v85 = only_wide((v72 <= m8) == 0, v84), v86 = only_wide((v73 <= m8) == 0, v84),
-        v87 = only_wide((v74 <= m8) == 0, v84), v88 = only_wide((v75 <= m8) == 0, v84),
+    const wide v85 = only_wide((v72 <= m10) == 0, v84), v86 = only_wide((v73 <= m10) == 0, v84),
+        v87 = only_wide((v74 <= m10) == 0, v84), v88 = only_wide((v75 <= m10) == 0, v84),
         v89 = angle1 + v24, v90 = v25 + (angle1 - signed_wide(half_turn, -v3)),
         v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
-    const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m8 < v75) & (v75 <= m9)) | (v45 <= m6) |
-        ((m8 < v74) & (v74 <= m9)) | (v44 <= m6) | ((m8 < v73) & (v73 <= m9)) | (v43 <= m6) | ((m8 <
-        v72) & (v72 <= m9)) | (v42 <= m6) | (m7 < v59 * v59 + (v57 * v57 + v58 * v58)) |
-        ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) & (N3_p <
-        longest3_apart)) == 0)) | ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) &
-        (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
+    const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
+        ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
+        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v59 * v59 + (v57 * v57 + v58 * v58)) |
+        ((-m5 <= D3_p) & (D3_p <= m4)) | ((-m5 <= D3_m) & (D3_m <= m4));
 
     q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
     q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, turn)); q[4] = v85 + v91;
@@ -720,17 +723,16 @@ HELPER int solve_regular(
     const double v19 = v12 * v16;
     const four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16, Z2_3 = w234 * (v11 * v22) - v18;
     const double v23 = Z1_3 * Z1_3;
-    const four N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1,
-        w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)), v24 = w3 - w3;
-    const four_mask doubt2 = (shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0);
+    const four N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt_four(D3), v24 = w3 - w3;
+    const four_mask doubt2 = (-m5 <= D3) & (D3 <= m4);
     const four s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
     const double v25 = v13 * v14, v26 = v11 * (v13 * v13 + v16 * v16), v27 = v14 * v14;
-    const four Y1_2 = m5 * (v26 + (v27 + v18 * v18)) - w234 * (m4 * (v11 * (v25 + v18 * v22))),
-        v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m5 * (e2 * v21)), v30 = Z2_3 * Y1_2,
-        v31 = m5 * (e2 * Z1_3), C2 = v30 - w3 * v31, v32 = v29 * v29 + C2 * C2, w2 = sqrt_four(v32),
+    const four Y1_2 = m7 * (v26 + (v27 + v18 * v18)) - w234 * (m6 * (v11 * (v25 + v18 * v22))),
+        v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m7 * (e2 * v21)), v30 = Z2_3 * Y1_2,
+        v31 = m7 * (e2 * Z1_3), C2 = v30 - w3 * v31, v32 = v29 * v29 + C2 * C2, w2 = sqrt_four(v32),
         v33 = 1.0 / v32, factor2 = w2 * v33;
 
     /* is the pose one that the arm can take? */
@@ -744,9 +746,9 @@ HELPER int solve_regular(
 
     /* joint values */
     const double v48 = NAN;
-    const four v49 = only_four((v43 <= m8) == 0, v48), v51 = v24 + free_joints[0], q5 = v49 + v51;
-    const four_mask doubt3 = (v32 <= m6) | ((m8 < v43) & (v43 <= m9));
-    const int doubt1 = (v10 <= m3) | (m7 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1);
+    const four v49 = only_four((v43 <= m10) == 0, v48), v51 = v24 + free_joints[0], q5 = v49 + v51;
+    const four_mask doubt3 = (v32 <= m8) | ((m10 < v43) & (v43 <= m11));
+    const int doubt1 = (v10 <= m3) | (m9 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1);
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(w3, all_four(-v3), 0, 5, 2, 3),
         all_four(-v9), 0, 1, 2, 7), shuffle(shuffle(K3, all_four(-v2), 0, 5, 2, 3), all_four(T33),

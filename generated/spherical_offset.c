@@ -222,10 +222,8 @@ static const double
     k1 = 0.0225, /* d2^2 [m^2] */
     k2 = 4.5000000000002246e-15, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
     k3 = 4.500000000000022e-16, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 2.2499999999999996e-08,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 2.2499999999999996e-08; /* doubt_limit1^2 [m^2] */
+    m1 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -285,9 +283,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     ENTRIES(wide);
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
-        v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1,
-        angle1 = atan2_wide(-(v2 + v5), v3 - v4), angle2 = atan2_wide(v5 - v2, v3 + v4);
+    const wide D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1, v2 = d2 * T14,
+        v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1, angle1 = atan2_wide(-(v2 + v5), v3 - v4),
+        angle2 = atan2_wide(v5 - v2, v3 + v4);
 
     /* theta2, r3 */
     const wide v6 = D1 + T34 * T34, w3 = sqrt_wide(v6), angle3 = atan2_wide(-w1, T34),
@@ -295,7 +293,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q3_pp = v1 + w3, q3_pm = v1 - w3;
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (v6 <= m1) | (N1 <= doubt_limit_squared2);
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (v6 <= m1);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -322,15 +320,15 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
-        v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const double D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1), v1 = w1 - w1, v2 = d2 * T14,
+        v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta2, r3 */
     const double v6 = D1 + T34 * T34, w3 = sqrt(v6), v7 = copysign(half_turn, -w1);
 
     /* joint values */
     const four q3 = v1 + e2 * w3;
-    const int doubt1 = (fabs(D1) <= k2) | (v6 <= m1) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= k2) | (v6 <= m1);
 
     const four_ratio ratio1 = ratio_four(shuffle(-(v2 + e1 * v5), all_four(-w1), 0, 5, 2, 3),
         shuffle(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3));

@@ -102,9 +102,8 @@ free_limit1 = 1.5e-13  # a length that fixes no angle [m]
 k1 = 0.0225  # d2^2 [m^2]
 k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
-doubt_limit_squared2 = 2.2499999999999996e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 2.2499999999999996e-08  # doubt_limit1^2 [m^2]
+m1 = 2.2499999999999997e-10  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -251,7 +250,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset 399916781295231f"
+_KEY = "spherical_offset 7091a224e8a2580e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -557,8 +556,7 @@ def _regular(pose, q, status):
     room = carray(_room(16), 16)
 
     # theta1, type 2: U1[3, 4]
-    N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
+    D1 = T14 * T14 + T24 * T24 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     v2 = d2 * T14
@@ -573,7 +571,7 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt1 = abs(D1) <= k2 or v6 <= m1 or N1 <= doubt_limit_squared2
+    doubt1 = abs(D1) <= k2 or v6 <= m1
 
     # angles, side by side
     room[0] = -(v2 + v5)
@@ -830,8 +828,7 @@ def _in_tiles(T, q, status):
             T14 = work[48 + k]
             T24 = work[112 + k]
             T34 = work[176 + k]
-            N1 = T14 * T14 + T24 * T24
-            D1 = N1 - k1
+            D1 = T14 * T14 + T24 * T24 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             v2 = d2 * T14
@@ -842,7 +839,7 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt1 = abs(D1) <= k2 or v6 <= m1 or N1 <= doubt_limit_squared2
+            doubt1 = abs(D1) <= k2 or v6 <= m1
             work[272 + k] = w1
             work[288 + k] = q3_pp
             work[304 + k] = q3_pm

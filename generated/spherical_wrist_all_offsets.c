@@ -260,14 +260,14 @@ static const double
     k6 = 0.0774, /* 2 * a3 * a2 [m^2] */
     k7 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k8 = 8.866112830151877, /* 1 / (k5^2 + k6^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 3.1684000000000017e-06,
     turn1 = -1.3382393849899876, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m7 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 1.961233699551518e-13,
+    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.1627906976744187, m2 = 0.03767441860465117, m3 = 0.29508196721311475,
-m4 = 1.2459016393442623, m5 = 0.04036721311475411, m6 = 0.00956065573770492;
+static const double m2 = 1.1627906976744187, m3 = 0.03767441860465117, m4 = 0.29508196721311475,
+m5 = 1.2459016393442623, m6 = 0.04036721311475411, m7 = 0.00956065573770492;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -389,29 +389,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
-        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
-        angle1 = atan2_wide(w3_p, N3_p - k7), angle2 = atan2_wide(w3_m, N3_m - k7),
-        q3__pp = angle1 - turn1, v8 = turn1 + angle1, q3__mp = angle2 - turn1, v9 = turn1 + angle2;
+        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), angle1 = atan2_wide(w3_p, N3_p - k7),
+        angle2 = atan2_wide(w3_m, N3_m - k7), q3__pp = angle1 - turn1, v8 = turn1 + angle1,
+        q3__mp = angle2 - turn1, v9 = turn1 + angle2;
 
     /* theta2 */
-    const wide v10 = Z1_3 * (m2 + m1 * N3_p), v11 = Z1_3 * (m2 + m1 * N3_m), factor2_p = 1.0 / N3_p,
-        factor2_m = 1.0 / N3_m, v12 = v5 * (m1 + m2 * factor2_p), v13 = v6 * (m1 + m2 * factor2_m),
-        v14 = w3_p * (m1 * v5),
-        angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))),
-        angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))),
-        angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 * (Z1_3 *
+    const wide v10 = Z1_3 * (m3 + m2 * N3_p), v11 = Z1_3 * (m3 + m2 * N3_m), factor2_p = 1.0 / N3_p,
+        factor2_m = 1.0 / N3_m, v12 = v5 * (m2 + m3 * factor2_p), v13 = v6 * (m2 + m3 * factor2_m),
+        v14 = w3_p * (m2 * v5),
+        angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m2 * (Z1_3 * factor2_p)))),
+        angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m2 * (-Z1_3 * factor2_p)))),
+        angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m2 * v6))), -(v13 + w3_m * (m2 * (Z1_3 *
             factor2_m)))),
-        angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 * (-Z1_3 *
+        angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m2 * -v6))), -(v13 + w3_m * (m2 * (-Z1_3 *
             factor2_m))));
 
     /* theta4 */
-    const wide v15 = m3 * Z1_3, v16 = m4 - m5 * factor2_p, v17 = m4 - m5 * factor2_m,
-        v18 = m6 * factor2_p - m3, v19 = m6 * factor2_m - m3, v20 = Z1_3 * v16 + v5 * v18,
-        v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m4 * v5)), c23_pp = v20 + v22,
-        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m4 * v6)), c23_mp = v21 + v23,
-        c23_mm = v21 - v23, v24 = m4 * Z1_3, v25 = v24 - m3 * v5, v26 = v24 - m3 * v6,
+    const wide v15 = m4 * Z1_3, v16 = m5 - m6 * factor2_p, v17 = m5 - m6 * factor2_m,
+        v18 = m7 * factor2_p - m4, v19 = m7 * factor2_m - m4, v20 = Z1_3 * v16 + v5 * v18,
+        v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m5 * v5)), c23_pp = v20 + v22,
+        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m5 * v6)), c23_mp = v21 + v23,
+        c23_mm = v21 - v23, v24 = m5 * Z1_3, v25 = v24 - m4 * v5, v26 = v24 - m4 * v6,
         v27 = Z1_3 * v18 + v5 * -v16, v28 = Z1_3 * v19 + v6 * -v17,
         s23_pp = v27 + w3_p * (factor2_p * v25), s23_pm = v27 + w3_p * (factor2_p * -v25),
         s23_mp = v28 + w3_m * (factor2_m * v26), s23_mm = v28 + w3_m * (factor2_m * -v26),
@@ -451,11 +451,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_mmp = only_wide(half_turn < -v9, -turn) - v9, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (abs_wide(D1) <= k3) | (N1 <=
-        doubt_limit_squared2) | (v36 <= m7) | (v35 <= m7) | (v33 <= m7) | (v34 <= m7);
+    const wide_mask doubt1 = (v36 <= m8) | (v35 <= m8) | (v34 <= m8) | (v33 <= m8) | (abs_wide(D3_m)
+        <= m1) | (abs_wide(D1) <= k3) | (abs_wide(D3_p) <= m1);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -500,7 +497,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
+        w1 = sqrt(D1);
+    const int doubt1 = fabs(D1) <= k3;
+    const double inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * wx));
     const double v3 = inverse1 * (k1 * wx);
     const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -509,35 +508,31 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m1;
 
     /* theta2 */
-    const four v6 = Z1_3 * (m2 + m1 * N3), v7 = e2 * Z1_3, factor2 = 1.0 / N3,
-        v8 = v4 * (m1 + m2 * factor2);
+    const four v6 = Z1_3 * (m3 + m2 * N3), v7 = e2 * Z1_3, factor2 = 1.0 / N3,
+        v8 = v4 * (m2 + m3 * factor2);
 
     /* theta4 */
-    const double v9 = m3 * Z1_3;
-    const four v10 = v9 + m4 * v4, v11 = m4 - m5 * factor2, v12 = m6 * factor2 - m3,
+    const double v9 = m4 * Z1_3;
+    const four v10 = v9 + m5 * v4, v11 = m5 - m6 * factor2, v12 = m7 * factor2 - m4,
         v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
-    const double v14 = m4 * Z1_3;
-    const four v15 = v14 - m3 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+    const double v14 = m5 * Z1_3;
+    const four v15 = v14 - m4 * v4, v16 = Z1_3 * v12 + v4 * -v11,
         s23 = v16 + w3 * (factor2 * (e2 * v15)), v17 = T23 * s1 - T13 * v2,
         X4 = c23 * v17 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v18 = Y4 * Y4, v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m7;
+    const four_mask doubt3 = v19 <= m8;
     const four v20 = signed_four(half_turn, Y4);
 
     /* theta6 */
     const four v21 = s1 * T12 + v2 * T22, v22 = s1 * T22 - v2 * T12, v23 = s1 * T11 + v2 * T21,
         v24 = s1 * T21 - v2 * T11;
 
-    /* joint values */
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k3);
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-
     const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k7, -v2, 0, 5, 2,
         7)),
-        ratio2 = ratio_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7 *
+        ratio2 = ratio_four(-(factor2 * (v6 - w3 * (m2 * (e2 * v4)))), -(v8 + w3 * (m2 * (v7 *
             factor2)))), ratio3 = ratio_four(Y4, -X4),
         ratio4 = ratio_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 * (c23 *
             v22 - s23 * T32))), ratio5 = ratio_four(-sqrt_four(v19), T33 * c23 + s23 * v17);

@@ -127,16 +127,16 @@ k5 = 0.3268  # 2 * d4 * a2 [m^2]
 k6 = 0.0774  # 2 * a3 * a2 [m^2]
 k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
 k8 = 8.866112830151877  # 1 / (k5^2 + k6^2) [m^-4]
-doubt_limit_squared2 = 3.1684000000000017e-06  # square of a length that fixes no angle [m^2]
 turn1 = -1.3382393849899876  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.1627906976744187  # a coefficient of Y1_2
-m2 = 0.03767441860465117  # a coefficient of Y1_2
-m3 = 0.29508196721311475  # a coefficient of c23
-m4 = 1.2459016393442623  # a coefficient of c23
-m5 = 0.04036721311475411  # a coefficient of c23
-m6 = 0.00956065573770492  # a coefficient of c23
-m7 = 1e-06  # doubt_limit^2
+m1 = 1.961233699551518e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 1.1627906976744187  # a coefficient of Y1_2
+m3 = 0.03767441860465117  # a coefficient of Y1_2
+m4 = 0.29508196721311475  # a coefficient of c23
+m5 = 1.2459016393442623  # a coefficient of c23
+m6 = 0.04036721311475411  # a coefficient of c23
+m7 = 0.00956065573770492  # a coefficient of c23
+m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -370,7 +370,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets a4ace1f17f9e1621"
+_KEY = "spherical_wrist_all_offsets 0c728f2d9ae61a8b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -797,35 +797,37 @@ def _regular(pose, q, status):
     v7 = Z1_3 * Z1_3
     N3_p = v7 + v5 * v5
     N3_m = v7 + v6 * v6
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v10 = Z1_3 * (m2 + m1 * N3_p)
-    v11 = Z1_3 * (m2 + m1 * N3_m)
+    v10 = Z1_3 * (m3 + m2 * N3_p)
+    v11 = Z1_3 * (m3 + m2 * N3_m)
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    v12 = v5 * (m1 + m2 * factor2_p)
-    v13 = v6 * (m1 + m2 * factor2_m)
-    v14 = w3_p * (m1 * v5)
+    v12 = v5 * (m2 + m3 * factor2_p)
+    v13 = v6 * (m2 + m3 * factor2_m)
+    v14 = w3_p * (m2 * v5)
 
     # theta4, type 2: U4[3, 3]
-    v15 = m3 * Z1_3
-    v16 = m4 - m5 * factor2_p
-    v17 = m4 - m5 * factor2_m
-    v18 = m6 * factor2_p - m3
-    v19 = m6 * factor2_m - m3
+    v15 = m4 * Z1_3
+    v16 = m5 - m6 * factor2_p
+    v17 = m5 - m6 * factor2_m
+    v18 = m7 * factor2_p - m4
+    v19 = m7 * factor2_m - m4
     v20 = Z1_3 * v16 + v5 * v18
     v21 = Z1_3 * v17 + v6 * v19
-    v22 = w3_p * (factor2_p * (v15 + m4 * v5))
+    v22 = w3_p * (factor2_p * (v15 + m5 * v5))
     c23_pp = v20 + v22
     c23_pm = v20 - v22
-    v23 = w3_m * (factor2_m * (v15 + m4 * v6))
+    v23 = w3_m * (factor2_m * (v15 + m5 * v6))
     c23_mp = v21 + v23
     c23_mm = v21 - v23
-    v24 = m4 * Z1_3
-    v25 = v24 - m3 * v5
-    v26 = v24 - m3 * v6
+    v24 = m5 * Z1_3
+    v25 = v24 - m4 * v5
+    v26 = v24 - m4 * v6
     v27 = Z1_3 * v18 + v5 * -v16
     v28 = Z1_3 * v19 + v6 * -v17
     s23_pp = v27 + w3_p * (factor2_p * v25)
@@ -861,11 +863,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v36 <= m7 or v35 <= m7
-        or v33 <= m7 or v34 <= m7
+        v36 <= m8 or v35 <= m8 or v34 <= m8 or v33 <= m8 or abs(D3_m) <= m1 or abs(D1) <= k3 or
+        abs(D3_p) <= m1
     )
 
     # angles, side by side
@@ -873,8 +872,8 @@ def _regular(pose, q, status):
     room[1] = w3_m
     room[2] = -(factor2_p * (v10 - v14))
     room[3] = -(factor2_p * (v10 + v14))
-    room[4] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
-    room[5] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+    room[4] = -(factor2_m * (v11 - w3_m * (m2 * v6)))
+    room[5] = -(factor2_m * (v11 - w3_m * (m2 * -v6)))
     room[6] = Y4_p
     room[7] = Y4_p
     room[8] = Y4_m
@@ -891,10 +890,10 @@ def _regular(pose, q, status):
     room[19] = s1_m
     room[24] = N3_p - k7
     room[25] = N3_m - k7
-    room[26] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
-    room[27] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-    room[28] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
-    room[29] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+    room[26] = -(v12 + w3_p * (m2 * (Z1_3 * factor2_p)))
+    room[27] = -(v12 + w3_p * (m2 * (-Z1_3 * factor2_p)))
+    room[28] = -(v13 + w3_m * (m2 * (Z1_3 * factor2_m)))
+    room[29] = -(v13 + w3_m * (m2 * (-Z1_3 * factor2_m)))
     room[30] = -X4_pp
     room[31] = -X4_pm
     room[32] = -X4_mp
@@ -1282,31 +1281,33 @@ def _in_tiles(T, q, status):
             v7 = Z1_3 * Z1_3
             N3_p = v7 + v5 * v5
             N3_m = v7 + v6 * v6
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v10 = Z1_3 * (m2 + m1 * N3_p)
-            v11 = Z1_3 * (m2 + m1 * N3_m)
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            v10 = Z1_3 * (m3 + m2 * N3_p)
+            v11 = Z1_3 * (m3 + m2 * N3_m)
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v12 = v5 * (m1 + m2 * factor2_p)
-            v13 = v6 * (m1 + m2 * factor2_m)
-            v14 = w3_p * (m1 * v5)
-            v15 = m3 * Z1_3
-            v16 = m4 - m5 * factor2_p
-            v17 = m4 - m5 * factor2_m
-            v18 = m6 * factor2_p - m3
-            v19 = m6 * factor2_m - m3
+            v12 = v5 * (m2 + m3 * factor2_p)
+            v13 = v6 * (m2 + m3 * factor2_m)
+            v14 = w3_p * (m2 * v5)
+            v15 = m4 * Z1_3
+            v16 = m5 - m6 * factor2_p
+            v17 = m5 - m6 * factor2_m
+            v18 = m7 * factor2_p - m4
+            v19 = m7 * factor2_m - m4
             v20 = Z1_3 * v16 + v5 * v18
             v21 = Z1_3 * v17 + v6 * v19
-            v22 = w3_p * (factor2_p * (v15 + m4 * v5))
+            v22 = w3_p * (factor2_p * (v15 + m5 * v5))
             c23_pp = v20 + v22
             c23_pm = v20 - v22
-            v23 = w3_m * (factor2_m * (v15 + m4 * v6))
+            v23 = w3_m * (factor2_m * (v15 + m5 * v6))
             c23_mp = v21 + v23
             c23_mm = v21 - v23
-            v24 = m4 * Z1_3
-            v25 = v24 - m3 * v5
-            v26 = v24 - m3 * v6
+            v24 = m5 * Z1_3
+            v25 = v24 - m4 * v5
+            v26 = v24 - m4 * v6
             v27 = Z1_3 * v18 + v5 * -v16
             v28 = Z1_3 * v19 + v6 * -v17
             s23_pp = v27 + w3_p * (factor2_p * v25)
@@ -1338,11 +1339,8 @@ def _in_tiles(T, q, status):
             v45 = s1_p * T21 - v2 * T11
             v46 = s1_m * T21 - v3 * T11
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or abs(D1) <= k3 or N1 <=
-                doubt_limit_squared2 or v36 <= m7 or v35 <= m7 or v33 <= m7 or v34 <= m7
+                v36 <= m8 or v35 <= m8 or v34 <= m8 or v33 <= m8 or abs(D3_m) <= m1 or abs(D1) <= k3
+                or abs(D3_p) <= m1
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1371,8 +1369,8 @@ def _in_tiles(T, q, status):
             work[656 + k] = w3_m
             work[672 + k] = -(factor2_p * (v10 - v14))
             work[688 + k] = -(factor2_p * (v10 + v14))
-            work[704 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
-            work[720 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+            work[704 + k] = -(factor2_m * (v11 - w3_m * (m2 * v6)))
+            work[720 + k] = -(factor2_m * (v11 - w3_m * (m2 * -v6)))
             work[736 + k] = Y4_p
             work[752 + k] = Y4_p
             work[768 + k] = Y4_m
@@ -1389,10 +1387,10 @@ def _in_tiles(T, q, status):
             work[944 + k] = s1_m
             work[960 + k] = N3_p - k7
             work[976 + k] = N3_m - k7
-            work[992 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
-            work[1008 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-            work[1024 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
-            work[1040 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+            work[992 + k] = -(v12 + w3_p * (m2 * (Z1_3 * factor2_p)))
+            work[1008 + k] = -(v12 + w3_p * (m2 * (-Z1_3 * factor2_p)))
+            work[1024 + k] = -(v13 + w3_m * (m2 * (Z1_3 * factor2_m)))
+            work[1040 + k] = -(v13 + w3_m * (m2 * (-Z1_3 * factor2_m)))
             work[1056 + k] = -X4_pp
             work[1072 + k] = -X4_pm
             work[1088 + k] = -X4_mp

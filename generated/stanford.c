@@ -244,11 +244,9 @@ static const double
     k2 = 0.01787569, /* k1^2 [m^2] */
     k3 = 3.395980000001613e-14, /* reach_slack1 * (2 * k1 + reach_slack1) [m^2] */
     k4 = 3.3959800000001613e-15, /* merge_slack1 * (2 * k1 + merge_slack1) [m^2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.6128999999999998e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.6129000000000003e-06, /* doubt_limit1^2 [m^2] */
-    m3 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -433,8 +431,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v28 = v24 | v23 | beyond(-angle3, 2), v29 = v25 | v23 | beyond(-q2_pmp, 2),
         v30 = beyond(angle8, 6), v31 = beyond(q6_ppm, 6), v32 = beyond(angle9, 6),
         v33 = beyond(q6_mpm, 6),
-        doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v10 <= m1) | (v15 <= m3) |
-            (v16 <= m3);
+        doubt1 = (v10 <= m1) | (abs_wide(D1) <= k3) | (v15 <= m3) | (v16 <= m3);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
     kind[0] = kind_of(q[0], v30 | beyond(angle6, 5) | v26 | beyond(angle4, 4));
@@ -507,7 +504,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = e2 * w3;
     const four_mask v26 = beyond_four(v24, 3);
     const four q3_p = v1 + v24;
-    const int doubt1 = (fabs(D1) <= k3) | (v7 <= m1) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= k3) | (v7 <= m1);
 
     const four_ratio ratio1 = ratio_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2,
         Y2_2 }), ratio2 = ratio_four(shuffle(-v6, v13, 0, 5, 2, 7), shuffle(c1, c4, 0, 5, 2, 7)),

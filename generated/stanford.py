@@ -111,7 +111,6 @@ k1 = 0.13369999999999999  # d2 - a3 [m]
 k2 = 0.01787569  # k1^2 [m^2]
 k3 = 3.395980000001613e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
 k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
-doubt_limit_squared2 = 1.6128999999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604
 high1 = 2.9670597293903604
@@ -125,8 +124,8 @@ low5 = -1.5707963277948966
 high5 = 1.5707963277948966
 low6 = -2.9670597293903604
 high6 = 2.9670597293903604
-m1 = 1.6129000000000003e-06  # doubt_limit1^2 [m^2]
-m3 = 1e-06  # doubt_limit^2
+m1 = 1.6129e-08  # doubt_limit1^2 [m^2]
+m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -311,7 +310,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford bd7b0760b8348145"
+_KEY = "stanford 05dc24a0309e4ea2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -948,7 +947,7 @@ def _regular(pose, q, status):
     v25 = -w3 < low3 or high3 < -w3
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
-    doubt1 = abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v10 <= m1 or v15 <= m3 or v16 <= m3
+    doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
 
     # angles, side by side
     room[0] = -v8
@@ -1361,9 +1360,7 @@ def _in_tiles(T, q, status):
             v25 = -w3 < low3 or high3 < -w3
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
-            doubt1 = (
-                abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v10 <= m1 or v15 <= m3 or v16 <= m3
-            )
+            doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
             work[272 + k] = w1
             work[288 + k] = v13
             work[304 + k] = v14

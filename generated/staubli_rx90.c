@@ -248,11 +248,13 @@ static const double
     k1 = 0.405, /* 2 * d4 * a2 [m^2] */
     k2 = 6.096631611034903, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 8.1e-07, /* doubt_limit1^2 [m^2] */
-    m4 = 6.561e-13, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 1e-06; /* doubt_limit^2 */
+    m1 = 8.100000000000001e-09, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 1.312949748921973e-13,
+    m5 = 6.561e-17, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 1.1111111111111112;
+static const double m4 = 1.1111111111111112;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -363,15 +365,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle1 = atan2_wide(-T24, -T14);
 
     /* theta3 */
-    const wide N3 = v1 + T34 * T34, w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)),
+    const wide N3 = v1 + T34 * T34, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3),
         v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4, v6 = k1 * w3, c3 = k2 * v6,
         angle2 = atan2_wide(-v4, v6), q3_pmp = signed_wide(half_turn, -v4) - angle2;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v5, Y1_2 = d4 * c3, v7 = T34 * X1_2, v8 = w1 * Y1_2, v9 = v7 + v8,
-        v10 = v7 - v8, v11 = m3 * (T34 * N3), v12 = w3 * (m3 * w1), S2_pp = v11 + v12,
+        v10 = v7 - v8, v11 = m4 * (T34 * N3), v12 = w3 * (m4 * w1), S2_pp = v11 + v12,
         S2_pm = v11 - v12, v13 = w1 * X1_2, v14 = T34 * Y1_2, v15 = v14 - v13, v16 = v13 + v14,
-        v17 = w3 * (m3 * T34), v18 = m3 * (w1 * N3), C2_pp = v17 - v18, C2_mp = v17 + v18,
+        v17 = w3 * (m4 * T34), v18 = m4 * (w1 * N3), C2_pp = v17 - v18, C2_mp = v17 + v18,
         v19 = S2_pp * S2_pp, v20 = v19 + C2_pp * C2_pp, v21 = S2_pm * S2_pm + C2_mp * C2_mp,
         v22 = v19 - C2_pp * -C2_pp, w2_pp = sqrt_wide(v20), w2_pm = sqrt_wide(v21),
         w2_mm = sqrt_wide(v22), v23 = 1.0 / v20, v24 = 1.0 / v21, v25 = 1.0 / v22,
@@ -418,9 +420,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide q1_ppp = angle1 + v3, q1_mpp = v3 + (angle1 - signed_wide(half_turn, -T24));
-    const wide_mask doubt1 = (v36 <= m5) | (v22 <= m4) | (v35 <= m5) | (v34 <= m5) | (v21 <= m4) |
-        (v33 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v20 <= m4);
+    const wide_mask doubt1 = (v36 <= m6) | (v22 <= m5) | (v35 <= m6) | (v34 <= m6) | (v21 <= m5) |
+        (v33 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m3) | (v20 <= m5);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -466,18 +467,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v3 = copysign(half_turn, -T24);
 
     /* theta3 */
-    const double N3 = v1 + T34 * T34, w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3,
-        v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3, c3 = k2 * v7,
+    const double N3 = v1 + T34 * T34, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3),
+        v4 = w3 - w3, v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3, c3 = k2 * v7,
         v8 = copysign(half_turn, -v5);
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, Y1_2 = d4 * c3, v9 = T34 * X1_2, v10 = w1 * Y1_2;
     const four v11 = e1 * e2, v12 = v9 + v10 * v11;
-    const double v13 = m3 * (T34 * N3);
-    const four S2 = v13 + w3 * (m3 * (w1 * v11));
+    const double v13 = m4 * (T34 * N3);
+    const four S2 = v13 + w3 * (m4 * (w1 * v11));
     const double v14 = w1 * X1_2, v15 = T34 * Y1_2;
-    const four v16 = e2 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * T34)),
-        v20 = m3 * (w1 * (e1 * N3)), C2 = v19 - v20, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
+    const four v16 = e2 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m4 * (e2 * T34)),
+        v20 = m4 * (w1 * (e1 * N3)), C2 = v19 - v20, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
         v22 = 1.0 / v21;
 
     /* theta4 */
@@ -496,9 +497,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v34 = e1 * (v27 * v32 - s4 * (s23 * T31 - e1 * (c23 * v33)));
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt2 = (v21 <= m4) | (v26 <= m5);
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3);
+    const four_mask doubt2 = (v21 <= m5) | (v26 <= m6);
 
     const four_ratio ratio1 = ratio_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14,
         -T14 }), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(v28, -X4),

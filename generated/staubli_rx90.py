@@ -116,10 +116,11 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.405  # 2 * d4 * a2 [m^2]
 k2 = 6.096631611034903  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 8.1e-07  # doubt_limit1^2 [m^2]
-m3 = 1.1111111111111112  # a coefficient of S2
-m4 = 6.561e-13  # doubt_limit_squared2^2 [m^4]
-m5 = 1e-06  # doubt_limit^2
+m1 = 8.100000000000001e-09  # doubt_limit1^2 [m^2]
+m3 = 1.312949748921973e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 1.1111111111111112  # a coefficient of S2
+m5 = 6.561e-17  # doubt_limit_squared2^2 [m^4]
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -320,7 +321,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 4c278609e7508d55"
+_KEY = "staubli_rx90 669b760d0d44a651"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -724,7 +725,8 @@ def _regular(pose, q, status):
 
     # theta3, type 8: U1[3, 4] and U1[1, 4]
     N3 = v1 + T34 * T34
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v3 = w3 - w3
     v4 = k1 * (N3 - k1)
     v5 = k2 * v4
@@ -738,16 +740,16 @@ def _regular(pose, q, status):
     v8 = w1 * Y1_2
     v9 = v7 + v8
     v10 = v7 - v8
-    v11 = m3 * (T34 * N3)
-    v12 = w3 * (m3 * w1)
+    v11 = m4 * (T34 * N3)
+    v12 = w3 * (m4 * w1)
     S2_pp = v11 + v12
     S2_pm = v11 - v12
     v13 = w1 * X1_2
     v14 = T34 * Y1_2
     v15 = v14 - v13
     v16 = v13 + v14
-    v17 = w3 * (m3 * T34)
-    v18 = m3 * (w1 * N3)
+    v17 = w3 * (m4 * T34)
+    v18 = m4 * (w1 * N3)
     C2_pp = v17 - v18
     C2_mp = v17 + v18
     v19 = S2_pp * S2_pp
@@ -820,9 +822,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v36 <= m5 or v22 <= m4 or v35 <= m5 or v34 <= m5 or v21 <= m4 or v33 <= m5 or v1 <= m1 or
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or v20 <= m4
+        v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1 <= m1 or
+        abs(D3) <= m3 or v20 <= m5
     )
 
     # angles, side by side
@@ -1204,7 +1205,8 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(v1)
             v2 = 1.0 / v1
             N3 = v1 + T34 * T34
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v3 = w3 - w3
             v4 = k1 * (N3 - k1)
             v5 = k2 * v4
@@ -1216,16 +1218,16 @@ def _in_tiles(T, q, status):
             v8 = w1 * Y1_2
             v9 = v7 + v8
             v10 = v7 - v8
-            v11 = m3 * (T34 * N3)
-            v12 = w3 * (m3 * w1)
+            v11 = m4 * (T34 * N3)
+            v12 = w3 * (m4 * w1)
             S2_pp = v11 + v12
             S2_pm = v11 - v12
             v13 = w1 * X1_2
             v14 = T34 * Y1_2
             v15 = v14 - v13
             v16 = v13 + v14
-            v17 = w3 * (m3 * T34)
-            v18 = m3 * (w1 * N3)
+            v17 = w3 * (m4 * T34)
+            v18 = m4 * (w1 * N3)
             C2_pp = v17 - v18
             C2_mp = v17 + v18
             v19 = S2_pp * S2_pp
@@ -1290,9 +1292,8 @@ def _in_tiles(T, q, status):
             v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
             v53 = c23_pm * v45
             doubt1 = (
-                v36 <= m5 or v22 <= m4 or v35 <= m5 or v34 <= m5 or v21 <= m4 or v33 <= m5 or v1 <=
-                m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3
-                and N3 < longest3_apart)) or v20 <= m4
+                v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1 <=
+                m1 or abs(D3) <= m3 or v20 <= m5
             )
             work[272 + k] = v3
             work[288 + k] = v4

@@ -264,13 +264,13 @@ static const double
     k3 = 1.5280000000002339e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
     k4 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
     k5 = 7.662743501634321, /* 1 / (k4^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 2.3347840000000005e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m4 = 5.4512163266560024e-12, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 1.8769985565831955e-13,
+    m5 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.2768166089965398, m2 = 2.768166089965398, m3 = 1.1764705882352942;
+static const double m2 = 0.2768166089965398, m3 = 2.768166089965398, m4 = 1.1764705882352942;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -418,17 +418,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
-        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v8 = m2 * v7 + (m2 * N1 - 1.0),
-        v9 = m1 * w1, s3_p = v8 + v9, s3_m = v8 - v9, v10 = k5 * (k4 * w3_p),
-        v11 = k5 * (k4 * w3_m);
+        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v8 = m3 * v7 + (m3 * N1 - 1.0), v9 = m2 * w1, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = k5 * (k4 * w3_p), v11 = k5 * (k4 * w3_m);
 
     /* theta2 */
     const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v12 = Z1_3 * Y1_2_p,
-        v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m3 * v5), S2_pp = v14 - v12, v15 = v12 + v14,
-        S2_mp = w3_m * (m3 * v6) - v13, S2_mm = w3_m * (m3 * -v6) - v13, v16 = v5 * Y1_2_p,
-        v17 = v6 * Y1_2_m, v18 = m3 * Z1_3, v19 = m3 * -Z1_3, v20 = v16 + w3_p * v18,
+        v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m4 * v5), S2_pp = v14 - v12, v15 = v12 + v14,
+        S2_mp = w3_m * (m4 * v6) - v13, S2_mm = w3_m * (m4 * -v6) - v13, v16 = v5 * Y1_2_p,
+        v17 = v6 * Y1_2_m, v18 = m4 * Z1_3, v19 = m4 * -Z1_3, v20 = v16 + w3_p * v18,
         v21 = v16 + w3_p * v19, v22 = v17 + w3_m * v18, v23 = v17 + w3_m * v19,
         v24 = S2_pp * S2_pp + v20 * v20, v25 = v15 * v15 + v21 * v21,
         v26 = S2_mp * S2_mp + v22 * v22, v27 = S2_mm * S2_mm + v23 * v23,
@@ -503,11 +502,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v80 = beyond(q2_ppp, 2) | beyond(q3_ppp, 3),
         v81 = beyond(q2_pmp, 2) | beyond(q3_pmp, 3), v82 = beyond(q2_mpp, 2) | beyond(q3_mpp, 3),
         v83 = beyond(q2_mmp, 2) | beyond(q3_mmp, 3),
-        doubt1 = (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) | (v43 <= m5) | (v25 <= m4) |
-            (v42 <= m5) | (v24 <= m4) | (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) |
-            ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) &
-            (N3_p < longest3_apart)) == 0)) | ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)
-            & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
+        doubt1 = (v45 <= m6) | (v27 <= m5) | (v44 <= m6) | (v26 <= m5) | (v43 <= m6) | (v25 <= m5) |
+            (v42 <= m6) | (v24 <= m5) | (abs_wide(D3_m) <= m1) | (abs_wide(D1) <= k2) |
+            (abs_wide(D3_p) <= m1);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v64 + only_wide(v64 <= -half_turn, turn);
     q[4] = q5_ppp; q[5] = angle1;
@@ -543,7 +540,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m7 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -555,7 +552,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
+        w1 = sqrt(D1);
+    const int doubt1 = fabs(D1) <= k2;
+    const double inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * t14));
     const double v3 = inverse1 * (d2 * t14);
     const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -564,15 +563,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T31 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four_mask doubt2 = (shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0);
-    const double v6 = m2 * v5 + (m2 * N1 - 1.0);
-    const four s3 = v6 + w1 * (m1 * e1), v7 = k5 * (k4 * w3);
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m1;
+    const double v6 = m3 * v5 + (m3 * N1 - 1.0);
+    const four s3 = v6 + w1 * (m2 * e1), v7 = k5 * (k4 * w3);
 
     /* theta2 */
-    const four Y1_2 = a2 + d4 * s3, v8 = Z1_3 * Y1_2, S2 = w3 * (m3 * (e2 * v4)) - v8,
-        v9 = v4 * Y1_2, v10 = m3 * (e2 * Z1_3), v11 = v9 + w3 * v10, v12 = S2 * S2 + v11 * v11,
+    const four Y1_2 = a2 + d4 * s3, v8 = Z1_3 * Y1_2, S2 = w3 * (m4 * (e2 * v4)) - v8,
+        v9 = v4 * Y1_2, v10 = m4 * (e2 * Z1_3), v11 = v9 + w3 * v10, v12 = S2 * S2 + v11 * v11,
         factor2 = sqrt_four(v12) * (1.0 / v12);
 
     /* theta4 */
@@ -585,10 +583,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v22 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v24 = signed_four(half_turn, s3), v25 = m6 * (1.0 - e2),
+    const four v24 = signed_four(half_turn, s3), v25 = m7 * (1.0 - e2),
         v27 = signed_four(half_turn, -v16);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
+    const four_mask doubt3 = (v12 <= m5) | (v18 <= m6);
 
     const four_ratio ratio1 = ratio_four(S2, -v11),
         ratio2 = ratio_four(shuffle(s3, s1, 0, 5, 2, 7), shuffle(-v7, -v2, 0, 5, 2, 7)),

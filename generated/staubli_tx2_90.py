@@ -125,7 +125,6 @@ k2 = 1.5280000000023352e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
 k5 = 7.662743501634321  # 1 / (k4^2) [m^-4]
-doubt_limit_squared2 = 2.3347840000000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low2 = -2.2689280285926285
 high2 = 2.5743606476916363
@@ -133,11 +132,12 @@ low3 = -2.530727416391778
 high3 = 2.530727416391778
 low5 = -2.007128640793479
 high5 = 2.4434609537920613
-m1 = 0.2768166089965398  # a coefficient of s3
-m2 = 2.768166089965398  # a coefficient of s3
-m3 = 1.1764705882352942  # a coefficient of Y1_2
-m4 = 5.4512163266560024e-12  # doubt_limit_squared2^2 [m^4]
-m5 = 1e-06  # doubt_limit^2
+m1 = 1.8769985565831955e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 0.2768166089965398  # a coefficient of s3
+m3 = 2.768166089965398  # a coefficient of s3
+m4 = 1.1764705882352942  # a coefficient of Y1_2
+m5 = 5.451216326656003e-16  # doubt_limit_squared2^2 [m^4]
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 a2972fdd94c03d76"
+_KEY = "staubli_tx2_90 24365e675db28927"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1053,10 +1053,12 @@ def _regular(pose, q, status):
     v7 = Z1_3 * Z1_3
     N3_p = v7 + v5 * v5
     N3_m = v7 + v6 * v6
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v8 = m2 * v7 + (m2 * N1 - 1.0)
-    v9 = m1 * w1
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
+    v8 = m3 * v7 + (m3 * N1 - 1.0)
+    v9 = m2 * w1
     s3_p = v8 + v9
     s3_m = v8 - v9
     v10 = k5 * (k4 * w3_p)
@@ -1067,15 +1069,15 @@ def _regular(pose, q, status):
     Y1_2_m = a2 + d4 * s3_m
     v12 = Z1_3 * Y1_2_p
     v13 = Z1_3 * Y1_2_m
-    v14 = w3_p * (m3 * v5)
+    v14 = w3_p * (m4 * v5)
     S2_pp = v14 - v12
     v15 = v12 + v14
-    S2_mp = w3_m * (m3 * v6) - v13
-    S2_mm = w3_m * (m3 * -v6) - v13
+    S2_mp = w3_m * (m4 * v6) - v13
+    S2_mm = w3_m * (m4 * -v6) - v13
     v16 = v5 * Y1_2_p
     v17 = v6 * Y1_2_m
-    v18 = m3 * Z1_3
-    v19 = m3 * -Z1_3
+    v18 = m4 * Z1_3
+    v19 = m4 * -Z1_3
     v20 = v16 + w3_p * v18
     v21 = v16 + w3_p * v19
     v22 = v17 + w3_m * v18
@@ -1127,11 +1129,8 @@ def _regular(pose, q, status):
     v62 = math.copysign(half_turn, -v38)
     v63 = math.copysign(half_turn, -v39)
     doubt1 = (
-        v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <= m5 or
-        v24 <= m4 or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3_p and
-        N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
-        (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m
-        < longest3_apart))
+        v45 <= m6 or v27 <= m5 or v44 <= m6 or v26 <= m5 or v43 <= m6 or v25 <= m5 or v42 <= m6 or
+        v24 <= m5 or abs(D3_m) <= m1 or abs(D1) <= k2 or abs(D3_p) <= m1
     )
 
     # angles, side by side
@@ -1584,10 +1583,12 @@ def _in_tiles(T, q, status):
             v7 = Z1_3 * Z1_3
             N3_p = v7 + v5 * v5
             N3_m = v7 + v6 * v6
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v8 = m2 * v7 + (m2 * N1 - 1.0)
-            v9 = m1 * w1
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            v8 = m3 * v7 + (m3 * N1 - 1.0)
+            v9 = m2 * w1
             s3_p = v8 + v9
             s3_m = v8 - v9
             v10 = k5 * (k4 * w3_p)
@@ -1596,15 +1597,15 @@ def _in_tiles(T, q, status):
             Y1_2_m = a2 + d4 * s3_m
             v12 = Z1_3 * Y1_2_p
             v13 = Z1_3 * Y1_2_m
-            v14 = w3_p * (m3 * v5)
+            v14 = w3_p * (m4 * v5)
             S2_pp = v14 - v12
             v15 = v12 + v14
-            S2_mp = w3_m * (m3 * v6) - v13
-            S2_mm = w3_m * (m3 * -v6) - v13
+            S2_mp = w3_m * (m4 * v6) - v13
+            S2_mm = w3_m * (m4 * -v6) - v13
             v16 = v5 * Y1_2_p
             v17 = v6 * Y1_2_m
-            v18 = m3 * Z1_3
-            v19 = m3 * -Z1_3
+            v18 = m4 * Z1_3
+            v19 = m4 * -Z1_3
             v20 = v16 + w3_p * v18
             v21 = v16 + w3_p * v19
             v22 = v17 + w3_m * v18
@@ -1650,11 +1651,8 @@ def _in_tiles(T, q, status):
             v62 = math.copysign(half_turn, -v38)
             v63 = math.copysign(half_turn, -v39)
             doubt1 = (
-                v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <=
-                m5 or v24 <= m4 or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart))
+                v45 <= m6 or v27 <= m5 or v44 <= m6 or v26 <= m5 or v43 <= m6 or v25 <= m5 or v42 <=
+                m6 or v24 <= m5 or abs(D3_m) <= m1 or abs(D1) <= k2 or abs(D3_p) <= m1
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m

@@ -263,12 +263,13 @@ static const double
     k3 = 6.090000000000759e-16, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.10125, /* 2 * d4 * a2 [m^2] */
     k5 = 97.54610577655845, /* 1 / (k4^2) [m^-4] */
-    doubt_limit_squared2 = 7.569000000000001e-07, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m2 = 5.728976100000001e-13, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 1e-06; /* doubt_limit^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m1 = 1.5849821455311018e-14,
+    m3 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 2.2222222222222223, m3 = 21.947873799725652, m4 = 4.4444444444444455;
+static const double m2 = 2.2222222222222223, m4 = 21.947873799725652, m5 = 4.4444444444444455;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -390,11 +391,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3, v7 = k4 * (N3 - k4);
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v6 = w3 - w3,
+        v7 = k4 * (N3 - k4);
 
     /* theta2 */
-    const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
-        v10 = w3 * (m1 * Z1_3), v11 = w3 * (m1 * -Z1_3), v12 = m1 * (w1 * N3), C2_pp = v10 + v12,
+    const wide v8 = m2 * (Z1_3 * N3), v9 = w3 * (m2 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
+        v10 = w3 * (m2 * Z1_3), v11 = w3 * (m2 * -Z1_3), v12 = m2 * (w1 * N3), C2_pp = v10 + v12,
         C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12, v13 = S2_pp * S2_pp,
         v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm, v16 = v15 + C2_pm * C2_pm,
         v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm,
@@ -402,7 +404,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         factor2_mp = sqrt_wide(v17) * (1.0 / v17), factor2_mm = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta4 */
-    const wide v19 = m3 * N3, v20 = v19 - m1, v21 = m4 - v19, v22 = w1 * (N3 * (v20 + v21)),
+    const wide v19 = m4 * N3, v20 = v19 - m2, v21 = m5 - v19, v22 = w1 * (N3 * (v20 + v21)),
         s23_pp = v22 - v10, s23_pm = v22 - v11, v23 = w1 * (N3 * (-v20 - v21)), s23_mp = v23 - v10,
         s23_mm = v23 - v11, v24 = T23 * s1_p - T13 * v3, v25 = T23 * s1_m - T13 * v4,
         X4_pp = S2_pm * v24 - T33 * s23_pp, X4_pm = S2_pp * v24 - T33 * s23_pm,
@@ -457,10 +459,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, turn)),
         q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, turn)),
         q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, turn));
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v31 <= m5) |
-        (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) | (v16 <= m2) | (v28 <= m5) |
-        ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v14 <= m2);
+    const wide_mask doubt1 = (v31 <= m6) | (v18 <= m3) | (v30 <= m6) | (v17 <= m3) | (v29 <= m6) |
+        (v16 <= m3) | (v28 <= m6) | (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1) | (v14 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v50 + only_wide(v50 <= -half_turn, turn);
     q[4] = v60 + only_wide(v60 <= -half_turn, turn); q[5] = angle1;
@@ -502,7 +502,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m7 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -521,20 +521,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v5 = w3 - w3, v6 = k4 * (N3 - k4);
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k4 * (N3 - k4);
 
     /* theta2 */
     const four v7 = e1 * e2;
-    const double v8 = m1 * (Z1_3 * N3);
-    const four S2 = v8 - w3 * (m1 * (w1 * v7)), v9 = w3 * (m1 * (e2 * Z1_3)),
-        v10 = m1 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
+    const double v8 = m2 * (Z1_3 * N3);
+    const four S2 = v8 - w3 * (m2 * (w1 * v7)), v9 = w3 * (m2 * (e2 * Z1_3)),
+        v10 = m2 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
         factor2 = sqrt_four(v11) * (1.0 / v11);
 
     /* theta4 */
-    const four v12 = v8 + w3 * (w1 * (m1 * v7));
-    const double v13 = m3 * N3, v14 = v13 - m1;
+    const four v12 = v8 + w3 * (w1 * (m2 * v7));
+    const double v13 = m4 * N3, v14 = v13 - m2;
     const four v15 = e1 * v14;
-    const double v16 = m4 - v13;
+    const double v16 = m5 - v13;
     const four v17 = e2 * v16, s23 = w1 * (N3 * (v15 + v7 * v17)) - v9, v18 = T23 * s1 - T13 * v3,
         X4 = v12 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v19 = Y4 * Y4,
         v20 = v19 + factor2 * (X4 * (factor2 * X4));
@@ -546,9 +546,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v27 = copysign(half_turn, v6);
     const four v29 = signed_four(half_turn, Y4);
-    const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
-    const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
+    const four_mask doubt2 = (v11 <= m3) | (v20 <= m6);
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(v6), 0, 5, 2, 3), shuffle(-v3,
         all_four(-(k4 * w3)), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2),
@@ -560,7 +559,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v25 = angle2 - offset1,
         v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, turn),
-        v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
+        v28 = e2 * angle4 + v27 * (m7 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
         v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, turn),
         q4_m = v31 + only_four(v31 <= -half_turn, turn), v32 = angle6 - offset5,
         v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, turn),

@@ -125,13 +125,13 @@ k2 = 6.09000000000757e-15  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / (k4^2) [m^-4]
-doubt_limit_squared2 = 7.569000000000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 2.2222222222222223  # a coefficient of S2
-m2 = 5.728976100000001e-13  # doubt_limit_squared2^2 [m^4]
-m3 = 21.947873799725652  # a coefficient of v9
-m4 = 4.4444444444444455  # a coefficient of s23
-m5 = 1e-06  # doubt_limit^2
+m1 = 1.5849821455311018e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 2.2222222222222223  # a coefficient of S2
+m3 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
+m4 = 21.947873799725652  # a coefficient of v9
+m5 = 4.4444444444444455  # a coefficient of s23
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -377,7 +377,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 dc90e457b71cd539"
+_KEY = "staubli_tx40 6af3e3ef84a73658"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -812,18 +812,19 @@ def _regular(pose, q, status):
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = D1 + Z1_3 * Z1_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
     v6 = w3 - w3
     v7 = k4 * (N3 - k4)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = m1 * (Z1_3 * N3)
-    v9 = w3 * (m1 * w1)
+    v8 = m2 * (Z1_3 * N3)
+    v9 = w3 * (m2 * w1)
     S2_pp = v8 - v9
     S2_pm = v8 + v9
-    v10 = w3 * (m1 * Z1_3)
-    v11 = w3 * (m1 * -Z1_3)
-    v12 = m1 * (w1 * N3)
+    v10 = w3 * (m2 * Z1_3)
+    v11 = w3 * (m2 * -Z1_3)
+    v12 = m2 * (w1 * N3)
     C2_pp = v10 + v12
     C2_pm = v11 + v12
     C2_mp = v10 - v12
@@ -840,9 +841,9 @@ def _regular(pose, q, status):
     factor2_mm = math.sqrt(v18) * (1.0 / v18)
 
     # theta4, type 2: U4[3, 3]
-    v19 = m3 * N3
-    v20 = v19 - m1
-    v21 = m4 - v19
+    v19 = m4 * N3
+    v20 = v19 - m2
+    v21 = m5 - v19
     v22 = w1 * (N3 * (v20 + v21))
     s23_pp = v22 - v10
     s23_pm = v22 - v11
@@ -884,9 +885,8 @@ def _regular(pose, q, status):
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
     doubt1 = (
-        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <=
-        m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3 <= longest3_reach
-        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v14 <= m2
+        v31 <= m6 or v18 <= m3 or v30 <= m6 or v17 <= m3 or v29 <= m6 or v16 <= m3 or v28 <= m6 or
+        abs(D1) <= k2 or abs(D3) <= m1 or v14 <= m3
     )
 
     # angles, side by side
@@ -1319,16 +1319,17 @@ def _in_tiles(T, q, status):
             s1_m = w1 * (inverse1 * -wy) - v5
             Z1_3 = T34 - d6 * T33 - d1
             N3 = D1 + Z1_3 * Z1_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
             v6 = w3 - w3
             v7 = k4 * (N3 - k4)
-            v8 = m1 * (Z1_3 * N3)
-            v9 = w3 * (m1 * w1)
+            v8 = m2 * (Z1_3 * N3)
+            v9 = w3 * (m2 * w1)
             S2_pp = v8 - v9
             S2_pm = v8 + v9
-            v10 = w3 * (m1 * Z1_3)
-            v11 = w3 * (m1 * -Z1_3)
-            v12 = m1 * (w1 * N3)
+            v10 = w3 * (m2 * Z1_3)
+            v11 = w3 * (m2 * -Z1_3)
+            v12 = m2 * (w1 * N3)
             C2_pp = v10 + v12
             C2_pm = v11 + v12
             C2_mp = v10 - v12
@@ -1343,9 +1344,9 @@ def _in_tiles(T, q, status):
             factor2_pm = math.sqrt(v16) * (1.0 / v16)
             factor2_mp = math.sqrt(v17) * (1.0 / v17)
             factor2_mm = math.sqrt(v18) * (1.0 / v18)
-            v19 = m3 * N3
-            v20 = v19 - m1
-            v21 = m4 - v19
+            v19 = m4 * N3
+            v20 = v19 - m2
+            v21 = m5 - v19
             v22 = w1 * (N3 * (v20 + v21))
             s23_pp = v22 - v10
             s23_pm = v22 - v11
@@ -1383,10 +1384,8 @@ def _in_tiles(T, q, status):
             v58 = T33 * S2_pm
             v59 = T33 * S2_pp
             doubt1 = (
-                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v31 <= m5 or v18 <= m2 or v30 <= m5
-                or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3
-                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v14 <=
-                m2
+                v31 <= m6 or v18 <= m3 or v30 <= m6 or v17 <= m3 or v29 <= m6 or v16 <= m3 or v28 <=
+                m6 or abs(D1) <= k2 or abs(D3) <= m1 or v14 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -266,12 +266,12 @@ static const double
     k3 = 3.246208900000177e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
     k5 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.7613271225000005e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-06; /* doubt_limit^2 */
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
+    m3 = 1.5753409313203573e-10;
 /* coefficients */
-static const double m3 = 1.1655011655011656, m4 = 0.017143065268065267;
+static const double m4 = 1.1655011655011656, m5 = 0.017143065268065267;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -448,27 +448,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3)),
-        w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3)),
-        w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3)),
-        w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3)), v24 = w3_pp - w3_pp,
-        v25 = w3_pm - w3_pm, v26 = w3_mp - w3_mp, v27 = w3_mm - w3_mm,
+        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
+        w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
+        v24 = w3_pp - w3_pp, v25 = w3_pm - w3_pm, v26 = w3_mp - w3_mp, v27 = w3_mm - w3_mm,
         angle7 = atan2_wide(w3_pp, N3_pp - k4), angle8 = atan2_wide(w3_pm, N3_pm - k4),
         angle9 = atan2_wide(w3_mp, N3_mp - k4), angle10 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v28 = m4 + m3 * N3_pp, v29 = m4 + m3 * N3_pm, v30 = m4 + m3 * N3_mp,
-        v31 = m4 + m3 * N3_mm, v32 = Z1_3_pp * v28, v33 = Z1_3_pm * v29, v34 = Z1_3_mp * v30,
+    const wide v28 = m5 + m4 * N3_pp, v29 = m5 + m4 * N3_pm, v30 = m5 + m4 * N3_mp,
+        v31 = m5 + m4 * N3_mm, v32 = Z1_3_pp * v28, v33 = Z1_3_pm * v29, v34 = Z1_3_mp * v30,
         v35 = Z1_3_mm * v31, v36 = Z2_3_pp * v28, v37 = Z2_3_pm * v29, v38 = Z2_3_mp * v30,
-        v39 = Z2_3_mm * v31, v40 = w3_pp * (m3 * Z2_3_pp),
-        angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m3 * Z1_3_pp)),
-        angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m3 * -Z1_3_pp)),
-        v41 = w3_pm * (m3 * Z2_3_pm), angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m3 * Z1_3_pm)),
-        angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m3 * -Z1_3_pm)),
-        v42 = w3_mp * (m3 * Z2_3_mp), angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m3 * Z1_3_mp)),
-        angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m3 * -Z1_3_mp)),
-        v43 = w3_mm * (m3 * Z2_3_mm), angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m3 * Z1_3_mm)),
-        angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m3 * -Z1_3_mm));
+        v39 = Z2_3_mm * v31, v40 = w3_pp * (m4 * Z2_3_pp),
+        angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp)),
+        angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp)),
+        v41 = w3_pm * (m4 * Z2_3_pm), angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm)),
+        angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm)),
+        v42 = w3_mp * (m4 * Z2_3_mp), angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp)),
+        angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp)),
+        v43 = w3_mm * (m4 * Z2_3_mm), angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm)),
+        angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm));
 
     /* joint values */
     const wide angle19 = atan2_wide(s1_p, c1_p), v44 = angle19 - offset1,
@@ -496,15 +497,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26, q5_mmp = v27 - angle4,
         q6_ppp = angle1 + v24, q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)),
         q6_mpp = angle2 + v26, q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
-    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
-        <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
-        <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
-        (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | (N3_pm <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | (N3_pp <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
-        <= doubt_limit_squared2) | (v3 <= m1) | (v4 <= m1);
+    const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
+        m3) | (abs_wide(D3_pp) <= m3) | (v4 <= m1) | (abs_wide(D1) <= k2) | (v3 <= m1);
 
     q[0] = q1_ppp; q[1] = v46 + only_wide(v46 <= -half_turn, turn); q[2] = angle7;
     q[3] = v62 + only_wide(v62 <= -half_turn, turn); q[4] = q5_ppp; q[5] = q6_ppp;
@@ -548,7 +542,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d3 * wy);
+        w1 = sqrt(D1);
+    const int doubt1 = fabs(D1) <= k2;
+    const double inverse1 = 1.0 / N1, v1 = inverse1 * (d3 * wy);
     const four c1 = v1 - w1 * (inverse1 * (e1 * X1));
     const double v2 = inverse1 * (d3 * X1);
     const four s1 = v2 + w1 * (inverse1 * (e1 * wy));
@@ -573,20 +569,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v12 = d5 * Z1_234, v13 = s234 * v10, Z1_3 = v11 - (v13 + e2 * v12),
         v14 = T14 * c1 + T24 * s1, v15 = Z1_234 * v10, v16 = d5 * s234,
         Z2_3 = v14 + (v15 - e2 * v16), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)), v17 = w3 - w3;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v17 = w3 - w3;
+    const four_mask doubt3 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four v18 = m4 + m3 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m3 * Z2_3);
-
-    /* joint values */
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt3 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four v18 = m5 + m4 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m4 * Z2_3);
 
     const four_ratio ratio1 = ratio_four(shuffle(Y6, w6, 0, 5, 2, 7), shuffle(-X6, c5, 0, 5, 2, 7)),
         ratio2 = ratio_four(shuffle(v8, s1, 0, 5, 2, 7), shuffle(-v7, c1, 0, 5, 2, 7)),
-        ratio3 = ratio_four(w3, N3 - k4), ratio4 = ratio_four(v19 - v21, v20 + w3 * (m3 * Z1_3)),
-        ratio5 = ratio_four(v19 + v21, v20 + w3 * (m3 * -Z1_3));
+        ratio3 = ratio_four(w3, N3 - k4), ratio4 = ratio_four(v19 - v21, v20 + w3 * (m4 * Z1_3)),
+        ratio5 = ratio_four(v19 + v21, v20 + w3 * (m4 * -Z1_3));
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = angle_four(ratio2),
         angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),

@@ -127,13 +127,13 @@ k2 = 3.2462089000017624e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
-doubt_limit_squared2 = 1.7613271225000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low3 = -2.705260341591211
 high3 = 2.705260341591211
-m1 = 1e-06  # doubt_limit^2
-m3 = 1.1655011655011656  # a coefficient of S2
-m4 = 0.017143065268065267  # a coefficient of S2
+m1 = 9.999999999999999e-09  # doubt_limit^2
+m3 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
+m4 = 1.1655011655011656  # a coefficient of S2
+m5 = 0.017143065268065267  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -380,7 +380,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 b31c5d9ab5c5669b"
+_KEY = "techman_tm5_900 a83d7cf141a01ed9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1176,20 +1176,24 @@ def _regular(pose, q, status):
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
     N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-    w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
-    w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
-    w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
-    w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+    D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
+    D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
+    D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
+    D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3)
+    w3_pp = math.sqrt(D3_pp)
+    w3_pm = math.sqrt(D3_pm)
+    w3_mp = math.sqrt(D3_mp)
+    w3_mm = math.sqrt(D3_mm)
     v24 = w3_pp - w3_pp
     v25 = w3_pm - w3_pm
     v26 = w3_mp - w3_mp
     v27 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v28 = m4 + m3 * N3_pp
-    v29 = m4 + m3 * N3_pm
-    v30 = m4 + m3 * N3_mp
-    v31 = m4 + m3 * N3_mm
+    v28 = m5 + m4 * N3_pp
+    v29 = m5 + m4 * N3_pm
+    v30 = m5 + m4 * N3_mp
+    v31 = m5 + m4 * N3_mm
     v32 = Z1_3_pp * v28
     v33 = Z1_3_pm * v29
     v34 = Z1_3_mp * v30
@@ -1198,21 +1202,15 @@ def _regular(pose, q, status):
     v37 = Z2_3_pm * v29
     v38 = Z2_3_mp * v30
     v39 = Z2_3_mm * v31
-    v40 = w3_pp * (m3 * Z2_3_pp)
-    v41 = w3_pm * (m3 * Z2_3_pm)
-    v42 = w3_mp * (m3 * Z2_3_mp)
-    v43 = w3_mm * (m3 * Z2_3_mm)
+    v40 = w3_pp * (m4 * Z2_3_pp)
+    v41 = w3_pm * (m4 * Z2_3_pm)
+    v42 = w3_mp * (m4 * Z2_3_mp)
+    v43 = w3_mm * (m4 * Z2_3_mm)
 
     # joint values
     doubt1 = (
-        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or N3_mp <= doubt_limit_squared2
-        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
-        and N3_mp < longest3_apart)) or N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
-        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
-        N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or abs(D1) <= k2 or N1 <=
-        doubt_limit_squared2 or v3 <= m1 or v4 <= m1
+        abs(D3_mm) <= m3 or abs(D3_mp) <= m3 or abs(D3_pm) <= m3 or abs(D3_pp) <= m3 or v4 <= m1 or
+        abs(D1) <= k2 or v3 <= m1
     )
 
     # angles, side by side
@@ -1246,14 +1244,14 @@ def _regular(pose, q, status):
     room[31] = N3_pm - k4
     room[32] = N3_mp - k4
     room[33] = N3_mm - k4
-    room[34] = v36 + w3_pp * (m3 * Z1_3_pp)
-    room[35] = v36 + w3_pp * (m3 * -Z1_3_pp)
-    room[36] = v37 + w3_pm * (m3 * Z1_3_pm)
-    room[37] = v37 + w3_pm * (m3 * -Z1_3_pm)
-    room[38] = v38 + w3_mp * (m3 * Z1_3_mp)
-    room[39] = v38 + w3_mp * (m3 * -Z1_3_mp)
-    room[40] = v39 + w3_mm * (m3 * Z1_3_mm)
-    room[41] = v39 + w3_mm * (m3 * -Z1_3_mm)
+    room[34] = v36 + w3_pp * (m4 * Z1_3_pp)
+    room[35] = v36 + w3_pp * (m4 * -Z1_3_pp)
+    room[36] = v37 + w3_pm * (m4 * Z1_3_pm)
+    room[37] = v37 + w3_pm * (m4 * -Z1_3_pm)
+    room[38] = v38 + w3_mp * (m4 * Z1_3_mp)
+    room[39] = v38 + w3_mp * (m4 * -Z1_3_mp)
+    room[40] = v39 + w3_mm * (m4 * Z1_3_mm)
+    room[41] = v39 + w3_mm * (m4 * -Z1_3_mm)
     room[42] = c1_p
     room[43] = c1_m
     for k in range(20, 24):
@@ -1704,18 +1702,22 @@ def _in_tiles(T, q, status):
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
             N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-            w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
-            w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
-            w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
-            w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+            D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
+            D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
+            D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
+            D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3)
+            w3_pp = math.sqrt(D3_pp)
+            w3_pm = math.sqrt(D3_pm)
+            w3_mp = math.sqrt(D3_mp)
+            w3_mm = math.sqrt(D3_mm)
             v24 = w3_pp - w3_pp
             v25 = w3_pm - w3_pm
             v26 = w3_mp - w3_mp
             v27 = w3_mm - w3_mm
-            v28 = m4 + m3 * N3_pp
-            v29 = m4 + m3 * N3_pm
-            v30 = m4 + m3 * N3_mp
-            v31 = m4 + m3 * N3_mm
+            v28 = m5 + m4 * N3_pp
+            v29 = m5 + m4 * N3_pm
+            v30 = m5 + m4 * N3_mp
+            v31 = m5 + m4 * N3_mm
             v32 = Z1_3_pp * v28
             v33 = Z1_3_pm * v29
             v34 = Z1_3_mp * v30
@@ -1724,20 +1726,13 @@ def _in_tiles(T, q, status):
             v37 = Z2_3_pm * v29
             v38 = Z2_3_mp * v30
             v39 = Z2_3_mm * v31
-            v40 = w3_pp * (m3 * Z2_3_pp)
-            v41 = w3_pm * (m3 * Z2_3_pm)
-            v42 = w3_mp * (m3 * Z2_3_mp)
-            v43 = w3_mm * (m3 * Z2_3_mm)
+            v40 = w3_pp * (m4 * Z2_3_pp)
+            v41 = w3_pm * (m4 * Z2_3_pm)
+            v42 = w3_mp * (m4 * Z2_3_mp)
+            v43 = w3_mm * (m4 * Z2_3_mm)
             doubt1 = (
-                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
-                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or
-                N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
-                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart)) or
-                N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
-                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
-                N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
-                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
-                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v3 <= m1 or v4 <= m1
+                abs(D3_mm) <= m3 or abs(D3_mp) <= m3 or abs(D3_pm) <= m3 or abs(D3_pp) <= m3 or v4
+                <= m1 or abs(D1) <= k2 or v3 <= m1
             )
             work[272 + k] = Y6_p
             work[288 + k] = Y6_m
@@ -1778,14 +1773,14 @@ def _in_tiles(T, q, status):
             work[848 + k] = N3_pm - k4
             work[864 + k] = N3_mp - k4
             work[880 + k] = N3_mm - k4
-            work[896 + k] = v36 + w3_pp * (m3 * Z1_3_pp)
-            work[912 + k] = v36 + w3_pp * (m3 * -Z1_3_pp)
-            work[928 + k] = v37 + w3_pm * (m3 * Z1_3_pm)
-            work[944 + k] = v37 + w3_pm * (m3 * -Z1_3_pm)
-            work[960 + k] = v38 + w3_mp * (m3 * Z1_3_mp)
-            work[976 + k] = v38 + w3_mp * (m3 * -Z1_3_mp)
-            work[992 + k] = v39 + w3_mm * (m3 * Z1_3_mm)
-            work[1008 + k] = v39 + w3_mm * (m3 * -Z1_3_mm)
+            work[896 + k] = v36 + w3_pp * (m4 * Z1_3_pp)
+            work[912 + k] = v36 + w3_pp * (m4 * -Z1_3_pp)
+            work[928 + k] = v37 + w3_pm * (m4 * Z1_3_pm)
+            work[944 + k] = v37 + w3_pm * (m4 * -Z1_3_pm)
+            work[960 + k] = v38 + w3_mp * (m4 * Z1_3_mp)
+            work[976 + k] = v38 + w3_mp * (m4 * -Z1_3_mp)
+            work[992 + k] = v39 + w3_mm * (m4 * Z1_3_mm)
+            work[1008 + k] = v39 + w3_mm * (m4 * -Z1_3_mm)
             work[1024 + k] = c1_p
             work[1040 + k] = c1_m
         for k in range(416, 736):

@@ -123,11 +123,11 @@ k2 = 9.413232000005485e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 9.413232000000549e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 1.27404769  # a2^2 + a3^2 [m^2]
 k5 = 0.796001651862628  # 1 / (2 * a3 * a2) [m^-2]
-doubt_limit_squared2 = 5.4830905600000006e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-06  # doubt_limit^2
-m3 = 0.580046403712297  # a coefficient of S2
-m4 = 0.1229932192575406  # a coefficient of S2
+m1 = 9.999999999999999e-09  # doubt_limit^2
+m3 = 1.8717428710508678e-09  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
+m4 = 0.580046403712297  # a coefficient of S2
+m5 = 0.1229932192575406  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -370,7 +370,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur20 75df5c45d7994af4"
+_KEY = "ur20 32182b23253adffd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1159,20 +1159,24 @@ def _regular(pose, q, status):
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
     N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-    w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
-    w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
-    w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
-    w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+    D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
+    D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
+    D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
+    D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3)
+    w3_pp = math.sqrt(D3_pp)
+    w3_pm = math.sqrt(D3_pm)
+    w3_mp = math.sqrt(D3_mp)
+    w3_mm = math.sqrt(D3_mm)
     v30 = w3_pp - w3_pp
     v31 = w3_pm - w3_pm
     v32 = w3_mp - w3_mp
     v33 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v34 = m4 + m3 * N3_pp
-    v35 = m4 + m3 * N3_pm
-    v36 = m4 + m3 * N3_mp
-    v37 = m4 + m3 * N3_mm
+    v34 = m5 + m4 * N3_pp
+    v35 = m5 + m4 * N3_pm
+    v36 = m5 + m4 * N3_mp
+    v37 = m5 + m4 * N3_mm
     v38 = Z1_3_pp * v34
     v39 = Z1_3_pm * v35
     v40 = Z1_3_mp * v36
@@ -1181,25 +1185,19 @@ def _regular(pose, q, status):
     v43 = Z2_3_pm * v35
     v44 = Z2_3_mp * v36
     v45 = Z2_3_mm * v37
-    v46 = w3_pp * (m3 * Z2_3_pp)
-    v47 = w3_pp * (m3 * Z1_3_pp)
-    v48 = w3_pm * (m3 * Z2_3_pm)
-    v49 = w3_pm * (m3 * Z1_3_pm)
-    v50 = w3_mp * (m3 * Z2_3_mp)
-    v51 = w3_mp * (m3 * Z1_3_mp)
-    v52 = w3_mm * (m3 * Z2_3_mm)
-    v53 = w3_mm * (m3 * Z1_3_mm)
+    v46 = w3_pp * (m4 * Z2_3_pp)
+    v47 = w3_pp * (m4 * Z1_3_pp)
+    v48 = w3_pm * (m4 * Z2_3_pm)
+    v49 = w3_pm * (m4 * Z1_3_pm)
+    v50 = w3_mp * (m4 * Z2_3_mp)
+    v51 = w3_mp * (m4 * Z1_3_mp)
+    v52 = w3_mm * (m4 * Z2_3_mm)
+    v53 = w3_mm * (m4 * Z1_3_mm)
 
     # joint values
     doubt1 = (
-        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or N3_mp <= doubt_limit_squared2
-        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
-        and N3_mp < longest3_apart)) or N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
-        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
-        N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or abs(D1) <= k2 or N1 <=
-        doubt_limit_squared2 or v9 <= m1 or v10 <= m1
+        abs(D3_mm) <= m3 or abs(D3_mp) <= m3 or abs(D3_pm) <= m3 or abs(D3_pp) <= m3 or v10 <= m1 or
+        abs(D1) <= k2 or v9 <= m1
     )
 
     # angles, side by side
@@ -1655,18 +1653,22 @@ def _in_tiles(T, q, status):
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
             N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-            w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
-            w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
-            w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
-            w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+            D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
+            D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
+            D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
+            D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3)
+            w3_pp = math.sqrt(D3_pp)
+            w3_pm = math.sqrt(D3_pm)
+            w3_mp = math.sqrt(D3_mp)
+            w3_mm = math.sqrt(D3_mm)
             v30 = w3_pp - w3_pp
             v31 = w3_pm - w3_pm
             v32 = w3_mp - w3_mp
             v33 = w3_mm - w3_mm
-            v34 = m4 + m3 * N3_pp
-            v35 = m4 + m3 * N3_pm
-            v36 = m4 + m3 * N3_mp
-            v37 = m4 + m3 * N3_mm
+            v34 = m5 + m4 * N3_pp
+            v35 = m5 + m4 * N3_pm
+            v36 = m5 + m4 * N3_mp
+            v37 = m5 + m4 * N3_mm
             v38 = Z1_3_pp * v34
             v39 = Z1_3_pm * v35
             v40 = Z1_3_mp * v36
@@ -1675,24 +1677,17 @@ def _in_tiles(T, q, status):
             v43 = Z2_3_pm * v35
             v44 = Z2_3_mp * v36
             v45 = Z2_3_mm * v37
-            v46 = w3_pp * (m3 * Z2_3_pp)
-            v47 = w3_pp * (m3 * Z1_3_pp)
-            v48 = w3_pm * (m3 * Z2_3_pm)
-            v49 = w3_pm * (m3 * Z1_3_pm)
-            v50 = w3_mp * (m3 * Z2_3_mp)
-            v51 = w3_mp * (m3 * Z1_3_mp)
-            v52 = w3_mm * (m3 * Z2_3_mm)
-            v53 = w3_mm * (m3 * Z1_3_mm)
+            v46 = w3_pp * (m4 * Z2_3_pp)
+            v47 = w3_pp * (m4 * Z1_3_pp)
+            v48 = w3_pm * (m4 * Z2_3_pm)
+            v49 = w3_pm * (m4 * Z1_3_pm)
+            v50 = w3_mp * (m4 * Z2_3_mp)
+            v51 = w3_mp * (m4 * Z1_3_mp)
+            v52 = w3_mm * (m4 * Z2_3_mm)
+            v53 = w3_mm * (m4 * Z1_3_mm)
             doubt1 = (
-                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
-                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or
-                N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
-                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart)) or
-                N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
-                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
-                N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
-                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
-                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v9 <= m1 or v10 <= m1
+                abs(D3_mm) <= m3 or abs(D3_mp) <= m3 or abs(D3_pm) <= m3 or abs(D3_pp) <= m3 or v10
+                <= m1 or abs(D1) <= k2 or v9 <= m1
             )
             work[272 + k] = v7
             work[288 + k] = v8

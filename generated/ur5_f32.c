@@ -143,12 +143,12 @@ static const float
     k3 = 2.6032486e-08f, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
     k4 = 0.33448505f, /* a2^2 + a3^2 [m^2] */
     k5 = 2.9992876f, /* 1 / (2 * a3 * a2) [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.4220777e-06f,
     half_turn = 3.1415927f, /* pi [rad] */
-    m1 = 1e-06f; /* doubt_limit^2 */
+    m1 = 1e-06f, /* doubt_limit^2 */
+    /* (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
+    m3 = 1.2996985e-05f;
 /* coefficients */
-static const float m3 = 1.1764706f, m4 = 0.03148816f;
+static const float m4 = 1.1764706f, m5 = 0.03148816f;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -323,26 +323,27 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3)),
-        w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3)),
-        w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3)),
-        w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3)), v30 = w3_pp - w3_pp,
-        v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
+        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
+        w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
+        v30 = w3_pp - w3_pp, v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
         angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4),
         angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp,
-        v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
+    const wide v34 = m5 + m4 * N3_pp, v35 = m5 + m4 * N3_pm, v36 = m5 + m4 * N3_mp,
+        v37 = m5 + m4 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
         v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36,
-        v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp),
+        v45 = Z2_3_mm * v37, v46 = w3_pp * (m4 * Z2_3_pp), v47 = w3_pp * (m4 * Z1_3_pp),
         angle13 = atan2_wide(v46 - v38, -(v42 + v47)),
-        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m3 * Z2_3_pm),
-        v49 = w3_pm * (m3 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
-        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m3 * Z2_3_mp),
-        v51 = w3_mp * (m3 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
-        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m3 * Z2_3_mm),
-        v53 = w3_mm * (m3 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
+        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m4 * Z2_3_pm),
+        v49 = w3_pm * (m4 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
+        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m4 * Z2_3_mp),
+        v51 = w3_mp * (m4 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
+        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m4 * Z2_3_mm),
+        v53 = w3_mm * (m4 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
         angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
@@ -354,15 +355,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
         q6_ppp = angle3 + v30, q6_pmp = v31 + (angle3 - signed_wide(half_turn, -v7)),
         q6_mpp = angle4 + v32, q6_mmp = v33 + (angle4 - signed_wide(half_turn, -v8));
-    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
-        <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
-        <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
-        (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | (N3_pm <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | (N3_pp <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
-        <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
+    const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
+        m3) | (abs_wide(D3_pp) <= m3) | (v10 <= m1) | (abs_wide(D1) <= k2) | (v9 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
     q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn));

@@ -261,12 +261,12 @@ static const double
     k3 = 3.4985918000001716e-15, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
     k4 = 0.33444584, /* a2^2 + a3^2 [m^2] */
     k5 = 2.9996700362960076, /* 1 / (2 * a3 * a2) [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.7221312899999994e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-06; /* doubt_limit^2 */
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
+    m3 = 1.4300283221564012e-10;
 /* coefficients */
-static const double m3 = 1.1764705882352942, m4 = 0.031534305882352925;
+static const double m4 = 1.1764705882352942, m5 = 0.031534305882352925;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -441,26 +441,27 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3)),
-        w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3)),
-        w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3)),
-        w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3)), v30 = w3_pp - w3_pp,
-        v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
+        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
+        w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
+        v30 = w3_pp - w3_pp, v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
         angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4),
         angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp,
-        v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
+    const wide v34 = m5 + m4 * N3_pp, v35 = m5 + m4 * N3_pm, v36 = m5 + m4 * N3_mp,
+        v37 = m5 + m4 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
         v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36,
-        v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp),
+        v45 = Z2_3_mm * v37, v46 = w3_pp * (m4 * Z2_3_pp), v47 = w3_pp * (m4 * Z1_3_pp),
         angle13 = atan2_wide(v46 - v38, -(v42 + v47)),
-        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m3 * Z2_3_pm),
-        v49 = w3_pm * (m3 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
-        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m3 * Z2_3_mp),
-        v51 = w3_mp * (m3 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
-        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m3 * Z2_3_mm),
-        v53 = w3_mm * (m3 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
+        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m4 * Z2_3_pm),
+        v49 = w3_pm * (m4 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
+        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m4 * Z2_3_mp),
+        v51 = w3_mp * (m4 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
+        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m4 * Z2_3_mm),
+        v53 = w3_mm * (m4 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
         angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
@@ -472,15 +473,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
         q6_ppp = angle3 + v30, q6_pmp = v31 + (angle3 - signed_wide(half_turn, -v7)),
         q6_mpp = angle4 + v32, q6_mmp = v33 + (angle4 - signed_wide(half_turn, -v8));
-    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
-        <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
-        <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
-        (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | (N3_pm <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | (N3_pp <=
-        doubt_limit_squared2) | ((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
-        <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
+    const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
+        m3) | (abs_wide(D3_pp) <= m3) | (v10 <= m1) | (abs_wide(D1) <= k2) | (v9 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
     q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn));
@@ -532,7 +526,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d4 * wy);
+        w1 = sqrt(D1);
+    const int doubt1 = fabs(D1) <= k2;
+    const double inverse1 = 1.0 / N1, v1 = inverse1 * (d4 * wy);
     const four v2 = v1 + w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (d4 * X1);
     const four s1 = w1 * (inverse1 * (e1 * wy)) - v3;
@@ -556,17 +552,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v14 = T34 - d1;
     const four v15 = d5 * c234, v16 = s234 * v13, Z1_3 = v14 + (v16 + e2 * v15),
         v17 = T24 * s1 - T14 * v2, v18 = c234 * v13, v19 = d5 * s234, Z2_3 = v17 + (v18 - e2 * v19),
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v20 = w3 - w3;
+    const four_mask doubt3 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four v21 = m4 + m3 * N3, v22 = Z1_3 * v21, v23 = Z2_3 * v21, v24 = w3 * (m3 * Z2_3),
-        v25 = w3 * (m3 * Z1_3);
-
-    /* joint values */
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt3 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four v21 = m5 + m4 * N3, v22 = Z1_3 * v21, v23 = Z2_3 * v21, v24 = w3 * (m4 * Z2_3),
+        v25 = w3 * (m4 * Z1_3);
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, -v5, 0, 5, 2, 7), shuffle(-v2, v4, 0, 5, 2,
         7)), ratio2 = ratio_four(shuffle(w6, v11, 0, 5, 2, 7), shuffle(c5, v10, 0, 5, 2, 7)),

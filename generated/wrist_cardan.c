@@ -242,7 +242,7 @@ HELPER void transpose(wide x[LANES])
 static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1e-06; /* doubt_limit^2 */
+    m1 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

@@ -265,8 +265,8 @@ static const double
     g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     g3 = 0.3213938048432697, /* ca2 * 1 / 2 */
     /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.0000000000000002e-08,
-    m2 = 1e-12, /* doubt_limit_squared^2 */
+    doubt_limit_squared2 = 1.0000000000000002e-10,
+    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     m4 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
     m5 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
     m6 = 1.0000000000000002e-10, /* pose_slack^2 */

@@ -115,9 +115,9 @@ f4 = 0.3213938048432697  # ca2 * 1 / 2
 g1 = 0.5  # 1 / 2
 g2 = 0.8660254037844386  # 1 / 2 * sqrt3
 g3 = 0.3213938048432697  # ca2 * 1 / 2
-doubt_limit_squared2 = 1.0000000000000002e-08  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 1.0000000000000002e-10  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
-m2 = 1e-12  # doubt_limit_squared^2
+m2 = 9.999999999999997e-17  # doubt_limit_squared^2
 m3 = 0.2541022842412185  # a coefficient of v11
 m4 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
 m5 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
@@ -292,7 +292,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 171b87c9e42172cb"
+_KEY = "wrist_oblique 0642db48a1f4b320"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

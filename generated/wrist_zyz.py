@@ -94,7 +94,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-06  # doubt_limit^2
+m1 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -230,7 +230,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zyz 640d604c71c272a3"
+_KEY = "wrist_zyz 0b16c35b675770e9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -258,17 +258,17 @@ static const double
     pose_slack1 = 1.080646614543747e-05, /* a pose may be rounded by this [m] */
     k1 = 0.20711584560000001, /* a2^2 + a3^2 [m^2] */
     k2 = 4.918543046385274, /* 1 / (2 * a3 * a2) [m^-2] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.1677971055248617e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.1677971055248613e-06, /* doubt_limit1^2 [m^2] */
-    m2 = 1e-12, /* doubt_limit_squared^2 */
-    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m11 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
-    m12 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
+    m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
+    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m6 = 5.6295049109125804e-14,
+    m11 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m12 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
+    m13 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
 /* coefficients */
-static const double m4 = 0.076, m5 = 0.097, m6 = 1.727195576168653, m7 = 0.06824295773100271,
-m8 = 1.4238523749857612, m9 = 0.05625761134525573;
+static const double m4 = 0.076, m5 = 0.097, m7 = 1.727195576168653, m8 = 0.06824295773100271,
+m9 = 1.4238523749857612, m10 = 0.05625761134525573;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -394,33 +394,33 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6), v20 = factor234 * (v17 + v19),
         v21 = factor234 * (v17 - v19), Z2_3_p = v18 - v20, v22 = v18 + v21,
         N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, N3_m = Z1_3_m * Z1_3_m + v22 * v22,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v23 = w3_p - w3_p,
-        v24 = w3_m - w3_m, angle3 = atan2_wide(w3_p, N3_p - k1),
-        angle4 = atan2_wide(w3_m, N3_m - k1);
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v23 = w3_p - w3_p, v24 = w3_m - w3_m,
+        angle3 = atan2_wide(w3_p, N3_p - k1), angle4 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v25 = m6 * N3_p - m7, v26 = m6 * N3_m - m7, v27 = Z1_3_p * v25, v28 = Z1_3_m * v26,
-        S2_pp = v27 - w3_p * (m6 * Z2_3_p), S2_pm = v27 - w3_p * (m6 * -Z2_3_p),
-        v29 = w3_m * (m6 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
+    const wide v25 = m7 * N3_p - m8, v26 = m7 * N3_m - m8, v27 = Z1_3_p * v25, v28 = Z1_3_m * v26,
+        S2_pp = v27 - w3_p * (m7 * Z2_3_p), S2_pm = v27 - w3_p * (m7 * -Z2_3_p),
+        v29 = w3_m * (m7 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
         v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m,
-        angle5 = atan2_wide(S2_pp, v30 + w3_p * (m6 * Z1_3_p)),
-        angle6 = atan2_wide(S2_pm, v30 + w3_p * (m6 * -Z1_3_p)),
-        angle7 = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v31),
-        angle8 = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v31);
+        angle5 = atan2_wide(S2_pp, v30 + w3_p * (m7 * Z1_3_p)),
+        angle6 = atan2_wide(S2_pm, v30 + w3_p * (m7 * -Z1_3_p)),
+        angle7 = atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v31),
+        angle8 = atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v31);
 
     /* is the pose one that the arm can take? */
-    const wide v32 = Z1_3_p * (m8 + m9 * factor2_p), v33 = Z1_3_m * (m8 + m9 * factor2_m),
+    const wide v32 = Z1_3_p * (m9 + m10 * factor2_p), v33 = Z1_3_m * (m9 + m10 * factor2_m),
         v34 = v20 + Z2_3_p, v35 = v21 - v22, v36 = d1 + v15, v37 = d1 + v16,
         v38 = T33 - T33 * factor234, v39 = T31 - factor234 * (Z2_234 * v10),
         v40 = T23 - factor234 * (s1 * Z2_234),
         v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
         v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
         v43 = T13 - factor234 * (c1 * Z2_234),
-        v44 = T34 - (a3 * (v32 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
+        v44 = T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
             factor2_p))),
-        v45 = T34 - (a3 * (v32 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
-            factor2_p))), v46 = w3_m * (m8 * (v22 * factor2_m)),
+        v45 = T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
+            factor2_p))), v46 = w3_m * (m9 * (v22 * factor2_m)),
         v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m))),
         v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m))), v49 = T14 - c1 * v34,
         v50 = T14 + c1 * v35, v51 = v49 * v49, v52 = v50 * v50, v53 = T24 - s1 * v34,
@@ -442,18 +442,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v78 = pick_wide(-v74 <= -half_turn, all_wide(turn), only_wide(half_turn < -v74, -turn)) -
             v74;
     const double v79 = NAN;
-    const wide v80 = only_wide((v57 <= m11) == 0, v79), v81 = only_wide((v58 <= m11) == 0, v79),
-        v82 = only_wide((v59 <= m11) == 0, v79), v83 = only_wide((v60 <= m11) == 0, v79),
+    const wide v80 = only_wide((v57 <= m12) == 0, v79), v81 = only_wide((v58 <= m12) == 0, v79),
+        v82 = only_wide((v59 <= m12) == 0, v79), v83 = only_wide((v60 <= m12) == 0, v79),
         v84 = v23 + (v61 + only_wide(v61 <= -half_turn, turn)),
         v85 = v24 + (v62 + only_wide(v62 <= -half_turn, turn)), v86 = angle2 + v23,
         v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
-    const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (N3_m <= doubt_limit_squared2) |
-        ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
-        longest3_apart)) == 0)) | (N3_p <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) &
-        (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) |
-        (m10 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40 * v40 + (v38 * v38 + v39 * v39))))) |
-        ((m11 < v60) & (v60 <= m12)) | ((m11 < v59) & (v59 <= m12)) | ((m11 < v57) & (v57 <= m12)) |
-        ((m11 < v58) & (v58 <= m12));
+    const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v43 * v43 + (v42 * v42 +
+        (v41 * v41 + (v40 * v40 + (v38 * v38 + v39 * v39))))) | ((m12 < v60) & (v60 <= m13)) | ((m12
+        < v59) & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
+        (abs_wide(D3_p) <= m6) | (abs_wide(D3_m) <= m6);
 
     q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, turn));
     q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, turn));
@@ -509,37 +506,36 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four v17 = factor234 * (v14 - w1 * (m4 * v15)), Z1_3 = v16 - v17;
     const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
     const four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v21 = w3 - w3;
+    const four_mask doubt2 = abs_four(D3) <= m6;
 
     /* theta2 */
-    const four v22 = e2 * Z2_3, v23 = m6 * N3 - m7, v24 = Z1_3 * v23, S2 = v24 - w3 * (m6 * v22),
+    const four v22 = e2 * Z2_3, v23 = m7 * N3 - m8, v24 = Z1_3 * v23, S2 = v24 - w3 * (m7 * v22),
         v25 = Z2_3 * v23, factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const four v26 = Z1_3 * (m8 + m9 * factor2), v27 = v20 + Z2_3, v28 = d1 + v17;
+    const four v26 = Z1_3 * (m9 + m10 * factor2), v27 = v20 + Z2_3, v28 = d1 + v17;
     const double v29 = T33 - T33 * factor234, v30 = T31 - factor234 * (Z2_234 * v10),
         v31 = T23 - factor234 * (s1 * Z2_234),
         v32 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
         v33 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
         v34 = T13 - factor234 * (c1 * Z2_234);
-    const four v35 = T34 - (a3 * (v26 + w3 * (m8 * (v22 * factor2))) + (v28 + a2 * (S2 * factor2))),
+    const four v35 = T34 - (a3 * (v26 + w3 * (m9 * (v22 * factor2))) + (v28 + a2 * (S2 * factor2))),
         v36 = T14 - e1 * (c1 * v27), v37 = v36 * v36, v38 = T24 - e1 * (s1 * v27), v39 = v38 * v38,
         v40 = v39 + (v37 + v35 * v35);
-    const four_mask doubt3 = (m11 < v40) & (v40 <= m12);
+    const four_mask doubt3 = (m12 < v40) & (v40 <= m13);
 
     /* joint values */
     const double v41 = copysign(half_turn, v3), v49 = NAN;
-    const four v50 = only_four((v40 <= m11) == 0, v49);
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-    const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m10 < v34 * v34 + (v33 * v33 + (v32 * v32 + (v31 *
+    const four v50 = only_four((v40 <= m12) == 0, v49);
+    const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m11 < v34 * v34 + (v33 * v33 + (v32 * v32 + (v31 *
         v31 + (v29 * v29 + v30 * v30))))) | (v8 <= m2);
 
     const four_ratio ratio1 = ratio_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),
         ratio2 = ratio_four(shuffle(shuffle(w3, all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0,
             1, 2, 7), shuffle(shuffle(N3 - k1, all_four(T33), 0, 5, 2, 3), all_four(-Z1_5), 0, 1, 2,
-            7)), ratio3 = ratio_four(S2, v25 + w3 * (m6 * (e2 * Z1_3)));
+            7)), ratio3 = ratio_four(S2, v25 + w3 * (m7 * (e2 * Z1_3)));
     const four packed1 = angle_four(ratio1), angle5 = shuffle(packed1, packed1, 0, 0, 0, 0),
         packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
         angle1 = shuffle(packed2, packed2, 1, 1, 1, 1),

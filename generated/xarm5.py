@@ -119,19 +119,19 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.080646614543747e-05  # a pose may be rounded by this [m]
 k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
-doubt_limit_squared2 = 1.1677971055248617e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.1677971055248613e-06  # doubt_limit1^2 [m^2]
-m2 = 1e-12  # doubt_limit_squared^2
+m1 = 1.1677971055248613e-08  # doubt_limit1^2 [m^2]
+m2 = 9.999999999999997e-17  # doubt_limit_squared^2
 m4 = 0.076  # a coefficient of v9
 m5 = 0.097  # a coefficient of v11
-m6 = 1.727195576168653  # a coefficient of S2
-m7 = 0.06824295773100271  # a coefficient of S2
-m8 = 1.4238523749857612  # a coefficient of c23
-m9 = 0.05625761134525573  # a coefficient of c23
-m10 = 1.0000000000000002e-10  # pose_slack^2
-m11 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
-m12 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
+m6 = 5.6295049109125804e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m7 = 1.727195576168653  # a coefficient of S2
+m8 = 0.06824295773100271  # a coefficient of S2
+m9 = 1.4238523749857612  # a coefficient of c23
+m10 = 0.05625761134525573  # a coefficient of c23
+m11 = 1.0000000000000002e-10  # pose_slack^2
+m12 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
+m13 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 5191964821ba0d25"
+_KEY = "xarm5 379eaf91fbd7f120"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -990,19 +990,21 @@ def _regular(pose, q, status):
     v22 = v18 + v21
     N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
     N3_m = Z1_3_m * Z1_3_m + v22 * v22
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
     v23 = w3_p - w3_p
     v24 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v25 = m6 * N3_p - m7
-    v26 = m6 * N3_m - m7
+    v25 = m7 * N3_p - m8
+    v26 = m7 * N3_m - m8
     v27 = Z1_3_p * v25
     v28 = Z1_3_m * v26
-    S2_pp = v27 - w3_p * (m6 * Z2_3_p)
-    S2_pm = v27 - w3_p * (m6 * -Z2_3_p)
-    v29 = w3_m * (m6 * v22)
+    S2_pp = v27 - w3_p * (m7 * Z2_3_p)
+    S2_pm = v27 - w3_p * (m7 * -Z2_3_p)
+    v29 = w3_m * (m7 * v22)
     S2_mp = v28 + v29
     S2_mm = v28 - v29
     v30 = Z2_3_p * v25
@@ -1011,8 +1013,8 @@ def _regular(pose, q, status):
     factor2_m = 1.0 / N3_m
 
     # is the pose one that the arm can take?
-    v32 = Z1_3_p * (m8 + m9 * factor2_p)
-    v33 = Z1_3_m * (m8 + m9 * factor2_m)
+    v32 = Z1_3_p * (m9 + m10 * factor2_p)
+    v33 = Z1_3_m * (m9 + m10 * factor2_m)
     v34 = v20 + Z2_3_p
     v35 = v21 - v22
     v36 = d1 + v15
@@ -1023,11 +1025,11 @@ def _regular(pose, q, status):
     v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
     v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
     v43 = T13 - factor234 * (c1 * Z2_234)
-    v44 = T34 - (a3 * (v32 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp * factor2_p)))
+    v44 = T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp * factor2_p)))
     v45 = (
-        T34 - (a3 * (v32 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm * factor2_p)))
+        T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm * factor2_p)))
     )
-    v46 = w3_m * (m8 * (v22 * factor2_m))
+    v46 = w3_m * (m9 * (v22 * factor2_m))
     v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m)))
     v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
     v49 = T14 - c1 * v34
@@ -1045,17 +1047,15 @@ def _regular(pose, q, status):
 
     # joint values
     v79 = math.sqrt(-1.0)
-    v80 = 0.0 if v57 <= m11 else v79
-    v81 = 0.0 if v58 <= m11 else v79
-    v82 = 0.0 if v59 <= m11 else v79
-    v83 = 0.0 if v60 <= m11 else v79
+    v80 = 0.0 if v57 <= m12 else v79
+    v81 = 0.0 if v58 <= m12 else v79
+    v82 = 0.0 if v59 <= m12 else v79
+    v83 = 0.0 if v60 <= m12 else v79
     doubt1 = (
-        v7 <= m2 or v4 <= m1 or v8 <= m2 or N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m
-        and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or
-        N3_p <= doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-        (shortest3_apart < N3_p and N3_p < longest3_apart)) or m10 < v43 * v43 + (v42 * v42 + (v41 *
-        v41 + (v40 * v40 + (v38 * v38 + v39 * v39)))) or (m11 < v60 and v60 <= m12) or (m11 < v59
-        and v59 <= m12) or (m11 < v57 and v57 <= m12) or (m11 < v58 and v58 <= m12)
+        v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40 * v40 +
+        (v38 * v38 + v39 * v39)))) or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <= m13) or
+        (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <=
+        m6
     )
 
     # angles, side by side
@@ -1072,10 +1072,10 @@ def _regular(pose, q, status):
     room[17] = -Z1_5
     room[18] = N3_p - k1
     room[19] = N3_m - k1
-    room[20] = v30 + w3_p * (m6 * Z1_3_p)
-    room[21] = v30 + w3_p * (m6 * -Z1_3_p)
-    room[22] = w3_m * (m6 * Z1_3_m) - v31
-    room[23] = w3_m * (m6 * -Z1_3_m) - v31
+    room[20] = v30 + w3_p * (m7 * Z1_3_p)
+    room[21] = v30 + w3_p * (m7 * -Z1_3_p)
+    room[22] = w3_m * (m7 * Z1_3_m) - v31
+    room[23] = w3_m * (m7 * -Z1_3_m) - v31
     room[24] = v2
     for k in range(9, 16):
         room[k] = room[k + 16] = 1.0
@@ -1429,25 +1429,27 @@ def _in_tiles(T, q, status):
             v22 = v18 + v21
             N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
             N3_m = Z1_3_m * Z1_3_m + v22 * v22
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
             v23 = w3_p - w3_p
             v24 = w3_m - w3_m
-            v25 = m6 * N3_p - m7
-            v26 = m6 * N3_m - m7
+            v25 = m7 * N3_p - m8
+            v26 = m7 * N3_m - m8
             v27 = Z1_3_p * v25
             v28 = Z1_3_m * v26
-            S2_pp = v27 - w3_p * (m6 * Z2_3_p)
-            S2_pm = v27 - w3_p * (m6 * -Z2_3_p)
-            v29 = w3_m * (m6 * v22)
+            S2_pp = v27 - w3_p * (m7 * Z2_3_p)
+            S2_pm = v27 - w3_p * (m7 * -Z2_3_p)
+            v29 = w3_m * (m7 * v22)
             S2_mp = v28 + v29
             S2_mm = v28 - v29
             v30 = Z2_3_p * v25
             v31 = v22 * v26
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v32 = Z1_3_p * (m8 + m9 * factor2_p)
-            v33 = Z1_3_m * (m8 + m9 * factor2_m)
+            v32 = Z1_3_p * (m9 + m10 * factor2_p)
+            v33 = Z1_3_m * (m9 + m10 * factor2_m)
             v34 = v20 + Z2_3_p
             v35 = v21 - v22
             v36 = d1 + v15
@@ -1459,14 +1461,14 @@ def _in_tiles(T, q, status):
             v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
             v43 = T13 - factor234 * (c1 * Z2_234)
             v44 = (
-                T34 - (a3 * (v32 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
+                T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
                 factor2_p)))
             )
             v45 = (
-                T34 - (a3 * (v32 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
+                T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
                 factor2_p)))
             )
-            v46 = w3_m * (m8 * (v22 * factor2_m))
+            v46 = w3_m * (m9 * (v22 * factor2_m))
             v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m)))
             v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
             v49 = T14 - c1 * v34
@@ -1482,18 +1484,15 @@ def _in_tiles(T, q, status):
             v59 = v56 + (v52 + v47 * v47)
             v60 = v56 + (v52 + v48 * v48)
             v79 = math.sqrt(-1.0)
-            v80 = 0.0 if v57 <= m11 else v79
-            v81 = 0.0 if v58 <= m11 else v79
-            v82 = 0.0 if v59 <= m11 else v79
-            v83 = 0.0 if v60 <= m11 else v79
+            v80 = 0.0 if v57 <= m12 else v79
+            v81 = 0.0 if v58 <= m12 else v79
+            v82 = 0.0 if v59 <= m12 else v79
+            v83 = 0.0 if v60 <= m12 else v79
             doubt1 = (
-                v7 <= m2 or v4 <= m1 or v8 <= m2 or N3_m <= doubt_limit_squared2 or (shortest3_reach
-                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart)) or N3_p <= doubt_limit_squared2 or (shortest3_reach <= N3_p and
-                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))
-                or m10 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40 * v40 + (v38 * v38 + v39 *
-                v39)))) or (m11 < v60 and v60 <= m12) or (m11 < v59 and v59 <= m12) or (m11 < v57
-                and v57 <= m12) or (m11 < v58 and v58 <= m12)
+                v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40
+                * v40 + (v38 * v38 + v39 * v39)))) or (m12 < v60 and v60 <= m13) or (m12 < v59 and
+                v59 <= m13) or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p)
+                <= m6 or abs(D3_m) <= m6
             )
             work[272 + k] = v3
             work[288 + k] = Z2_5
@@ -1517,10 +1516,10 @@ def _in_tiles(T, q, status):
             work[576 + k] = -Z1_5
             work[592 + k] = N3_p - k1
             work[608 + k] = N3_m - k1
-            work[624 + k] = v30 + w3_p * (m6 * Z1_3_p)
-            work[640 + k] = v30 + w3_p * (m6 * -Z1_3_p)
-            work[656 + k] = w3_m * (m6 * Z1_3_m) - v31
-            work[672 + k] = w3_m * (m6 * -Z1_3_m) - v31
+            work[624 + k] = v30 + w3_p * (m7 * Z1_3_p)
+            work[640 + k] = v30 + w3_p * (m7 * -Z1_3_p)
+            work[656 + k] = w3_m * (m7 * Z1_3_m) - v31
+            work[672 + k] = w3_m * (m7 * -Z1_3_m) - v31
             work[688 + k] = v2
         for k in range(416, 560):
             work[k] = _atan2(work[k], work[k + 144])

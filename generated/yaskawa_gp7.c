@@ -262,14 +262,15 @@ static const double
     k2 = 0.0356, /* 2 * a3 * a2 [m^2] */
     k3 = 0.393225, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 6.467555636500607, /* 1 / (k1^2 + k2^2) [m^-4] */
-    doubt_limit_squared2 = 1.890625e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.4801364395941514, /* a constant angle [rad] */
-    m1 = 1.8906249999999998e-06, /* doubt_limit1^2 [m^2] */
-    m9 = 1e-06; /* doubt_limit^2 */
+    m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m3 = 1.9164816413959385e-13,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m3 = 1.1235955056179774, m4 = 0.003174157303370838, m5 = 0.10245901639344261,
-m6 = 1.1270491803278688, m7 = 0.0031839139344262803, m8 = 0.00028944672131148006;
+static const double m4 = 1.1235955056179774, m5 = 0.003174157303370838, m6 = 0.10245901639344261,
+m7 = 1.1270491803278688, m8 = 0.0031839139344262803, m9 = 0.00028944672131148006;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -408,26 +409,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
-        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
-        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
-        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
-        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), angle2 = atan2_wide(w3_p, N3_p - k3),
+        angle3 = atan2_wide(w3_m, N3_m - k3), q3__pp = angle2 - turn1, v6 = turn1 + angle2,
+        q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m, v8 = Z1_3 * Y1_2_p,
-        v9 = Z1_3 * Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m, v12 = m3 * Z1_3, v13 = m3 * -Z1_3,
+    const wide Y1_2_p = m5 + m4 * N3_p, Y1_2_m = m5 + m4 * N3_m, v8 = Z1_3 * Y1_2_p,
+        v9 = Z1_3 * Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m, v12 = m4 * Z1_3, v13 = m4 * -Z1_3,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m7 * factor2_p - m6,
-        v18 = m7 * factor2_m - m6, v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5,
+    const wide v14 = m6 * Z1_3, v15 = m7 * v3 - v14, v16 = m7 * v4 - v14, v17 = m8 * factor2_p - m7,
+        v18 = m8 * factor2_m - m7, v19 = m9 * factor2_p - m6, v20 = m9 * factor2_m - m6,
         v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20,
         c2m3_pp = v21 + w3_p * (factor2_p * v15), c2m3_pm = v21 + w3_p * (factor2_p * -v15),
         c2m3_mp = v22 + w3_m * (factor2_m * v16), c2m3_mm = v22 + w3_m * (factor2_m * -v16),
-        v23 = m6 * Z1_3, v24 = Z1_3 * v19 + v3 * -v17, v25 = Z1_3 * v20 + v4 * -v18,
-        v26 = w3_p * (factor2_p * (v23 + m5 * v3)), s2m3_pp = v24 + v26, s2m3_pm = v24 - v26,
-        v27 = w3_m * (factor2_m * (v23 + m5 * v4)), s2m3_mp = v25 + v27, s2m3_mm = v25 - v27,
+        v23 = m7 * Z1_3, v24 = Z1_3 * v19 + v3 * -v17, v25 = Z1_3 * v20 + v4 * -v18,
+        v26 = w3_p * (factor2_p * (v23 + m6 * v3)), s2m3_pp = v24 + v26, s2m3_pm = v24 - v26,
+        v27 = w3_m * (factor2_m * (v23 + m6 * v4)), s2m3_mp = v25 + v27, s2m3_mm = v25 - v27,
         v28 = w1 * (v2 * (T23 * Y1 - T13 * wx)), X4_pp = T33 * s2m3_pp - c2m3_pp * v28,
         X4_pm = T33 * s2m3_pm - c2m3_pm * v28, X4_mp = T33 * s2m3_mp + c2m3_mp * v28,
         X4_mm = T33 * s2m3_mm + c2m3_mm * v28, v29 = w1 * (v2 * (T13 * Y1 + wx * T23)),
@@ -442,10 +443,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v39 = w1 * (v2 * (wx * T21 + Y1 * T11)), v40 = w1 * (v2 * (Y1 * T21 - wx * T11));
 
     /* joint values */
-    const wide v41 = w3_p * (m3 * v3), angle8 = atan2_wide(-(v8 + v41), w3_p * v12 - v10),
+    const wide v41 = w3_p * (m4 * v3), angle8 = atan2_wide(-(v8 + v41), w3_p * v12 - v10),
         v42 = angle8 - offset2, angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10),
-        v43 = angle9 - offset2, angle10 = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11),
-        v44 = angle10 - offset2, angle11 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11),
+        v43 = angle9 - offset2, angle10 = atan2_wide(-(v9 + w3_m * (m4 * v4)), w3_m * v12 - v11),
+        v44 = angle10 - offset2, angle11 = atan2_wide(-(v9 + w3_m * (m4 * -v4)), w3_m * v13 - v11),
         v45 = angle11 - offset2, q2_ppp = v42 + only_wide(half_turn < v42, -turn),
         q2_pmp = v43 + only_wide(half_turn < v43, -turn),
         q2_mpp = v44 + only_wide(half_turn < v44, -turn),
@@ -491,11 +492,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v80 = v76 | v70 | beyond(q2_ppp, 2), v81 = v77 | v70 | beyond(q2_pmp, 2),
         v82 = v78 | v71 | beyond(q2_mpp, 2), v83 = v79 | v71 | beyond(q2_mmp, 2),
-        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
-            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
-            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
-            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v34 <= m9) | (v33 <= m9)
-            | (v32 <= m9) | (v1 <= m1) | (v31 <= m9);
+        doubt1 = (v34 <= m10) | (v33 <= m10) | (v32 <= m10) | (v31 <= m10) | (abs_wide(D3_m) <= m3)
+            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
     q[5] = v58 + only_wide(v58 <= -half_turn, turn);
@@ -546,24 +544,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
-    const four Y1_2 = m4 + m3 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3),
+    const four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v9 = m5 * Z1_3;
-    const four v10 = m6 * v4 - v9, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5,
+    const double v9 = m6 * Z1_3;
+    const four v10 = m7 * v4 - v9, v11 = m8 * factor2 - m7, v12 = m9 * factor2 - m6,
         v13 = Z1_3 * v11 + v4 * v12, c2m3 = v13 + w3 * (factor2 * (e2 * v10));
-    const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+    const double v14 = m7 * Z1_3;
+    const four v15 = v14 + m6 * v4, v16 = Z1_3 * v12 + v4 * -v11,
         s2m3 = v16 + w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s2m3 - e1 * (c2m3 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + wx * T23)), v19 = v18 * v18;
     const four v20 = v19 + X4 * X4;
-    const four_mask doubt3 = v20 <= m9;
+    const four_mask doubt3 = v20 <= m10;
     const four v21 = signed_four(half_turn, -(e1 * v18));
 
     /* theta6 */
@@ -572,12 +571,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v29 = e1 * (-X4 * v24 - v18 * (e1 * (c2m3 * v25) - s2m3 * T31));
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = ratio_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7),
+        ratio2 = ratio_four(-(v6 + w3 * (m4 * (e2 * v4))), w3 * v8 - v7),
         ratio3 = ratio_four(-(e1 * v18), -X4),
         ratio4 = ratio_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) + X4 * v22)),
         ratio5 = ratio_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17));

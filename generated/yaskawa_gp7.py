@@ -124,7 +124,6 @@ k1 = 0.3916  # 2 * d4 * a2 [m^2]
 k2 = 0.0356  # 2 * a3 * a2 [m^2]
 k3 = 0.393225  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.467555636500607  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.890625e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4801364395941514  # a constant angle [rad]
 low1 = -2.967000001
@@ -135,14 +134,15 @@ low3 = -1.221700001
 high3 = 3.316100001
 low5 = -2.356100001
 high5 = 2.356100001
-m1 = 1.8906249999999998e-06  # doubt_limit1^2 [m^2]
-m3 = 1.1235955056179774  # a coefficient of Y1_2
-m4 = 0.003174157303370838  # a coefficient of Y1_2
-m5 = 0.10245901639344261  # a coefficient of c2m3
-m6 = 1.1270491803278688  # a coefficient of c2m3
-m7 = 0.0031839139344262803  # a coefficient of c2m3
-m8 = 0.00028944672131148006  # a coefficient of c2m3
-m9 = 1e-06  # doubt_limit^2
+m1 = 1.8906249999999994e-08  # doubt_limit1^2 [m^2]
+m3 = 1.9164816413959385e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 1.1235955056179774  # a coefficient of Y1_2
+m5 = 0.003174157303370838  # a coefficient of Y1_2
+m6 = 0.10245901639344261  # a coefficient of c2m3
+m7 = 1.1270491803278688  # a coefficient of c2m3
+m8 = 0.0031839139344262803  # a coefficient of c2m3
+m9 = 0.00028944672131148006  # a coefficient of c2m3
+m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -387,7 +387,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 0d376f77689cab43"
+_KEY = "yaskawa_gp7 7c8f2fa2c9fc0ac0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1039,42 +1039,44 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    Y1_2_p = m4 + m3 * N3_p
-    Y1_2_m = m4 + m3 * N3_m
+    Y1_2_p = m5 + m4 * N3_p
+    Y1_2_m = m5 + m4 * N3_m
     v8 = Z1_3 * Y1_2_p
     v9 = Z1_3 * Y1_2_m
     v10 = v3 * Y1_2_p
     v11 = v4 * Y1_2_m
-    v12 = m3 * Z1_3
-    v13 = m3 * -Z1_3
+    v12 = m4 * Z1_3
+    v13 = m4 * -Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v14 = m5 * Z1_3
-    v15 = m6 * v3 - v14
-    v16 = m6 * v4 - v14
-    v17 = m7 * factor2_p - m6
-    v18 = m7 * factor2_m - m6
-    v19 = m8 * factor2_p - m5
-    v20 = m8 * factor2_m - m5
+    v14 = m6 * Z1_3
+    v15 = m7 * v3 - v14
+    v16 = m7 * v4 - v14
+    v17 = m8 * factor2_p - m7
+    v18 = m8 * factor2_m - m7
+    v19 = m9 * factor2_p - m6
+    v20 = m9 * factor2_m - m6
     v21 = Z1_3 * v17 + v3 * v19
     v22 = Z1_3 * v18 + v4 * v20
     c2m3_pp = v21 + w3_p * (factor2_p * v15)
     c2m3_pm = v21 + w3_p * (factor2_p * -v15)
     c2m3_mp = v22 + w3_m * (factor2_m * v16)
     c2m3_mm = v22 + w3_m * (factor2_m * -v16)
-    v23 = m6 * Z1_3
+    v23 = m7 * Z1_3
     v24 = Z1_3 * v19 + v3 * -v17
     v25 = Z1_3 * v20 + v4 * -v18
-    v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+    v26 = w3_p * (factor2_p * (v23 + m6 * v3))
     s2m3_pp = v24 + v26
     s2m3_pm = v24 - v26
-    v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+    v27 = w3_m * (factor2_m * (v23 + m6 * v4))
     s2m3_mp = v25 + v27
     s2m3_mm = v25 - v27
     v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
@@ -1098,16 +1100,14 @@ def _regular(pose, q, status):
     v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
 
     # joint values
-    v41 = w3_p * (m3 * v3)
+    v41 = w3_p * (m4 * v3)
     v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
     v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
     v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
     v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart)) or v34 <= m9 or v33 <= m9 or v32 <= m9 or v1 <= m1 or v31 <= m9
+        v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
+        abs(D3_p) <= m3
     )
 
     # angles, side by side
@@ -1120,8 +1120,8 @@ def _regular(pose, q, status):
     room[6] = v29
     room[7] = -(v8 + v41)
     room[8] = v41 - v8
-    room[9] = -(v9 + w3_m * (m3 * v4))
-    room[10] = -(v9 + w3_m * (m3 * -v4))
+    room[9] = -(v9 + w3_m * (m4 * v4))
+    room[10] = -(v9 + w3_m * (m4 * -v4))
     room[11] = -math.sqrt(v31)
     room[12] = -math.sqrt(v32)
     room[13] = -math.sqrt(v33)
@@ -1569,38 +1569,40 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            Y1_2_p = m4 + m3 * N3_p
-            Y1_2_m = m4 + m3 * N3_m
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
+            Y1_2_p = m5 + m4 * N3_p
+            Y1_2_m = m5 + m4 * N3_m
             v8 = Z1_3 * Y1_2_p
             v9 = Z1_3 * Y1_2_m
             v10 = v3 * Y1_2_p
             v11 = v4 * Y1_2_m
-            v12 = m3 * Z1_3
-            v13 = m3 * -Z1_3
+            v12 = m4 * Z1_3
+            v13 = m4 * -Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v14 = m5 * Z1_3
-            v15 = m6 * v3 - v14
-            v16 = m6 * v4 - v14
-            v17 = m7 * factor2_p - m6
-            v18 = m7 * factor2_m - m6
-            v19 = m8 * factor2_p - m5
-            v20 = m8 * factor2_m - m5
+            v14 = m6 * Z1_3
+            v15 = m7 * v3 - v14
+            v16 = m7 * v4 - v14
+            v17 = m8 * factor2_p - m7
+            v18 = m8 * factor2_m - m7
+            v19 = m9 * factor2_p - m6
+            v20 = m9 * factor2_m - m6
             v21 = Z1_3 * v17 + v3 * v19
             v22 = Z1_3 * v18 + v4 * v20
             c2m3_pp = v21 + w3_p * (factor2_p * v15)
             c2m3_pm = v21 + w3_p * (factor2_p * -v15)
             c2m3_mp = v22 + w3_m * (factor2_m * v16)
             c2m3_mm = v22 + w3_m * (factor2_m * -v16)
-            v23 = m6 * Z1_3
+            v23 = m7 * Z1_3
             v24 = Z1_3 * v19 + v3 * -v17
             v25 = Z1_3 * v20 + v4 * -v18
-            v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+            v26 = w3_p * (factor2_p * (v23 + m6 * v3))
             s2m3_pp = v24 + v26
             s2m3_pm = v24 - v26
-            v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+            v27 = w3_m * (factor2_m * (v23 + m6 * v4))
             s2m3_mp = v25 + v27
             s2m3_mm = v25 - v27
             v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
@@ -1620,17 +1622,14 @@ def _in_tiles(T, q, status):
             v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
             v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
             v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
-            v41 = w3_p * (m3 * v3)
+            v41 = w3_p * (m4 * v3)
             v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
             v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
             v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
             v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
-                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v34 <= m9 or v33 <= m9 or v32
-                <= m9 or v1 <= m1 or v31 <= m9
+                v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1 <= m1
+                or abs(D3_p) <= m3
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1651,8 +1650,8 @@ def _in_tiles(T, q, status):
             work[528 + k] = v29
             work[544 + k] = -(v8 + v41)
             work[560 + k] = v41 - v8
-            work[576 + k] = -(v9 + w3_m * (m3 * v4))
-            work[592 + k] = -(v9 + w3_m * (m3 * -v4))
+            work[576 + k] = -(v9 + w3_m * (m4 * v4))
+            work[592 + k] = -(v9 + w3_m * (m4 * -v4))
             work[608 + k] = -math.sqrt(v31)
             work[624 + k] = -math.sqrt(v32)
             work[640 + k] = -math.sqrt(v33)

@@ -112,7 +112,7 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_few_random_poses_are_doubtful(name: str) -> None:
-    """They take the careful solver's time: less than one in a hundred."""
+    """They take the careful solver's time, which is fifty times as long: one in a thousand."""
     of = story(name)
     arm = numeric_arm(of.derivation.problem.algebra.chain)
     solver = regular(of.program)
@@ -120,7 +120,7 @@ def test_few_random_poses_are_doubtful(name: str) -> None:
     q = np.random.default_rng(8).uniform(-np.pi, np.pi, (MANY, arm.chain.dof))
     found = outputs(solver.program, arm.pose(q), None, given_values(arm, q))
     doubts = found[len(found) - len(solver.doubts) :]
-    assert np.count_nonzero(np.any([np.zeros_like(found[0]), *doubts], axis=(0, -1))) < MANY / 100
+    assert np.count_nonzero(np.any([np.zeros_like(found[0]), *doubts], axis=(0, -1))) < MANY / 1000
 
 
 def nearly_fitting(name: str, factors: list[float]) -> tuple[NDArray[np.bool_], FloatArray]:

@@ -116,17 +116,23 @@ class Builder(Graph):
         """yes where the condition holds, else no."""
         return yes if yes == no else self.apply("select", condition, yes, no)
 
-    def disjunctions(self, truths: Iterable[Node]) -> list[Node]:
-        """Whether any of these holds: one truth value for each type, the narrow ones first."""
-        pending = list(truths)
-        merged: dict[tuple[int, ...], list[Node]] = {}
+    def alternatives(self, truths: Iterable[Node]) -> list[Node]:
+        """What any of these holds for, without "or"."""
+        pending, found = list(truths), []
         while pending:
             node = pending.pop(0)
             entry = self.entries[node]
             if entry.operator == "or":
                 pending += entry.operands
-            elif node not in (known := merged.setdefault(entry.axes, [])):
-                known.append(node)
+            else:
+                found.append(node)
+        return list(dict.fromkeys(found))
+
+    def disjunctions(self, truths: Iterable[Node]) -> list[Node]:
+        """Whether any of these holds: one truth value for each type, the narrow ones first."""
+        merged: dict[tuple[int, ...], list[Node]] = {}
+        for node in self.alternatives(truths):
+            merged.setdefault(self.entries[node].axes, []).append(node)
         types = sorted(merged, key=lambda axes: (len(axes), axes))
         return [reduce(lambda a, b: self.apply("or", a, b), merged[axes]) for axes in types]
 

@@ -20,6 +20,7 @@ from dhgen.program.ir import (
     Variable,
 )
 from dhgen.program.regular.assumptions import Assumptions, joined, meeting
+from dhgen.program.regular.brink import Brink
 from dhgen.program.regular.endings import Endings
 from dhgen.program.regular.limits import Limiting
 from dhgen.program.regular.signed import Signed, SignedArithmetic
@@ -66,9 +67,8 @@ class Unguarded:
         self._kept = kept  # the inverse lengths that stay in front as long as they can
         self._limits = limits
         self._tolerances = tolerances
-        # how much farther from where a joint is free regular poses end
-        self._wider = tolerances.near / tolerances.free
-        self._wide: dict[str, Signed] = {}  # by the names of limits below which a joint is free
+        # where regular poses end, by the names of limits below which an angle is free or blurred
+        self._ends: dict[str, Signed] = {}
         self._slacks: dict[Node, tuple[Node, Node]] = {}  # what is exact, and what may be rounded
         self._exact = _compared(program)
         self._builder = Builder(program.reserved, FOLDED)
@@ -77,6 +77,7 @@ class Unguarded:
         self._assumptions = Assumptions(program)
         self._doubts: list[Node] = []
         self._endings = Endings(self._builder)
+        self._brink = Brink(self._builder, round(tolerances.near / tolerances.regular))
         self._reached: Guard | None = None
 
     def run(self) -> Regular:
@@ -86,8 +87,8 @@ class Unguarded:
             node = builder.known(c)
             self._values[c.name] = Signed(node)
             match c.role:
-                case Tolerance("free" | "free_square"):
-                    self._wide[c.name] = Signed(self._widened(c.role, c.value))
+                case Tolerance("free" | "free_square" | "near" | "near_square"):
+                    self._ends[c.name] = Signed(self._end_of_regular(c.role, c.value))
                 case Tolerance("doubtful", degree):
                     self._slacks[node] = self._exact_and_rounded(degree, c.value)
         for axis in self._program.axes:
@@ -103,7 +104,8 @@ class Unguarded:
         outside = limiting.outside()
         results |= {} if outside is None else {"outside": outside}
         count = len(results)
-        doubts = builder.disjunctions(self._doubts)
+        doubts = builder.alternatives(self._doubts)
+        doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(self._program.name, results, [])
         outputs = finished.outputs
@@ -124,15 +126,19 @@ class Unguarded:
             case _:
                 return limiting.limited(joint, value, limits)
 
-    def _widened(self, limit: Tolerance, value: float) -> Node:
+    def _end_of_regular(self, limit: Tolerance, value: float) -> Node:
         """Near to where a joint is free a pose is doubtful, too.
 
         The whole program takes a direction and all that follows from it from the same few digits;
         here an identity may bring in others.
         """
-        square = limit.kind == "free_square"
-        kind, factor = ("doubt_square", self._wider**2) if square else ("doubt", self._wider)
-        return tolerance_constant(self._builder, replace(limit, kind=kind), factor * value)
+        table = self._tolerances
+        ratio = table.regular / (table.free if limit.kind.startswith("free") else table.near)
+        if limit.kind.endswith("square"):
+            role, value = replace(limit, kind="doubt_square"), ratio**2 * value
+        else:
+            role, value = replace(limit, kind="doubt"), ratio * value
+        return tolerance_constant(self._builder, role, value)
 
     def _exact_and_rounded(self, degree: int, slack: float) -> tuple[Node, Node]:
         """What a row may miss here, where none is tightened: taken at once, and not for certain."""
@@ -174,30 +180,25 @@ class Unguarded:
 
     def _meet(self, guard: Guard) -> None:
         """Branches that meet at a pose that is in reach are a doubt."""
-        met, reached = self._sharp(meeting(guard)), self._reached
-        match None if reached is None else reached.condition:
-            case None:
-                self._doubts.append(self._truth(met))
-            case Apply("at_most", (Apply("neg", (slack,)), margin)):
-                # rounding may take more from D than keeps branches apart: one slack is for both
-                size = self._arithmetic.apply("abs", [self._value(margin)])
-                near = self._arithmetic.apply("at_most", [size, self._value(slack)])
-                free = [each for each in joined(met, "or") if isinstance(each, Variable)]
-                self._doubts += [near.node, *map(self._truth, free)]
-            case within:
-                self._doubts.append(self._truth(Apply("and", (within, met))))
-
-    def _sharp(self, met: Expression) -> Expression:
-        """Without what needs an angle that is good to few digits: that is a doubt by itself."""
-        match met:
-            case Apply("or", (rest, Apply("and", (Variable(name), _)))) if (
-                name in self._program.near
-            ):
-                return self._sharp(rest)
-            case Apply("or", (rest, free)):
-                return Apply("or", (self._sharp(rest), free))
-            case _:
-                return met
+        parts, reached = joined(meeting(guard), "or"), self._reached
+        if reached is None or reached.margin is None:
+            self._doubts += map(self._truth, parts)
+            return
+        apart, blurred = None, False
+        for part in parts:
+            match part:
+                case Apply("not", (told,)) if apart is None:
+                    apart = told
+                case Apply("and", (Variable(name), Apply("not", (told,)))) if (
+                    name in self._program.near
+                ):
+                    apart, blurred = told, True
+                case _:
+                    self._doubts.append(self._truth(part))
+        assert apart is not None
+        margin = self._arithmetic.plain(self._value(reached.margin))
+        sides = self._truth(reached.condition), self._truth(apart)
+        self._doubts.append(self._brink.touches(margin, *sides, blurred=blurred))
 
     def _take_if_consistent(self, condition: Expression) -> None:
         """What must hold for the arm to take the pose, unless it does by an identity.
@@ -230,8 +231,10 @@ class Unguarded:
 
     def _end(self, guard: Guard) -> None:
         """A branch ends where it would be out of reach."""
+        inside = self._truth(guard.condition)
+        self._brink.ends(inside)
         if guard.margin is None:
-            self._endings.unless(self._truth(guard.condition))
+            self._endings.unless(inside)
         else:
             self._endings.at_root(self._arithmetic.plain(self._value(guard.margin)))
 
@@ -260,10 +263,10 @@ class Unguarded:
                 return self._arithmetic.apply(operator, parts)
 
     def _doubtful(self, condition: Expression) -> Signed:
-        """x <= limit with a wider limit, where it is one below which a joint is free."""
+        """x <= limit with the limit of regular poses, where a joint is free or blurred below."""
         match condition:
-            case Apply("at_most", (value, Variable(name))) if name in self._wide:
-                return self._arithmetic.apply("at_most", [self._value(value), self._wide[name]])
+            case Apply("at_most", (value, Variable(name))) if name in self._ends:
+                return self._arithmetic.apply("at_most", [self._value(value), self._ends[name]])
         return self._value(condition)
 
     def _choice(self, condition: Expression, yes: Expression, no: Expression) -> Signed:

@@ -1,0 +1,118 @@
+"""Where a square root nearly vanishes: its square may be of either sign, or two branches one.
+
+Poses on this brink are left to the whole program, which tells the two apart as well as it can.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from fractions import Fraction
+
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
+
+BOTH_SIDES = 100  # one width serves both sides if it is not so many times the other
+
+
+class Brink:
+    """The width of brinks, and what can't be this side of them.
+
+    Args:
+        builder: Where values are.
+        wider: How many times as wide brinks are where the value hangs on an angle that is good to
+            few digits.
+    """
+
+    def __init__(self, builder: Builder, wider: int) -> None:
+        self._builder = builder
+        self._wider = wider
+        self._least: dict[Node, Fraction] = {}
+
+    def ends(self, inside: Node) -> None:
+        """Takes note that branches end where a condition does not hold."""
+        for low, value in self._at_most(inside):
+            least, entry = self._number(low), self._builder.entries[value]
+            if least is None:
+                continue
+            self._least[value] = least
+            if entry.operator == "sub" and (off := self._number(entry.operands[1])) is not None:
+                self._least[entry.operands[0]] = least + off
+
+    def excludes(self, condition: Node) -> bool:
+        """Whether a condition, x <= limit, holds in no branch that has a solution."""
+        entry = self._builder.entries[condition]
+        if entry.operator != "at_most" or entry.operands[0] not in self._least:
+            return False
+        most = self._builder.entries[entry.operands[1]].value
+        return most is not None and most < self._least[entry.operands[0]]
+
+    def touches(self, value: Node, inside: Node, apart: Node, *, blurred: bool) -> Node:
+        """Whether a value can't be told from zero.
+
+        One width for both sides takes one comparison less. Where rows are tightened branches end
+        far outside of where they meet, and each side has its own.
+
+        Args:
+            value: What is under a square root.
+            inside: The condition that it is not negative, up to rounding.
+            apart: The condition that it is positive.
+            blurred: Whether it hangs on an angle that is good to few digits.
+        """
+        builder = self._builder
+        inner, outer = self._width(value, apart), self._width(value, inside)
+        if blurred:
+            inner = outer = builder.arithmetic("mul", builder.integer(self._wider), inner)
+        low, high = (self._number(width) for width in (inner, outer))
+        if low is None or high is None or high <= BOTH_SIDES * low:
+            return builder.apply("at_most", builder.absolute(value), outer)
+        below = builder.apply("at_most", builder.neg(outer), value)
+        return builder.apply("and", below, builder.apply("at_most", value, inner))
+
+    def _number(self, node: Node) -> Fraction | None:
+        """The value of a constant, or of one with a minus before it."""
+        entry = self._builder.entries[node]
+        if entry.operator == "neg":
+            value = self._builder.entries[entry.operands[0]].value
+            return None if value is None else -value
+        return entry.value
+
+    def _at_most(self, condition: Node) -> Iterator[tuple[Node, Node]]:
+        """What is less than what, or at most."""
+        entry = self._builder.entries[condition]
+        if entry.operator == "and":
+            for operand in entry.operands:
+                yield from self._at_most(operand)
+        else:
+            low, high = entry.operands
+            yield low, high
+
+    def _width(self, value: Node, condition: Node) -> Node:
+        """How far from zero the value is at most at the bounds of a condition."""
+        builder = self._builder
+        found: list[tuple[Fraction, Node]] = []
+        for low, high in self._at_most(condition):
+            if high == value:  # a slack, constant or not
+                entry = builder.entries[low]
+                return entry.operands[0] if entry.operator == "neg" else low
+            above = builder.entries[high].value is not None
+            there = self._there(value, *((low, high) if above else (high, low)))
+            number = self._number(there)
+            assert number is not None
+            if number < 0:
+                there = builder.arithmetic("mul", builder.integer(-1), there)
+            found.append((abs(number), there))
+        return max(found)[1]
+
+    def _there(self, node: Node, variable: Node, value: Node) -> Node:
+        """A node's value, a constant, where the one variable in it has a value."""
+        entry = self._builder.entries[node]
+        if node == variable:
+            return value
+        if entry.value is not None:
+            return node
+        assert entry.operator is not None, "the square of a root depends on more than one value"
+        operands = [self._there(each, variable, value) for each in entry.operands]
+        return self._builder.simplified(entry.operator, operands)

@@ -1,0 +1,64 @@
+"""Regular poses end where a square root can't be told from zero, and only there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.interpret import outputs
+from dhgen.program.regular.regular import regular
+from dhgen.program.role import Tolerance
+from tests.derivation.stories import story
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.survey.oracle.arm import FloatArray
+
+COUNT = 200
+
+
+def doubtful(name: str, q: FloatArray) -> NDArray[np.bool_]:
+    """Whether the poses (N,) of joint values (N, n) are left to the whole program."""
+    of = story(name)
+    solver = regular(of.program)
+    assert solver is not None
+    arm = numeric_arm(of.derivation.problem.algebra.chain)
+    found = outputs(solver.program, arm.pose(q), None, np.zeros((len(q), 0)))
+    doubts = found[len(found) - len(solver.doubts) :]
+    return np.asarray(np.any(doubts, axis=(0, -1)), dtype=np.bool_)
+
+
+def joints(name: str) -> FloatArray:
+    """Random joint values (COUNT, n) away from singular ones."""
+    dof = numeric_arm(story(name).derivation.problem.algebra.chain).chain.dof
+    return np.random.default_rng(4).uniform(0.3, 1.2, (COUNT, dof))
+
+
+# PUMA's forearm is at right angles to its link 3 (d4, a3); UR5's elbow comes after its wrist, of
+# which few digits are right where it is nearly straight
+@pytest.mark.parametrize(
+    ("name", "stretched", "wrist"),
+    [("puma560", np.arctan2(0.4318, -0.0203), 1.0), ("ur5", 0.0, 1.0), ("ur5", 0.0, 5e-4)],
+)
+def test_a_stretched_or_folded_arm_is_doubtful_and_a_bent_one_is_not(
+    name: str, stretched: float, wrist: float
+) -> None:
+    q = joints(name)
+    q[:, 4] = wrist
+    assert not doubtful(name, q).any()
+    for elbow in (stretched, stretched + np.pi):
+        q[:, 2] = elbow
+        assert doubtful(name, q).all()
+
+
+def test_a_distance_that_the_links_do_not_allow_is_no_doubt() -> None:
+    """UR5's links 2 and 3 differ by 33 mm: no joint 2 is free for being on its axis."""
+    whole, solver = story("ur5").program, regular(story("ur5").program)
+    assert solver is not None
+    lengths = Tolerance("free_square", 2), Tolerance("doubt_square", 2)
+    assert lengths[0] in {c.role for c in whole.constants}
+    assert lengths[1] not in {c.role for c in solver.program.constants}
