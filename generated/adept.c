@@ -259,12 +259,11 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 0.024, /* a pose may be rounded by this [mm] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m4 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
-    m5 = 0.000576, /* pose_slack1^2 [mm^2] */
-    m6 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m3 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
+    m4 = 0.000576, /* pose_slack1^2 [mm^2] */
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
-static const double m2 = 330000.0, m3 = 600.0;
+static const double m1 = 330000.0, m2 = 600.0;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -352,25 +351,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide t34 = T14 - ez * T13, q3 = d1 - t34;
 
     /* theta12 */
-    const wide v1 = T32 * T32 + T22 * T22, w12 = sqrt_wide(v1), v2 = 1.0 / v1, v3 = w12 * v2,
-        c12 = T22 * v3, s12 = T32 * v3;
+    const wide v1 = T32 * T32 + T22 * T22, w12 = sqrt_wide(v1), v2 = 1.0 / v1, v3 = w12 * v2;
 
     /* theta1 */
     const wide t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
-        v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2)),
+        v4 = m2 * t24 - w12 * (m1 * (T32 * v2)), v5 = m2 * t14 - w12 * (m1 * (T22 * v2)),
         v6 = v4 * v4 + v5 * v5, v7 = sqrt_wide(v6) * (1.0 / v6), angle1 = atan2_wide(v4, v5);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7)),
-        v11 = T32 - s12, v12 = t14 - (l2 * c12 + l1 * (v5 * v7)), v13 = T22 - c12;
+    const wide v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7)),
+        v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7)), v12 = v1 - 1.0;
 
     /* joint values */
-    const wide angle2 = atan2_wide(T32, T22), v14 = angle2 - angle1;
-    const wide_mask doubt1 = (v6 <= m4) | (v1 <= m1) | (m6 < T23 * T23 + (v13 * v13 + (v11 * v11 +
-        (T33 * T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
+    const wide angle2 = atan2_wide(T32, T22), v13 = angle2 - angle1;
+    const wide_mask doubt1 = (m4 < v8 * v8 + v10 * v10 + v11 * v11) | (m5 < v9 * v9 + T12 * T12 +
+        T33 * T33 + T23 * T23 + v12 * v12) | (v6 <= m3);
 
     q[0] = angle1;
-    q[1] = v14 + pick_wide(v14 <= -half_turn, all_wide(turn), only_wide(half_turn < v14, -turn));
+    q[1] = v13 + pick_wide(v13 <= -half_turn, all_wide(turn), only_wide(half_turn < v13, -turn));
     q[2] = q3;
     kind[0] = kind_of(q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -389,27 +387,27 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double t34 = T14 - ez * T13, q3 = d1 - t34;
 
     /* theta12 */
-    const double v1 = T32 * T32 + T22 * T22, w12 = sqrt(v1), v2 = 1.0 / v1, v3 = w12 * v2,
-        c12 = T22 * v3, s12 = T32 * v3;
+    const double v1 = T32 * T32 + T22 * T22, w12 = sqrt(v1), v2 = 1.0 / v1, v3 = w12 * v2;
 
     /* theta1 */
     const double t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
-        v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2)),
+        v4 = m2 * t24 - w12 * (m1 * (T32 * v2)), v5 = m2 * t14 - w12 * (m1 * (T22 * v2)),
         v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * (1.0 / v6);
 
     /* is the pose one that the arm can take? */
-    const double v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7)),
-        v11 = T32 - s12, v12 = t14 - (l2 * c12 + l1 * (v5 * v7)), v13 = T22 - c12;
+    const double v8 = t34 - (d1 - q3), v9 = T13 + 1.0,
+        v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7)),
+        v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7)), v12 = v1 - 1.0;
 
     /* joint values */
-    const int doubt1 = (v6 <= m4) | (v1 <= m1) | (m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 *
-        T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
+    const int doubt1 = (m4 < v8 * v8 + v10 * v10 + v11 * v11) | (m5 < v9 * v9 + T12 * T12 + T33 *
+        T33 + T23 * T23 + v12 * v12) | (v6 <= m3);
 
     const four_ratio ratio1 = ratio_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1);
-    const four v14 = angle2 - angle1,
-        q2 = v14 + pick_four(v14 <= -half_turn, all_four(turn), only_four(half_turn < v14, -turn));
+    const four v13 = angle2 - angle1,
+        q2 = v13 + pick_four(v13 <= -half_turn, all_four(turn), only_four(half_turn < v13, -turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

@@ -101,12 +101,11 @@ free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 330000.0  # a coefficient of v5
-m3 = 600.0  # a coefficient of v5
-m4 = 0.003317759999999999  # doubt_limit_squared2^2 [mm^4]
-m5 = 0.000576  # pose_slack1^2 [mm^2]
-m6 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 330000.0  # a coefficient of v5
+m2 = 600.0  # a coefficient of v5
+m3 = 0.003317759999999999  # doubt_limit_squared2^2 [mm^4]
+m4 = 0.000576  # pose_slack1^2 [mm^2]
+m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -251,7 +250,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept 470ca642864e2dfc"
+_KEY = "adept 93569df9202ca978"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -600,29 +599,26 @@ def _regular(pose, q, status):
     w12 = math.sqrt(v1)
     v2 = 1.0 / v1
     v3 = w12 * v2
-    c12 = T22 * v3
-    s12 = T32 * v3
 
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
     t24 = T34 - ez * T33 - zz_
-    v4 = m3 * t24 - w12 * (m2 * (T32 * v2))
-    v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
+    v4 = m2 * t24 - w12 * (m1 * (T32 * v2))
+    v5 = m2 * t14 - w12 * (m1 * (T22 * v2))
     v6 = v4 * v4 + v5 * v5
     v7 = math.sqrt(v6) * (1.0 / v6)
 
     # is the pose one that the arm can take?
     v8 = t34 - (d1 - q3)
     v9 = T13 + 1.0
-    v10 = t24 - (l2 * s12 + l1 * (v4 * v7))
-    v11 = T32 - s12
-    v12 = t14 - (l2 * c12 + l1 * (v5 * v7))
-    v13 = T22 - c12
+    v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7))
+    v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7))
+    v12 = v1 - 1.0
 
     # joint values
     doubt1 = (
-        v6 <= m4 or v1 <= m1 or m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 * T33 + (v9 * v9 +
-        T12 * T12)))) or m5 < v12 * v12 + (v8 * v8 + v10 * v10)
+        m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33 + T23 * T23 +
+        v12 * v12 or v6 <= m3
     )
 
     # angles, side by side
@@ -638,8 +634,8 @@ def _regular(pose, q, status):
     angle2 = room[1]
 
     # joint values
-    v14 = angle2 - angle1
-    q2 = v14 + (turn if v14 <= -half_turn else (-turn if half_turn < v14 else 0.0))
+    v13 = angle2 - angle1
+    q2 = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -884,23 +880,20 @@ def _in_tiles(T, q, status):
             w12 = math.sqrt(v1)
             v2 = 1.0 / v1
             v3 = w12 * v2
-            c12 = T22 * v3
-            s12 = T32 * v3
             t14 = T24 - ez * T23
             t24 = T34 - ez * T33 - zz_
-            v4 = m3 * t24 - w12 * (m2 * (T32 * v2))
-            v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
+            v4 = m2 * t24 - w12 * (m1 * (T32 * v2))
+            v5 = m2 * t14 - w12 * (m1 * (T22 * v2))
             v6 = v4 * v4 + v5 * v5
             v7 = math.sqrt(v6) * (1.0 / v6)
             v8 = t34 - (d1 - q3)
             v9 = T13 + 1.0
-            v10 = t24 - (l2 * s12 + l1 * (v4 * v7))
-            v11 = T32 - s12
-            v12 = t14 - (l2 * c12 + l1 * (v5 * v7))
-            v13 = T22 - c12
+            v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7))
+            v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7))
+            v12 = v1 - 1.0
             doubt1 = (
-                v6 <= m4 or v1 <= m1 or m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 * T33 + (v9
-                * v9 + T12 * T12)))) or m5 < v12 * v12 + (v8 * v8 + v10 * v10)
+                m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33 + T23 *
+                T23 + v12 * v12 or v6 <= m3
             )
             work[272 + k] = q3
             work[288 + k] = doubt1
@@ -915,8 +908,8 @@ def _in_tiles(T, q, status):
             doubt1 = work[288 + k] != 0.0
             angle1 = work[304 + k]
             angle2 = work[320 + k]
-            v14 = angle2 - angle1
-            q2 = v14 + (turn if v14 <= -half_turn else (-turn if half_turn < v14 else 0.0))
+            v13 = angle2 - angle1
+            q2 = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
             _368 = angle1
             work[368 + k] = _368
             _384 = q2

@@ -246,13 +246,12 @@ static const double
     k1 = 0.18125000000000002, /* a1^2 + a2^2 [m^2] */
     k2 = 5.594405594405594, /* 1 / (2 * a2 * a1) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m2 = 4.23497348300968e-14,
-    m5 = 9.74169e-11, /* pose_slack1^2 [m^2] */
-    m6 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m1 = 4.23497348300968e-14,
+    m4 = 9.74169e-11, /* pose_slack1^2 [m^2] */
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
-static const double m3 = 1.5384615384615385, m4 = 0.04615384615384612;
+static const double m2 = 1.5384615384615385, m3 = 0.04615384615384612;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -341,32 +340,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide r3 = d1 - T34;
 
     /* theta12m4 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
-        angle1 = atan2_wide(T21, T11);
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
     const wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
         w2 = sqrt_wide(D2), angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m4 + m3 * N2, v4 = T24 * v3, v5 = T14 * v3, v6 = w2 * (m3 * T14),
-        v7 = w2 * (m3 * T24), angle3 = atan2_wide(v4 - v6, v5 + v7),
-        angle4 = atan2_wide(v4 + v6, v5 - v7);
+    const wide v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
+        v5 = w2 * (m2 * T24), angle3 = atan2_wide(v2 - v4, v3 + v5),
+        angle4 = atan2_wide(v2 + v4, v3 - v5);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = T34 - (d1 - r3), v9 = 1.0 + T33, v10 = T21 - T21 * v2, v11 = T11 - T11 * v2;
+    const wide v6 = T34 - (d1 - r3), v7 = 1.0 + T33, v8 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const wide v12 = angle2 + angle3 - angle1, v13 = angle4 - angle2 - angle1,
-        q3_p = r3 + (w2 - w2);
-    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (v1 <= m1) | (m6 < T13 * T13 + (v11 * v11 + (v10
-        * v10 + (T23 * T23 + (v9 * v9 + T31 * T31))))) | (m5 < v8 * v8);
+    const wide v9 = angle2 + angle3 - angle1, v10 = angle4 - angle2 - angle1, q3_p = r3 + (w2 - w2);
+    const wide_mask doubt1 = (m4 < v6 * v6) | (m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8
+        * v8) | (abs_wide(D2) <= m1);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v12 + pick_wide(v12 <= -half_turn, all_wide(turn), only_wide(half_turn < v12, -turn));
+    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
     kind[0] = kind_of(q[0], 0);
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v13 + pick_wide(v13 <= -half_turn, all_wide(turn), only_wide(half_turn < v13, -turn));
+    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -384,31 +381,28 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* r3 */
     const double r3 = d1 - T34;
 
-    /* theta12m4 */
-    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
-
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
-    const double v3 = m4 + m3 * N2, v4 = T24 * v3, v5 = T14 * v3;
+    const double v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1;
 
     /* is the pose one that the arm can take? */
-    const double v6 = T34 - (d1 - r3), v7 = 1.0 + T33, v8 = T21 - T21 * v2, v9 = T11 - T11 * v2;
+    const double v4 = T34 - (d1 - r3), v5 = 1.0 + T33, v6 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
     const double q3 = r3 + (w2 - w2);
-    const int doubt1 = (fabs(D2) <= m2) | (v1 <= m1) | (m6 < T13 * T13 + (v9 * v9 + (v8 * v8 + (T23
-        * T23 + (v7 * v7 + T31 * T31))))) | (m5 < v6 * v6);
+    const int doubt1 = (m4 < v4 * v4) | (m5 < v5 * v5 + T31 * T31 + T23 * T23 + T13 * T13 + v6 * v6)
+        | (fabs(D2) <= m1);
 
-    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m3 * (e1 * T14)), all_four(T21),
-        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m3 * (e1 * T24)),
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w2 * (m2 * (e1 * T14)), all_four(T21),
+        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v3 + w2 * (m2 * (e1 * T24)),
         all_four(T11), 0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = e1 * angle2, v10 = angle3 + q2 - angle1,
-        q4 = v10 + pick_four(v10 <= -half_turn, all_four(turn), only_four(half_turn < v10, -turn));
+    const four q2 = e1 * angle2, v7 = angle3 + q2 - angle1,
+        q4 = v7 + pick_four(v7 <= -half_turn, all_four(turn), only_four(half_turn < v7, -turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

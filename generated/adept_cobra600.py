@@ -110,12 +110,11 @@ pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 4.23497348300968e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
-m3 = 1.5384615384615385  # a coefficient of S1
-m4 = 0.04615384615384612  # a coefficient of S1
-m5 = 9.74169e-11  # pose_slack1^2 [m^2]
-m6 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 4.23497348300968e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 1.5384615384615385  # a coefficient of S1
+m3 = 0.04615384615384612  # a coefficient of S1
+m4 = 9.74169e-11  # pose_slack1^2 [m^2]
+m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -265,7 +264,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 0e223f7020ce9bcc"
+_KEY = "adept_cobra600 6ea0409830735424"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -637,44 +636,38 @@ def _regular(pose, q, status):
     # r3, type 1: U0[3, 4]
     r3 = d1 - T34
 
-    # theta12m4, type 3: U0[1, 2] and U0[2, 2]
-    v1 = T21 * T21 + T11 * T11
-    v2 = math.sqrt(v1) * (1.0 / v1)
-
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     D2 = (longest2 - N2) * (N2 - shortest2)
     w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m4 + m3 * N2
-    v4 = T24 * v3
-    v5 = T14 * v3
-    v6 = w2 * (m3 * T14)
-    v7 = w2 * (m3 * T24)
+    v1 = m3 + m2 * N2
+    v2 = T24 * v1
+    v3 = T14 * v1
+    v4 = w2 * (m2 * T14)
+    v5 = w2 * (m2 * T24)
 
     # is the pose one that the arm can take?
-    v8 = T34 - (d1 - r3)
-    v9 = 1.0 + T33
-    v10 = T21 - T21 * v2
-    v11 = T11 - T11 * v2
+    v6 = T34 - (d1 - r3)
+    v7 = 1.0 + T33
+    v8 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
     q3_p = r3 + (w2 - w2)
     doubt1 = (
-        abs(D2) <= m2 or v1 <= m1 or m6 < T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (v9 *
-        v9 + T31 * T31)))) or m5 < v8 * v8
+        m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or abs(D2) <= m1
     )
 
     # angles, side by side
     room[0] = T21
     room[1] = w2
-    room[2] = v4 - v6
-    room[3] = v4 + v6
+    room[2] = v2 - v4
+    room[3] = v2 + v4
     room[8] = T11
     room[9] = N2 - k1
-    room[10] = v5 + v7
-    room[11] = v5 - v7
+    room[10] = v3 + v5
+    room[11] = v3 - v5
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -685,10 +678,10 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v12 = angle2 + angle3 - angle1
-    v13 = angle4 - angle2 - angle1
-    q4_p = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-    q4_m = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
+    v9 = angle2 + angle3 - angle1
+    v10 = angle4 - angle2 - angle1
+    q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
+    q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -935,35 +928,32 @@ def _in_tiles(T, q, status):
             T33 = work[160 + k]
             T34 = work[176 + k]
             r3 = d1 - T34
-            v1 = T21 * T21 + T11 * T11
-            v2 = math.sqrt(v1) * (1.0 / v1)
             N2 = T14 * T14 + T24 * T24
             D2 = (longest2 - N2) * (N2 - shortest2)
             w2 = math.sqrt(D2)
-            v3 = m4 + m3 * N2
-            v4 = T24 * v3
-            v5 = T14 * v3
-            v6 = w2 * (m3 * T14)
-            v7 = w2 * (m3 * T24)
-            v8 = T34 - (d1 - r3)
-            v9 = 1.0 + T33
-            v10 = T21 - T21 * v2
-            v11 = T11 - T11 * v2
+            v1 = m3 + m2 * N2
+            v2 = T24 * v1
+            v3 = T14 * v1
+            v4 = w2 * (m2 * T14)
+            v5 = w2 * (m2 * T24)
+            v6 = T34 - (d1 - r3)
+            v7 = 1.0 + T33
+            v8 = T21 * T21 + T11 * T11 - 1.0
             q3_p = r3 + (w2 - w2)
             doubt1 = (
-                abs(D2) <= m2 or v1 <= m1 or m6 < T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 +
-                (v9 * v9 + T31 * T31)))) or m5 < v8 * v8
+                m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or
+                abs(D2) <= m1
             )
             work[272 + k] = q3_p
             work[288 + k] = doubt1
             work[304 + k] = T21
             work[320 + k] = w2
-            work[336 + k] = v4 - v6
-            work[352 + k] = v4 + v6
+            work[336 + k] = v2 - v4
+            work[352 + k] = v2 + v4
             work[368 + k] = T11
             work[384 + k] = N2 - k1
-            work[400 + k] = v5 + v7
-            work[416 + k] = v5 - v7
+            work[400 + k] = v3 + v5
+            work[416 + k] = v3 - v5
         for k in range(304, 368):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
@@ -973,10 +963,10 @@ def _in_tiles(T, q, status):
             angle2 = work[320 + k]
             angle3 = work[336 + k]
             angle4 = work[352 + k]
-            v12 = angle2 + angle3 - angle1
-            v13 = angle4 - angle2 - angle1
-            q4_p = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-            q4_m = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
+            v9 = angle2 + angle3 - angle1
+            v10 = angle4 - angle2 - angle1
+            q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
+            q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
             _432 = angle3
             work[432 + k] = _432
             _448 = angle2

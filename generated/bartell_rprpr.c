@@ -359,9 +359,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
         v24 = T11 - (c5 * (v7 * v10) + s1 * s5), v25 = T13 + v15;
 
     /* joint values */
-    const wide_mask doubt1 = (v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v25 * v25 + (v24 * v24 +
-        (v22 * v22 + (v21 * v21 + (v18 * v18 + v19 * v19))))) | (m4 < v23 * v23 + (v17 * v17 + v20 *
-        v20));
+    const wide_mask doubt1 = (v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v18 * v18 + v19 * v19 +
+        v21 * v21 + v22 * v22 + v24 * v24 + v25 * v25) | (m4 < v17 * v17 + v20 * v20 + v23 * v23);
 
     q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
     kind[0] = kind_of(q[0], 0);
@@ -414,9 +413,8 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
 
     /* joint values */
     const four q2 = e1 * r2;
-    const int doubt1 = (v10 <= m3) | (v5 <= m1) | (v15 <= m3) | (m5 < v28 * v28 + (v27 * v27 + (v25
-        * v25 + (v24 * v24 + (v21 * v21 + v22 * v22))))) | (m4 < v26 * v26 + (v20 * v20 + v23 *
-        v23));
+    const int doubt1 = (v10 <= m3) | (v5 <= m1) | (v15 <= m3) | (m5 < v21 * v21 + v22 * v22 + v24 *
+        v24 + v25 * v25 + v27 * v27 + v28 * v28) | (m4 < v20 * v20 + v23 * v23 + v26 * v26);
 
     const four_ratio ratio1 = ratio_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3
         });

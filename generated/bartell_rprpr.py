@@ -264,7 +264,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr 798b02956b98d802"
+_KEY = "bartell_rprpr de88fd0d8f711ed3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -680,8 +680,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v25 * v25 + (v24 * v24 + (v22 * v22 + (v21 * v21 +
-        (v18 * v18 + v19 * v19)))) or m4 < v23 * v23 + (v17 * v17 + v20 * v20)
+        v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 + v22 * v22 +
+        v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23
     )
 
     # angles, side by side
@@ -992,8 +992,8 @@ def _in_tiles(T, q, status):
             v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
             v25 = T13 + v15
             doubt1 = (
-                v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v25 * v25 + (v24 * v24 + (v22 * v22 + (v21
-                * v21 + (v18 * v18 + v19 * v19)))) or m4 < v23 * v23 + (v17 * v17 + v20 * v20)
+                v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 + v22 *
+                v22 + v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23
             )
             work[272 + k] = v4
             work[288 + k] = q2_p

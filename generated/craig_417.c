@@ -385,35 +385,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2))),
         v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v55 = sqrt2 * c2, v56 = sqrt2 * (k6 * c2),
         v57 = 2.0 * (a3 * v19), v58 = a3 * v55, v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57)),
-        v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57)), v61 = T33 - k1 * v55, v62 = v61 * v61,
-        v63 = v19 * 2.0, v64 = T31 + k1 * (s34_p * v55 - c34_p * v63),
-        v65 = T31 + k1 * (s34_m * v55 + c34_m * v63),
-        v66 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
+        v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57)), v61 = T33 - k1 * v55, v62 = v19 * 2.0,
+        v63 = T31 + k1 * (s34_p * v55 - c34_p * v62), v64 = T31 + k1 * (s34_m * v55 + c34_m * v62),
+        v65 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
             v53))),
-        v67 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
-            v54))), v68 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19)),
-        v69 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19)),
-        v70 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51)),
-        v71 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52)),
-        v72 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47)),
-        v73 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48)),
-        v74 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45),
-        v75 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46),
-        v76 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19)),
-        v77 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19)), v78 = v72 * v72 + (v59 * v59 + v66 * v66),
-        v79 = v73 * v73 + (v60 * v60 + v67 * v67),
-        v80 = v76 * v76 + (v74 * v74 + (v70 * v70 + (v68 * v68 + (v62 + v64 * v64)))),
-        v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v62 + v65 * v65))));
+        v66 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
+            v54))), v67 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19)),
+        v68 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19)),
+        v69 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51)),
+        v70 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52)),
+        v71 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47)),
+        v72 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48)),
+        v73 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45),
+        v74 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46),
+        v75 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19)),
+        v76 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19)), v77 = v59 * v59 + v65 * v65 + v71 * v71,
+        v78 = v60 * v60 + v66 * v66 + v72 * v72, v79 = v61 * v61,
+        v80 = v79 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75,
+        v81 = v79 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76;
 
     /* joint values */
     const wide angle4 = atan2_wide(v22, v26), v82 = angle4 - angle2, angle5 = atan2_wide(v23, v27),
         v83 = angle5 - angle3;
     const double v84 = NAN;
-    const wide v85 = only_wide(((v78 <= m6) & (v80 <= m8)) == 0, v84),
-        v86 = only_wide(((v79 <= m6) & (v81 <= m8)) == 0, v84), angle6 = atan2_wide(-v13, c1_p),
+    const wide v85 = only_wide(((v77 <= m6) & (v80 <= m8)) == 0, v84),
+        v86 = only_wide(((v78 <= m6) & (v81 <= m8)) == 0, v84), angle6 = atan2_wide(-v13, c1_p),
         angle7 = atan2_wide(-v14, c1_m);
-    const wide_mask doubt1 = (v40 <= m5) | (v29 <= m1) | (v39 <= m5) | (v28 <= m1) | ((m6 < v79) &
-        (v79 <= m7)) | ((m6 < v78) & (v78 <= m7)) | ((m8 < v81) & (v81 <= m9)) | (abs_wide(D1) <=
+    const wide_mask doubt1 = (v40 <= m5) | (v29 <= m1) | (v39 <= m5) | (v28 <= m1) | ((m6 < v78) &
+        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v81) & (v81 <= m9)) | (abs_wide(D1) <=
         k4) | (v16 <= m1) | ((m8 < v80) & (v80 <= m9));
 
     q[0] = v85 + angle6; q[1] = angle1 + v85; q[2] = angle2 + v85;
@@ -473,23 +472,23 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         v34 = k6 * v9, v35 = v9 * c2, v36 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
     const double v37 = sqrt2 * c2, v38 = sqrt2 * (k6 * c2), v39 = 2.0 * (a3 * v14), v40 = a3 * v37;
     const four v41 = T34 - k1 * (v38 + (v30 * v40 + e1 * (c3 * v39)));
-    const double v42 = T33 - k1 * v37, v43 = v42 * v42, v44 = v14 * 2.0;
-    const four v45 = T31 + k1 * (s34 * v37 - e1 * (c34 * v44)),
-        v46 = T24 - k1 * (sqrt2 * (v33 + e1 * (v14 * v34)) - (c3 * (2.0 * (a3 * v35)) + v30 * (a3 *
-            v36))), v47 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14))),
-        v48 = T21 - k1 * (s34 * v36 - c34 * (2.0 * v35)),
-        v49 = T14 - k1 * (c3 * (2.0 * (a3 * v31)) - v30 * (a3 * v32) + sqrt2 * (v34 - e1 * (v14 *
-            v33))), v50 = T11 - k1 * (c34 * (2.0 * v31) + s34 * v32),
-        v51 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14))),
-        v52 = v49 * v49 + (v41 * v41 + v46 * v46),
-        v53 = v51 * v51 + (v50 * v50 + (v48 * v48 + (v47 * v47 + (v43 + v45 * v45))));
+    const double v42 = T33 - k1 * v37, v43 = v14 * 2.0;
+    const four v44 = T31 + k1 * (s34 * v37 - e1 * (c34 * v43)),
+        v45 = T24 - k1 * (sqrt2 * (v33 + e1 * (v14 * v34)) - (c3 * (2.0 * (a3 * v35)) + v30 * (a3 *
+            v36))), v46 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14))),
+        v47 = T21 - k1 * (s34 * v36 - c34 * (2.0 * v35)),
+        v48 = T14 - k1 * (c3 * (2.0 * (a3 * v31)) - v30 * (a3 * v32) + sqrt2 * (v34 - e1 * (v14 *
+            v33))), v49 = T11 - k1 * (c34 * (2.0 * v31) + s34 * v32),
+        v50 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14))), v51 = v41 * v41 + v45 * v45 + v48 * v48;
+    const double v52 = v42 * v42;
+    const four v53 = v52 + v44 * v44 + v46 * v46 + v47 * v47 + v49 * v49 + v50 * v50;
 
     /* joint values */
     const double v55 = NAN;
-    const four v56 = only_four(((v52 <= m6) & (v53 <= m8)) == 0, v55);
+    const four v56 = only_four(((v51 <= m6) & (v53 <= m8)) == 0, v55);
     const int doubt1 = (fabs(D1) <= k4) | (v11 <= m1);
-    const four_mask doubt2 = (v29 <= m5) | (v22 <= m1) | ((m8 < v53) & (v53 <= m9)) | ((m6 < v52) &
-        (v52 <= m7));
+    const four_mask doubt2 = (v29 <= m5) | (v22 <= m1) | ((m8 < v53) & (v53 <= m9)) | ((m6 < v51) &
+        (v51 <= m7));
 
     const four_ratio ratio1 = ratio_four(shuffle(-v9, all_four(-S2), 0, 1, 6, 3), shuffle(c1,
         all_four(v10), 0, 1, 6, 3)),

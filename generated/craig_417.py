@@ -306,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 7183098e25ab7229"
+_KEY = "craig_417 60a70330ff1f8614"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -781,34 +781,34 @@ def _regular(pose, q, status):
     v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57))
     v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57))
     v61 = T33 - k1 * v55
-    v62 = v61 * v61
-    v63 = v19 * 2.0
-    v64 = T31 + k1 * (s34_p * v55 - c34_p * v63)
-    v65 = T31 + k1 * (s34_m * v55 + c34_m * v63)
-    v66 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 * v53)))
-    v67 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 * v54)))
-    v68 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-    v69 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-    v70 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
-    v71 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
-    v72 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47))
-    v73 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48))
-    v74 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
-    v75 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
-    v76 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-    v77 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
-    v78 = v72 * v72 + (v59 * v59 + v66 * v66)
-    v79 = v73 * v73 + (v60 * v60 + v67 * v67)
-    v80 = v76 * v76 + (v74 * v74 + (v70 * v70 + (v68 * v68 + (v62 + v64 * v64))))
-    v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v62 + v65 * v65))))
+    v62 = v19 * 2.0
+    v63 = T31 + k1 * (s34_p * v55 - c34_p * v62)
+    v64 = T31 + k1 * (s34_m * v55 + c34_m * v62)
+    v65 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 * v53)))
+    v66 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 * v54)))
+    v67 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+    v68 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+    v69 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
+    v70 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
+    v71 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47))
+    v72 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48))
+    v73 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
+    v74 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
+    v75 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+    v76 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+    v77 = v59 * v59 + v65 * v65 + v71 * v71
+    v78 = v60 * v60 + v66 * v66 + v72 * v72
+    v79 = v61 * v61
+    v80 = v79 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
+    v81 = v79 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
 
     # joint values
     v84 = math.sqrt(-1.0)
-    v85 = 0.0 if (v78 <= m6 and v80 <= m8) else v84
-    v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v84
+    v85 = 0.0 if (v77 <= m6 and v80 <= m8) else v84
+    v86 = 0.0 if (v78 <= m6 and v81 <= m8) else v84
     doubt1 = (
-        v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v79 and v79 <= m7) or (m6 < v78
-        and v78 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or (m8 < v80 and
+        v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v78 and v78 <= m7) or (m6 < v77
+        and v77 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or (m8 < v80 and
         v80 <= m9)
     )
 
@@ -1174,44 +1174,44 @@ def _in_tiles(T, q, status):
             v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57))
             v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57))
             v61 = T33 - k1 * v55
-            v62 = v61 * v61
-            v63 = v19 * 2.0
-            v64 = T31 + k1 * (s34_p * v55 - c34_p * v63)
-            v65 = T31 + k1 * (s34_m * v55 + c34_m * v63)
-            v66 = (
+            v62 = v19 * 2.0
+            v63 = T31 + k1 * (s34_p * v55 - c34_p * v62)
+            v64 = T31 + k1 * (s34_m * v55 + c34_m * v62)
+            v65 = (
                 T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
                 v53)))
             )
-            v67 = (
+            v66 = (
                 T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
                 v54)))
             )
-            v68 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-            v69 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-            v70 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
-            v71 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
-            v72 = (
+            v67 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+            v68 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+            v69 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
+            v70 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
+            v71 = (
                 T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 *
                 v47))
             )
-            v73 = (
+            v72 = (
                 T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 *
                 v48))
             )
-            v74 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
-            v75 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
-            v76 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-            v77 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
-            v78 = v72 * v72 + (v59 * v59 + v66 * v66)
-            v79 = v73 * v73 + (v60 * v60 + v67 * v67)
-            v80 = v76 * v76 + (v74 * v74 + (v70 * v70 + (v68 * v68 + (v62 + v64 * v64))))
-            v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v62 + v65 * v65))))
+            v73 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
+            v74 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
+            v75 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+            v76 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+            v77 = v59 * v59 + v65 * v65 + v71 * v71
+            v78 = v60 * v60 + v66 * v66 + v72 * v72
+            v79 = v61 * v61
+            v80 = v79 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
+            v81 = v79 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
             v84 = math.sqrt(-1.0)
-            v85 = 0.0 if (v78 <= m6 and v80 <= m8) else v84
-            v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v84
+            v85 = 0.0 if (v77 <= m6 and v80 <= m8) else v84
+            v86 = 0.0 if (v78 <= m6 and v81 <= m8) else v84
             doubt1 = (
-                v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v79 and v79 <= m7) or (m6
-                < v78 and v78 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or
+                v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v78 and v78 <= m7) or (m6
+                < v77 and v77 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or
                 (m8 < v80 and v80 <= m9)
             )
             work[272 + k] = v85

@@ -247,9 +247,8 @@ static const double
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 3e-06, /* a pose may be rounded by this [m] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m2 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
-    m3 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m1 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
+    m2 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -341,12 +340,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const wide v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T21 - s1,
-        v8 = T14 + s1 * q3, v9 = T11 - c1, v10 = s1 + T13;
+    const wide v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T14 + s1 * q3,
+        v8 = s1 + T13, v9 = v1 - 1.0;
 
     /* joint values */
-    const wide_mask doubt1 = (m2 < v8 * v8 + (v4 * v4 + v5 * v5)) | (m3 < v10 * v10 + (v9 * v9 + (v7
-        * v7 + (v6 * v6 + (T33 * T33 + T31 * T31))))) | (v1 <= m1);
+    const wide_mask doubt1 = (m1 < v4 * v4 + v5 * v5 + v7 * v7) | (m2 < T33 * T33 + T31 * T31 + v6 *
+        v6 + v8 * v8 + v9 * v9);
 
     q[0] = atan2_wide(T21, T11); q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0], 0);
@@ -373,12 +372,12 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const double v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T21 - s1,
-        v8 = T14 + s1 * q3, v9 = T11 - c1, v10 = s1 + T13;
+    const double v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T14 + s1 * q3,
+        v8 = s1 + T13, v9 = v1 - 1.0;
 
     /* joint values */
-    const int doubt1 = (m2 < v8 * v8 + (v4 * v4 + v5 * v5)) | (m3 < v10 * v10 + (v9 * v9 + (v7 * v7
-        + (v6 * v6 + (T33 * T33 + T31 * T31))))) | (v1 <= m1);
+    const int doubt1 = (m1 < v4 * v4 + v5 * v5 + v7 * v7) | (m2 < T33 * T33 + T31 * T31 + v6 * v6 +
+        v8 * v8 + v9 * v9);
 
     const four_ratio ratio1 = ratio_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11
         });

@@ -96,9 +96,8 @@ d1 = 0.3  # joint offset 1 [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 9.000000000000001e-12  # pose_slack1^2 [m^2]
-m3 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 9.000000000000001e-12  # pose_slack1^2 [m^2]
+m2 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -226,7 +225,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical 68fc78bb24c8f94f"
+_KEY = "cylindrical d4d0354061ca0811"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -567,15 +566,13 @@ def _regular(pose, q, status):
     v4 = T34 - (d1 + q2)
     v5 = T24 - c1 * q3
     v6 = T23 - c1
-    v7 = T21 - s1
-    v8 = T14 + s1 * q3
-    v9 = T11 - c1
-    v10 = s1 + T13
+    v7 = T14 + s1 * q3
+    v8 = s1 + T13
+    v9 = v1 - 1.0
 
     # joint values
     doubt1 = (
-        m2 < v8 * v8 + (v4 * v4 + v5 * v5) or m3 < v10 * v10 + (v9 * v9 + (v7 * v7 + (v6 * v6 + (T33
-        * T33 + T31 * T31)))) or v1 <= m1
+        m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9
     )
     angle1 = _atan2(T21, T11)
 
@@ -827,13 +824,12 @@ def _in_tiles(T, q, status):
             v4 = T34 - (d1 + q2)
             v5 = T24 - c1 * q3
             v6 = T23 - c1
-            v7 = T21 - s1
-            v8 = T14 + s1 * q3
-            v9 = T11 - c1
-            v10 = s1 + T13
+            v7 = T14 + s1 * q3
+            v8 = s1 + T13
+            v9 = v1 - 1.0
             doubt1 = (
-                m2 < v8 * v8 + (v4 * v4 + v5 * v5) or m3 < v10 * v10 + (v9 * v9 + (v7 * v7 + (v6 *
-                v6 + (T33 * T33 + T31 * T31)))) or v1 <= m1
+                m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 +
+                v9 * v9
             )
             work[272 + k] = q2
             work[288 + k] = q3

@@ -243,12 +243,11 @@ static const double
     k1 = 0.08125, /* a1^2 + a2^2 [m^2] */
     k2 = 12.6984126984127, /* 1 / (2 * a2 * a1) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m2 = 5.040343142860197e-15,
-    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m1 = 5.040343142860197e-15,
+    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
-static const double m3 = 2.2222222222222223, m4 = 0.04444444444444444;
+static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -363,34 +362,33 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     ENTRIES(wide);
 
     /* theta12m4 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
-        angle1 = atan2_wide(T21, T11);
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
     const wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
         w2 = sqrt_wide(D2), angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m4 + m3 * N2, v4 = T24 * v3, v5 = T14 * v3, v6 = w2 * (m3 * T14),
-        v7 = w2 * (m3 * T24), angle3 = atan2_wide(v4 - v6, v5 + v7),
-        angle4 = atan2_wide(v4 + v6, v5 - v7);
+    const wide v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
+        v5 = w2 * (m2 * T24), angle3 = atan2_wide(v2 - v4, v3 + v5),
+        angle4 = atan2_wide(v2 + v4, v3 - v5);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = 1.0 + T33, v9 = T21 - T21 * v2, v10 = T11 - T11 * v2;
+    const wide v6 = 1.0 + T33, v7 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const wide v11 = angle2 + angle3 - angle1, v12 = angle4 - angle2 - angle1;
-    const wide_mask v13 = beyond(T34, 3);
+    const wide v8 = angle2 + angle3 - angle1, v9 = angle4 - angle2 - angle1;
+    const wide_mask v10 = beyond(T34, 3);
     const wide q3_p = T34 + (w2 - w2);
-    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 *
-        T23 + (v8 * v8 + T31 * T31))))) | (v1 <= m1);
+    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 *
+        T13 + v7 * v7);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v11 + pick_wide(v11 <= -half_turn, all_wide(turn), only_wide(half_turn < v11, -turn));
-    kind[0] = kind_of(q[0], v13 | beyond(angle3, 1) | beyond(angle2, 2));
+    q[3] = v8 + pick_wide(v8 <= -half_turn, all_wide(turn), only_wide(half_turn < v8, -turn));
+    kind[0] = kind_of(q[0], v10 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v12 + pick_wide(v12 <= -half_turn, all_wide(turn), only_wide(half_turn < v12, -turn));
-    kind[1] = kind_of(q[4], v13 | beyond(angle4, 1) | beyond(-angle2, 2));
+    q[7] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
+    kind[1] = kind_of(q[4], v10 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -404,33 +402,30 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
-    /* theta12m4 */
-    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
-
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
-    const double v3 = m4 + m3 * N2, v4 = T24 * v3, v5 = T14 * v3;
+    const double v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1;
 
     /* is the pose one that the arm can take? */
-    const double v6 = 1.0 + T33, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
+    const double v4 = 1.0 + T33, v5 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const int v10 = beyond(T34, 3);
+    const int v7 = beyond(T34, 3);
     const double q3 = T34 + (w2 - w2);
-    const int doubt1 = (fabs(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 *
-        v6 + T31 * T31))))) | (v1 <= m1);
+    const int doubt1 = (fabs(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 *
+        v5);
 
-    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m3 * (e1 * T14)), all_four(T21),
-        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m3 * (e1 * T24)),
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w2 * (m2 * (e1 * T14)), all_four(T21),
+        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v3 + w2 * (m2 * (e1 * T24)),
         all_four(T11), 0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = e1 * angle2, v9 = angle3 + q2 - angle1,
-        q4 = v9 + pick_four(v9 <= -half_turn, all_four(turn), only_four(half_turn < v9, -turn));
-    const four_mask outside = where_four(v10) | beyond_four(angle3, 1) | beyond_four(q2, 2);
+    const four q2 = e1 * angle2, v6 = angle3 + q2 - angle1,
+        q4 = v6 + pick_four(v6 <= -half_turn, all_four(turn), only_four(half_turn < v6, -turn));
+    const four_mask outside = where_four(v7) | beyond_four(angle3, 1) | beyond_four(q2, 2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

@@ -114,11 +114,10 @@ low2 = -2.460914246312005
 high2 = 2.460914246312005
 low3 = -0.150000001
 high3 = 1e-09
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 5.040343142860197e-15  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
-m3 = 2.2222222222222223  # a coefficient of S1
-m4 = 0.04444444444444444  # a coefficient of S1
-m5 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 5.040343142860197e-15  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 2.2222222222222223  # a coefficient of S1
+m3 = 0.04444444444444444  # a coefficient of S1
+m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -270,7 +269,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 7bf73cdba131cda2"
+_KEY = "epson_t3 ec3d8ea93f7fbd4b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -873,44 +872,36 @@ def _regular(pose, q, status):
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta12m4, type 3: U0[1, 2] and U0[2, 2]
-    v1 = T21 * T21 + T11 * T11
-    v2 = math.sqrt(v1) * (1.0 / v1)
-
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     D2 = (longest2 - N2) * (N2 - shortest2)
     w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m4 + m3 * N2
-    v4 = T24 * v3
-    v5 = T14 * v3
-    v6 = w2 * (m3 * T14)
-    v7 = w2 * (m3 * T24)
+    v1 = m3 + m2 * N2
+    v2 = T24 * v1
+    v3 = T14 * v1
+    v4 = w2 * (m2 * T14)
+    v5 = w2 * (m2 * T24)
 
     # is the pose one that the arm can take?
-    v8 = 1.0 + T33
-    v9 = T21 - T21 * v2
-    v10 = T11 - T11 * v2
+    v6 = 1.0 + T33
+    v7 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
-    v13 = T34 < low3 or high3 < T34
+    v10 = T34 < low3 or high3 < T34
     q3_p = T34 + (w2 - w2)
-    doubt1 = (
-        abs(D2) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 + T31 *
-        T31)))) or v1 <= m1
-    )
+    doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
 
     # angles, side by side
     room[0] = T21
     room[1] = w2
-    room[2] = v4 - v6
-    room[3] = v4 + v6
+    room[2] = v2 - v4
+    room[3] = v2 + v4
     room[8] = T11
     room[9] = N2 - k1
-    room[10] = v5 + v7
-    room[11] = v5 - v7
+    room[10] = v3 + v5
+    room[11] = v3 - v5
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -921,12 +912,12 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v11 = angle2 + angle3 - angle1
-    v12 = angle4 - angle2 - angle1
-    q4_p = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
-    q4_m = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-    outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-    outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+    v8 = angle2 + angle3 - angle1
+    v9 = angle4 - angle2 - angle1
+    q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
+    q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
+    outside_p = v10 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+    outside_m = v10 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1172,52 +1163,46 @@ def _in_tiles(T, q, status):
             T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
-            v1 = T21 * T21 + T11 * T11
-            v2 = math.sqrt(v1) * (1.0 / v1)
             N2 = T14 * T14 + T24 * T24
             D2 = (longest2 - N2) * (N2 - shortest2)
             w2 = math.sqrt(D2)
-            v3 = m4 + m3 * N2
-            v4 = T24 * v3
-            v5 = T14 * v3
-            v6 = w2 * (m3 * T14)
-            v7 = w2 * (m3 * T24)
-            v8 = 1.0 + T33
-            v9 = T21 - T21 * v2
-            v10 = T11 - T11 * v2
-            v13 = T34 < low3 or high3 < T34
+            v1 = m3 + m2 * N2
+            v2 = T24 * v1
+            v3 = T14 * v1
+            v4 = w2 * (m2 * T14)
+            v5 = w2 * (m2 * T24)
+            v6 = 1.0 + T33
+            v7 = T21 * T21 + T11 * T11 - 1.0
+            v10 = T34 < low3 or high3 < T34
             q3_p = T34 + (w2 - w2)
-            doubt1 = (
-                abs(D2) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 +
-                T31 * T31)))) or v1 <= m1
-            )
-            work[272 + k] = v13
+            doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
+            work[272 + k] = v10
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
             work[336 + k] = w2
-            work[352 + k] = v4 - v6
-            work[368 + k] = v4 + v6
+            work[352 + k] = v2 - v4
+            work[368 + k] = v2 + v4
             work[384 + k] = T11
             work[400 + k] = N2 - k1
-            work[416 + k] = v5 + v7
-            work[432 + k] = v5 - v7
+            work[416 + k] = v3 + v5
+            work[432 + k] = v3 - v5
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v13 = work[272 + k] != 0.0
+            v10 = work[272 + k] != 0.0
             q3_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            v11 = angle2 + angle3 - angle1
-            v12 = angle4 - angle2 - angle1
-            q4_p = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
-            q4_m = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-            outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-            outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+            v8 = angle2 + angle3 - angle1
+            v9 = angle4 - angle2 - angle1
+            q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
+            q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
+            outside_p = v10 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+            outside_m = v10 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
             _448 = angle3
             work[448 + k] = _448
             _464 = angle2

@@ -419,8 +419,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36)))),
         v57 = T14 - c1 * v39, v58 = T14 - c1 * v41, v59 = T14 + c1 * v42, v60 = T14 + c1 * v43,
         v61 = T24 - s1 * v39, v62 = T24 - s1 * v41, v63 = T24 + s1 * v42, v64 = T24 + s1 * v43,
-        v65 = v61 * v61 + (v52 * v52 + v57 * v57), v66 = v62 * v62 + (v54 * v54 + v58 * v58),
-        v67 = v63 * v63 + (v55 * v55 + v59 * v59), v68 = v64 * v64 + (v56 * v56 + v60 * v60);
+        v65 = v52 * v52 + v57 * v57 + v61 * v61, v66 = v54 * v54 + v58 * v58 + v62 * v62,
+        v67 = v55 * v55 + v59 * v59 + v63 * v63, v68 = v56 * v56 + v60 * v60 + v64 * v64;
 
     /* joint values */
     const wide v69 = angle2 - (angle4 + angle5) - offset4,
@@ -439,8 +439,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v85 = v13 + (angle3 - signed_wide(half_turn, -Z2_5));
     const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v7 <= m3) | (abs_wide(D3) <= m4) | ((m11 <
         v68) & (v68 <= m12)) | (v32 <= m7) | ((m11 < v67) & (v67 <= m12)) | (v31 <= m7) | ((m11 <
-        v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v50 * v50 + (v49
-        * v49 + (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46))))) | (v28 <= m7);
+        v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v45 * v45 + v46 *
+        v46 + v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50) | (v28 <= m7);
 
     q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
     q[3] = v78 + (v73 + only_wide(half_turn < v73, -turn)); q[4] = v78 + v84;
@@ -512,14 +512,14 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         v42 = T13 - factor234 * (c1 * Z2_234);
     const four v43 = T34 - (a3 * (w2 * (v31 * (v27 * v32 + c3 * v20))) + (v36 + a2 * (S2 * (w2 *
         v31)))), v44 = T14 - e1 * (c1 * v35), v45 = T24 - e1 * (s1 * v35),
-        v46 = v45 * v45 + (v43 * v43 + v44 * v44);
+        v46 = v43 * v43 + v44 * v44 + v45 * v45;
 
     /* joint values */
     const double v51 = NAN;
     const four v52 = only_four((v46 <= m11) == 0, v51);
     const four_mask doubt2 = (v30 <= m7) | ((m11 < v46) & (v46 <= m12));
-    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m10 < v42 * v42 + (v41 * v41 + (v40 *
-        v40 + (v39 * v39 + (v37 * v37 + v38 * v38))))) | (fabs(D3) <= m4);
+    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m10 < v37 * v37 + v38 * v38 + v39 *
+        v39 + v40 * v40 + v41 * v41 + v42 * v42) | (fabs(D3) <= m4);
 
     const four_ratio ratio1 = ratio_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5,
         K3 }), ratio2 = ratio_four(S2, C2);

@@ -341,7 +341,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 94abde558cf0f31c"
+_KEY = "katana_400 b01a78c819ba24cf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1027,10 +1027,10 @@ def _regular(pose, q, status):
     v62 = T24 - s1 * v41
     v63 = T24 + s1 * v42
     v64 = T24 + s1 * v43
-    v65 = v61 * v61 + (v52 * v52 + v57 * v57)
-    v66 = v62 * v62 + (v54 * v54 + v58 * v58)
-    v67 = v63 * v63 + (v55 * v55 + v59 * v59)
-    v68 = v64 * v64 + (v56 * v56 + v60 * v60)
+    v65 = v52 * v52 + v57 * v57 + v61 * v61
+    v66 = v54 * v54 + v58 * v58 + v62 * v62
+    v67 = v55 * v55 + v59 * v59 + v63 * v63
+    v68 = v56 * v56 + v60 * v60 + v64 * v64
 
     # joint values
     v77 = math.sqrt(-1.0)
@@ -1041,8 +1041,8 @@ def _regular(pose, q, status):
     doubt1 = (
         v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or v32 <= m7
         or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12) or v30 <= m7 or
-        (m11 < v65 and v65 <= m12) or m10 < v50 * v50 + (v49 * v49 + (v48 * v48 + (v47 * v47 + (v45
-        * v45 + v46 * v46)))) or v28 <= m7
+        (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 + v47 * v47 + v48 * v48 + v49 *
+        v49 + v50 * v50 or v28 <= m7
     )
 
     # angles, side by side
@@ -1464,10 +1464,10 @@ def _in_tiles(T, q, status):
             v62 = T24 - s1 * v41
             v63 = T24 + s1 * v42
             v64 = T24 + s1 * v43
-            v65 = v61 * v61 + (v52 * v52 + v57 * v57)
-            v66 = v62 * v62 + (v54 * v54 + v58 * v58)
-            v67 = v63 * v63 + (v55 * v55 + v59 * v59)
-            v68 = v64 * v64 + (v56 * v56 + v60 * v60)
+            v65 = v52 * v52 + v57 * v57 + v61 * v61
+            v66 = v54 * v54 + v58 * v58 + v62 * v62
+            v67 = v55 * v55 + v59 * v59 + v63 * v63
+            v68 = v56 * v56 + v60 * v60 + v64 * v64
             v77 = math.sqrt(-1.0)
             v78 = 0.0 if v65 <= m11 else v77
             v79 = 0.0 if v66 <= m11 else v77
@@ -1476,8 +1476,8 @@ def _in_tiles(T, q, status):
             doubt1 = (
                 v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or
                 v32 <= m7 or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12)
-                or v30 <= m7 or (m11 < v65 and v65 <= m12) or m10 < v50 * v50 + (v49 * v49 + (v48 *
-                v48 + (v47 * v47 + (v45 * v45 + v46 * v46)))) or v28 <= m7
+                or v30 <= m7 or (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 + v47 *
+                v47 + v48 * v48 + v49 * v49 + v50 * v50 or v28 <= m7
             )
             work[272 + k] = v3
             work[288 + k] = Z2_5

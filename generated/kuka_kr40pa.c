@@ -647,30 +647,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         angle4 = atan2_wide(-v11, v12 - w3 * (m4 * -Z1_3));
 
     /* is the pose one that the arm can take? */
-    const wide v14 = v6 + Z2_3, v15 = d1 + v5, v16 = T33 - T33 * factor234,
-        v17 = T31 - T31 * factor234, v18 = T23 - factor234 * (T31 * v4),
-        v19 = T21 + factor234 * (T33 * v4), v20 = T11 - factor234 * (T33 * c1),
-        v21 = T13 + factor234 * (T31 * c1),
-        v22 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10))),
-        v23 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11))),
-        v24 = T14 - c1 * v14, v25 = v24 * v24, v26 = T24 + v4 * v14, v27 = v26 * v26,
-        v28 = v27 + (v25 + v22 * v22), v29 = v27 + (v25 + v23 * v23);
+    const wide v14 = v6 + Z2_3, v15 = d1 + v5, v16 = T23 - factor234 * (T31 * v4),
+        v17 = T21 + factor234 * (T33 * v4), v18 = T11 - factor234 * (T33 * c1),
+        v19 = T13 + factor234 * (T31 * c1), v20 = v1 - 1.0,
+        v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10))),
+        v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11))),
+        v23 = T14 - c1 * v14, v24 = T24 + v4 * v14, v25 = v23 * v23, v26 = v24 * v24,
+        v27 = v26 + (v25 + v21 * v21), v28 = v26 + (v25 + v22 * v22);
 
     /* joint values */
-    const wide v30 = angle1 - (angle2 + angle3), v31 = angle1 - (angle4 - angle2);
-    const double v32 = NAN;
-    const wide v33 = only_wide((v28 <= m6) == 0, v32), v34 = only_wide((v29 <= m6) == 0, v32),
-        angle5 = atan2_wide(-T12, T22), v35 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = (v2 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (N3 <=
-        doubt_limit_squared2) | (m5 < v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16
-        + v17 * v17))))) | ((m6 < v28) & (v28 <= m7)) | ((m6 < v29) & (v29 <= m7));
+    const wide v29 = angle1 - (angle2 + angle3), v30 = angle1 - (angle4 - angle2);
+    const double v31 = NAN;
+    const wide v32 = only_wide((v27 <= m6) == 0, v31), v33 = only_wide((v28 <= m6) == 0, v31),
+        angle5 = atan2_wide(-T12, T22), v34 = angle5 + (w3 - w3);
+    const wide_mask doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v2 <= m1) | (N3 <= doubt_limit_squared2)
+        | (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | ((m6 < v27) & (v27 <=
+        m7)) | ((m6 < v28) & (v28 <= m7));
 
-    q[0] = v33 + v35; q[1] = angle3 + v33; q[2] = angle2 + v33;
-    q[3] = v33 + (v30 + pick_wide(v30 <= -half_turn, all_wide(turn), only_wide(half_turn < v30,
+    q[0] = v32 + v34; q[1] = angle3 + v32; q[2] = angle2 + v32;
+    q[3] = v32 + (v29 + pick_wide(v29 <= -half_turn, all_wide(turn), only_wide(half_turn < v29,
         -turn)));
     kind[0] = kind_of(q[0], 0);
-    q[4] = v34 + v35; q[5] = angle4 + v34; q[6] = v34 - angle2;
-    q[7] = v34 + (v31 + pick_wide(v31 <= -half_turn, all_wide(turn), only_wide(half_turn < v31,
+    q[4] = v33 + v34; q[5] = angle4 + v33; q[6] = v33 - angle2;
+    q[7] = v33 + (v30 + pick_wide(v30 <= -half_turn, all_wide(turn), only_wide(half_turn < v30,
         -turn)));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -705,21 +704,19 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v10 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3, v11 = m4 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
-    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T33 - T33 * factor234,
-        v15 = T31 - T31 * factor234, v16 = T23 - factor234 * (T31 * v4),
-        v17 = T21 + factor234 * (T33 * v4), v18 = T11 - factor234 * (T33 * c1),
-        v19 = T13 + factor234 * (T31 * c1);
-    const four v20 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
-    const double v21 = T14 - c1 * v12, v22 = v21 * v21, v23 = T24 + v4 * v12, v24 = v23 * v23;
-    const four v25 = v24 + (v22 + v20 * v20);
-    const four_mask doubt2 = (m6 < v25) & (v25 <= m7);
+    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T23 - factor234 * (T31 * v4),
+        v15 = T21 + factor234 * (T33 * v4), v16 = T11 - factor234 * (T33 * c1),
+        v17 = T13 + factor234 * (T31 * c1), v18 = v1 - 1.0;
+    const four v19 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
+    const double v20 = T14 - c1 * v12, v21 = T24 + v4 * v12, v22 = v20 * v20, v23 = v21 * v21;
+    const four v24 = v23 + (v22 + v19 * v19);
+    const four_mask doubt2 = (m6 < v24) & (v24 <= m7);
 
     /* joint values */
-    const double v28 = NAN;
-    const four v29 = only_four((v25 <= m6) == 0, v28);
-    const int doubt1 = (v2 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (m5 < v19 * v19 + (v18
-        * v18 + (v17 * v17 + (v16 * v16 + (v14 * v14 + v15 * v15))))) | (N3 <=
-        doubt_limit_squared2);
+    const double v27 = NAN;
+    const four v28 = only_four((v24 <= m6) == 0, v27);
+    const int doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v2 <= m1) | (m5 < v14 * v14 + v15 * v15 + v16 *
+        v16 + v17 * v17 + v18 * v18) | (N3 <= doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22,
         T22 }),
@@ -730,9 +727,9 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle1 = shuffle(packed2, packed2, 2, 2, 2, 2),
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3);
-    const four v26 = e1 * angle2, v27 = angle1 - (angle3 + v26), v30 = angle4 + (w3 - w3),
-        q1 = v29 + v30, q2 = angle3 + v29, q3 = v26 + v29,
-        q4 = v29 + (v27 + pick_four(v27 <= -half_turn, all_four(turn), only_four(half_turn < v27,
+    const four v25 = e1 * angle2, v26 = angle1 - (angle3 + v25), v29 = angle4 + (w3 - w3),
+        q1 = v28 + v29, q2 = angle3 + v28, q3 = v25 + v28,
+        q4 = v28 + (v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26,
             -turn)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))

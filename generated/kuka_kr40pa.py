@@ -111,13 +111,15 @@ doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.022  # a row may miss the pose by this before it is tightened [m]
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / k1 [m^-2]
-doubt_limit_squared2 = 4.8399999999999986e-06  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 4.839999999999999e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 0.625  # a coefficient of Y1_2
-m3 = 1e-24  # exact_slack^2
-m4 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
-m5 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 1.8076207197736455e-13  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 0.0001802301952675207  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 0.625  # a coefficient of Y1_2
+m5 = 1e-24  # exact_slack^2
+m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
+m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -315,7 +317,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 94134127b237b22f"
+_KEY = "kuka_kr40pa 6c9063a84e913e77"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1301,45 +1303,44 @@ def _regular(pose, q, status):
     v6 = a1 + factor234 * (a4 * T33)
     Z2_3 = c1 * T14 - v4 * T24 - v6
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v7 = w3 * (m2 * Z2_3)
-    v8 = w3 * (m2 * -Z2_3)
-    v9 = m2 * (Z1_3 * N3)
+    v7 = w3 * (m4 * Z2_3)
+    v8 = w3 * (m4 * -Z2_3)
+    v9 = m4 * (Z1_3 * N3)
     v10 = v7 + v9
     v11 = v8 + v9
-    v12 = m2 * (Z2_3 * N3)
+    v12 = m4 * (Z2_3 * N3)
     factor2 = 1.0 / N3
-    v13 = m2 * (N3 * -Z1_3)
+    v13 = m4 * (N3 * -Z1_3)
 
     # is the pose one that the arm can take?
     v14 = v6 + Z2_3
     v15 = d1 + v5
-    v16 = T33 - T33 * factor234
-    v17 = T31 - T31 * factor234
-    v18 = T23 - factor234 * (T31 * v4)
-    v19 = T21 + factor234 * (T33 * v4)
-    v20 = T11 - factor234 * (T33 * c1)
-    v21 = T13 + factor234 * (T31 * c1)
-    v22 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
-    v23 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-    v24 = T14 - c1 * v14
-    v25 = v24 * v24
-    v26 = T24 + v4 * v14
-    v27 = v26 * v26
-    v28 = v27 + (v25 + v22 * v22)
-    v29 = v27 + (v25 + v23 * v23)
+    v16 = T23 - factor234 * (T31 * v4)
+    v17 = T21 + factor234 * (T33 * v4)
+    v18 = T11 - factor234 * (T33 * c1)
+    v19 = T13 + factor234 * (T31 * c1)
+    v20 = v1 - 1.0
+    v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+    v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+    v23 = T14 - c1 * v14
+    v24 = T24 + v4 * v14
+    v25 = v23 * v23
+    v26 = v24 * v24
+    v27 = v26 + (v25 + v21 * v21)
+    v28 = v26 + (v25 + v22 * v22)
 
     # joint values
-    v32 = math.sqrt(-1.0)
-    v33 = 0.0 if v28 <= m4 else v32
-    v34 = 0.0 if v29 <= m4 else v32
+    v31 = math.sqrt(-1.0)
+    v32 = 0.0 if v27 <= m6 else v31
+    v33 = 0.0 if v28 <= m6 else v31
     doubt1 = (
-        v2 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3 < v21 *
-        v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16 + v17 * v17)))) or (m4 < v28 and v28
-        <= m5) or (m4 < v29 and v29 <= m5)
+        (-m3 <= D3 and D3 <= m2) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16 + v17 *
+        v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <=
+        m7)
     )
 
     # angles, side by side
@@ -1350,8 +1351,8 @@ def _regular(pose, q, status):
     room[4] = -T12
     room[8] = T33
     room[9] = N3 - k1
-    room[10] = v12 - w3 * (m2 * Z1_3)
-    room[11] = v12 - w3 * (m2 * -Z1_3)
+    room[10] = v12 - w3 * (m4 * Z1_3)
+    room[11] = v12 - w3 * (m4 * -Z1_3)
     room[12] = T22
     for k in range(5, 8):
         room[k] = room[k + 8] = 1.0
@@ -1364,17 +1365,17 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # joint values
-    v30 = angle1 - (angle2 + angle3)
-    v31 = angle1 - (angle4 - angle2)
-    v35 = angle5 + (w3 - w3)
-    q1_p = v33 + v35
-    q1_m = v34 + v35
-    q2_p = angle3 + v33
-    q2_m = angle4 + v34
-    q3_p = angle2 + v33
-    q3_m = v34 - angle2
-    q4_p = v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
-    q4_m = v34 + (v31 + (turn if v31 <= -half_turn else (-turn if half_turn < v31 else 0.0)))
+    v29 = angle1 - (angle2 + angle3)
+    v30 = angle1 - (angle4 - angle2)
+    v34 = angle5 + (w3 - w3)
+    q1_p = v32 + v34
+    q1_m = v33 + v34
+    q2_p = angle3 + v32
+    q2_m = angle4 + v33
+    q3_p = angle2 + v32
+    q3_m = v33 - angle2
+    q4_p = v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
+    q4_m = v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1630,43 +1631,42 @@ def _in_tiles(T, q, status):
             v6 = a1 + factor234 * (a4 * T33)
             Z2_3 = c1 * T14 - v4 * T24 - v6
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v7 = w3 * (m2 * Z2_3)
-            v8 = w3 * (m2 * -Z2_3)
-            v9 = m2 * (Z1_3 * N3)
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
+            v7 = w3 * (m4 * Z2_3)
+            v8 = w3 * (m4 * -Z2_3)
+            v9 = m4 * (Z1_3 * N3)
             v10 = v7 + v9
             v11 = v8 + v9
-            v12 = m2 * (Z2_3 * N3)
+            v12 = m4 * (Z2_3 * N3)
             factor2 = 1.0 / N3
-            v13 = m2 * (N3 * -Z1_3)
+            v13 = m4 * (N3 * -Z1_3)
             v14 = v6 + Z2_3
             v15 = d1 + v5
-            v16 = T33 - T33 * factor234
-            v17 = T31 - T31 * factor234
-            v18 = T23 - factor234 * (T31 * v4)
-            v19 = T21 + factor234 * (T33 * v4)
-            v20 = T11 - factor234 * (T33 * c1)
-            v21 = T13 + factor234 * (T31 * c1)
-            v22 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
-            v23 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-            v24 = T14 - c1 * v14
-            v25 = v24 * v24
-            v26 = T24 + v4 * v14
-            v27 = v26 * v26
-            v28 = v27 + (v25 + v22 * v22)
-            v29 = v27 + (v25 + v23 * v23)
-            v32 = math.sqrt(-1.0)
-            v33 = 0.0 if v28 <= m4 else v32
-            v34 = 0.0 if v29 <= m4 else v32
+            v16 = T23 - factor234 * (T31 * v4)
+            v17 = T21 + factor234 * (T33 * v4)
+            v18 = T11 - factor234 * (T33 * c1)
+            v19 = T13 + factor234 * (T31 * c1)
+            v20 = v1 - 1.0
+            v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+            v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+            v23 = T14 - c1 * v14
+            v24 = T24 + v4 * v14
+            v25 = v23 * v23
+            v26 = v24 * v24
+            v27 = v26 + (v25 + v21 * v21)
+            v28 = v26 + (v25 + v22 * v22)
+            v31 = math.sqrt(-1.0)
+            v32 = 0.0 if v27 <= m6 else v31
+            v33 = 0.0 if v28 <= m6 else v31
             doubt1 = (
-                v2 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3
-                < v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16 + v17 * v17)))) or
-                (m4 < v28 and v28 <= m5) or (m4 < v29 and v29 <= m5)
+                (-m3 <= D3 and D3 <= m2) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16
+                + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 <
+                v28 and v28 <= m7)
             )
             work[272 + k] = w3
-            work[288 + k] = v33
-            work[304 + k] = v34
+            work[288 + k] = v32
+            work[304 + k] = v33
             work[320 + k] = doubt1
             work[336 + k] = -T31
             work[352 + k] = w3
@@ -1675,35 +1675,35 @@ def _in_tiles(T, q, status):
             work[400 + k] = -T12
             work[416 + k] = T33
             work[432 + k] = N3 - k1
-            work[448 + k] = v12 - w3 * (m2 * Z1_3)
-            work[464 + k] = v12 - w3 * (m2 * -Z1_3)
+            work[448 + k] = v12 - w3 * (m4 * Z1_3)
+            work[464 + k] = v12 - w3 * (m4 * -Z1_3)
             work[480 + k] = T22
         for k in range(336, 416):
             work[k] = _atan2(work[k], work[k + 80])
         for k in range(0, 16):
             w3 = work[272 + k]
-            v33 = work[288 + k]
-            v34 = work[304 + k]
+            v32 = work[288 + k]
+            v33 = work[304 + k]
             doubt1 = work[320 + k] != 0.0
             angle1 = work[336 + k]
             angle2 = work[352 + k]
             angle3 = work[368 + k]
             angle4 = work[384 + k]
             angle5 = work[400 + k]
-            v30 = angle1 - (angle2 + angle3)
-            v31 = angle1 - (angle4 - angle2)
-            v35 = angle5 + (w3 - w3)
-            q1_p = v33 + v35
-            q1_m = v34 + v35
-            q2_p = angle3 + v33
-            q2_m = angle4 + v34
-            q3_p = angle2 + v33
-            q3_m = v34 - angle2
+            v29 = angle1 - (angle2 + angle3)
+            v30 = angle1 - (angle4 - angle2)
+            v34 = angle5 + (w3 - w3)
+            q1_p = v32 + v34
+            q1_m = v33 + v34
+            q2_p = angle3 + v32
+            q2_m = angle4 + v33
+            q3_p = angle2 + v32
+            q3_m = v33 - angle2
             q4_p = (
-                v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
+                v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
             )
             q4_m = (
-                v34 + (v31 + (turn if v31 <= -half_turn else (-turn if half_turn < v31 else 0.0)))
+                v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
             )
             _496 = q1_p
             work[496 + k] = _496

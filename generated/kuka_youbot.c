@@ -432,9 +432,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 *
             -v19)))), v65 = T14 - c1 * v50, v66 = T14 - c1 * v51, v67 = T14 + c1 * v52,
         v68 = T14 + c1 * v53, v69 = T24 - s1 * v50, v70 = T24 - s1 * v51, v71 = T24 + s1 * v52,
-        v72 = T24 + s1 * v53, v73 = v69 * v69 + (v61 * v61 + v65 * v65),
-        v74 = v70 * v70 + (v62 * v62 + v66 * v66), v75 = v71 * v71 + (v63 * v63 + v67 * v67),
-        v76 = v72 * v72 + (v64 * v64 + v68 * v68);
+        v72 = T24 + s1 * v53, v73 = v61 * v61 + v65 * v65 + v69 * v69,
+        v74 = v62 * v62 + v66 * v66 + v70 * v70, v75 = v63 * v63 + v67 * v67 + v71 * v71,
+        v76 = v64 * v64 + v68 * v68 + v72 * v72;
 
     /* joint values */
     const wide v77 = angle6 - offset2, v78 = angle7 - offset2, v79 = angle8 - offset2,
@@ -454,9 +454,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v97 = v23 + (angle3 - signed_wide(half_turn, -S5));
     const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m11 < v76) & (v76 <= m12)) |
         (v35 <= m7) | ((m11 < v75) & (v75 <= m12)) | (v34 <= m7) | ((m11 < v74) & (v74 <= m12)) |
-        (v33 <= m7) | ((m11 < v73) & (v73 <= m12)) | (v32 <= m7) | (m10 < v60 * v60 + (v59 * v59 +
-        (v58 * v58 + (v57 * v57 + (v55 * v55 + v56 * v56))))) | (abs_wide(D3_p) <= m4) |
-        (abs_wide(D3_m) <= m4);
+        (v33 <= m7) | ((m11 < v73) & (v73 <= m12)) | (v32 <= m7) | (m10 < v55 * v55 + v56 * v56 +
+        v57 * v57 + v58 * v58 + v59 * v59 + v60 * v60) | (abs_wide(D3_p) <= m4) | (abs_wide(D3_m) <=
+        m4);
 
     q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, turn)); q[2] = angle4 + v90;
     q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, turn)); q[4] = v90 + v96;
@@ -529,14 +529,14 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         v44 = T13 - factor234 * (c1 * Z2_234);
     const four v45 = T34 - (v38 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m8 * v24)))),
         v46 = T14 - e1 * (c1 * v37), v47 = T24 - e1 * (s1 * v37),
-        v48 = v47 * v47 + (v45 * v45 + v46 * v46);
+        v48 = v45 * v45 + v46 * v46 + v47 * v47;
 
     /* joint values */
     const double v54 = NAN;
     const four v55 = only_four((v48 <= m11) == 0, v54);
     const four_mask doubt3 = (v30 <= m7) | ((m11 < v48) & (v48 <= m12));
-    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m10 < v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 *
-        v41 + (v39 * v39 + v40 * v40))))) | (v10 <= m3);
+    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m10 < v39 * v39 + v40 * v40 + v41 * v41 + v42 *
+        v42 + v43 * v43 + v44 * v44) | (v10 <= m3);
 
     const four_ratio ratio1 = ratio_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5
         }),

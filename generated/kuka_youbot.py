@@ -348,7 +348,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 2c5bc9a28a41cf44"
+_KEY = "kuka_youbot 0b727a3ac309a626"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1051,10 +1051,10 @@ def _regular(pose, q, status):
     v70 = T24 - s1 * v51
     v71 = T24 + s1 * v52
     v72 = T24 + s1 * v53
-    v73 = v69 * v69 + (v61 * v61 + v65 * v65)
-    v74 = v70 * v70 + (v62 * v62 + v66 * v66)
-    v75 = v71 * v71 + (v63 * v63 + v67 * v67)
-    v76 = v72 * v72 + (v64 * v64 + v68 * v68)
+    v73 = v61 * v61 + v65 * v65 + v69 * v69
+    v74 = v62 * v62 + v66 * v66 + v70 * v70
+    v75 = v63 * v63 + v67 * v67 + v71 * v71
+    v76 = v64 * v64 + v68 * v68 + v72 * v72
 
     # joint values
     v89 = math.sqrt(-1.0)
@@ -1065,8 +1065,8 @@ def _regular(pose, q, status):
     doubt1 = (
         v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11 < v75
         and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or (m11 < v73 and
-        v73 <= m12) or v32 <= m7 or m10 < v60 * v60 + (v59 * v59 + (v58 * v58 + (v57 * v57 + (v55 *
-        v55 + v56 * v56)))) or abs(D3_p) <= m4 or abs(D3_m) <= m4
+        v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 * v57 + v58 * v58 + v59 * v59
+        + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4
     )
 
     # angles, side by side
@@ -1517,10 +1517,10 @@ def _in_tiles(T, q, status):
             v70 = T24 - s1 * v51
             v71 = T24 + s1 * v52
             v72 = T24 + s1 * v53
-            v73 = v69 * v69 + (v61 * v61 + v65 * v65)
-            v74 = v70 * v70 + (v62 * v62 + v66 * v66)
-            v75 = v71 * v71 + (v63 * v63 + v67 * v67)
-            v76 = v72 * v72 + (v64 * v64 + v68 * v68)
+            v73 = v61 * v61 + v65 * v65 + v69 * v69
+            v74 = v62 * v62 + v66 * v66 + v70 * v70
+            v75 = v63 * v63 + v67 * v67 + v71 * v71
+            v76 = v64 * v64 + v68 * v68 + v72 * v72
             v89 = math.sqrt(-1.0)
             v90 = 0.0 if v73 <= m11 else v89
             v91 = 0.0 if v74 <= m11 else v89
@@ -1529,8 +1529,8 @@ def _in_tiles(T, q, status):
             doubt1 = (
                 v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11
                 < v75 and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or
-                (m11 < v73 and v73 <= m12) or v32 <= m7 or m10 < v60 * v60 + (v59 * v59 + (v58 * v58
-                + (v57 * v57 + (v55 * v55 + v56 * v56)))) or abs(D3_p) <= m4 or abs(D3_m) <= m4
+                (m11 < v73 and v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 * v57 +
+                v58 * v58 + v59 * v59 + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4
             )
             work[272 + k] = v3
             work[288 + k] = S5

@@ -647,29 +647,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         angle4 = atan2_wide(S2_m, -(v10 + w3 * (m4 * -Z1_3)));
 
     /* is the pose one that the arm can take? */
-    const wide v11 = -Z2_3 - v6, v12 = d1 + v5, v13 = T33 * factor2m3m4 - T33, v14 = T22 - v3,
-        v15 = T23 - factor2m3m4 * (s1 * T31), v16 = T13 + factor2m3m4 * (v3 * T31), v17 = T12 - s1,
-        v18 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9))),
-        v19 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9))),
-        v20 = T14 - v3 * v11, v21 = v20 * v20, v22 = T24 + s1 * v11, v23 = v22 * v22,
-        v24 = v23 + (v21 + v18 * v18), v25 = v23 + (v21 + v19 * v19);
+    const wide v11 = -Z2_3 - v6, v12 = d1 + v5, v13 = T33 * factor2m3m4 - T33,
+        v14 = T23 - factor2m3m4 * (s1 * T31), v15 = T13 + factor2m3m4 * (v3 * T31), v16 = v1 - 1.0,
+        v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9))),
+        v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9))),
+        v19 = T14 - v3 * v11, v20 = T24 + s1 * v11, v21 = v19 * v19, v22 = v20 * v20,
+        v23 = v22 + (v21 + v17 * v17), v24 = v22 + (v21 + v18 * v18);
 
     /* joint values */
-    const wide v26 = angle3 - offset2, v27 = angle4 - offset2, v28 = angle3 - angle2 - angle1,
-        v29 = angle2 + angle4 - angle1;
-    const double v30 = NAN;
-    const wide v31 = only_wide((v24 <= m6) == 0, v30), v32 = only_wide((v25 <= m6) == 0, v30),
-        angle5 = atan2_wide(T12, -T22), v33 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = (v4 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (N3 <=
-        doubt_limit_squared2) | (m5 < v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32
-        + v13 * v13))))) | ((m6 < v24) & (v24 <= m7)) | ((m6 < v25) & (v25 <= m7));
+    const wide v25 = angle3 - offset2, v26 = angle4 - offset2, v27 = angle3 - angle2 - angle1,
+        v28 = angle2 + angle4 - angle1;
+    const double v29 = NAN;
+    const wide v30 = only_wide((v23 <= m6) == 0, v29), v31 = only_wide((v24 <= m6) == 0, v29),
+        angle5 = atan2_wide(T12, -T22), v32 = angle5 + (w3 - w3);
+    const wide_mask doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v4 <= m1) | (N3 <= doubt_limit_squared2)
+        | (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | ((m6 < v23) & (v23 <=
+        m7)) | ((m6 < v24) & (v24 <= m7));
 
-    q[0] = v31 + v33; q[1] = v31 + (v26 + only_wide(v26 <= -half_turn, turn)); q[2] = angle2 + v31;
-    q[3] = v31 + (v28 + pick_wide(v28 <= -half_turn, all_wide(turn), only_wide(half_turn < v28,
+    q[0] = v30 + v32; q[1] = v30 + (v25 + only_wide(v25 <= -half_turn, turn)); q[2] = angle2 + v30;
+    q[3] = v30 + (v27 + pick_wide(v27 <= -half_turn, all_wide(turn), only_wide(half_turn < v27,
         -turn)));
     kind[0] = kind_of(q[0], 0);
-    q[4] = v32 + v33; q[5] = v32 + (v27 + only_wide(v27 <= -half_turn, turn)); q[6] = v32 - angle2;
-    q[7] = v32 + (v29 + pick_wide(v29 <= -half_turn, all_wide(turn), only_wide(half_turn < v29,
+    q[4] = v31 + v32; q[5] = v31 + (v26 + only_wide(v26 <= -half_turn, turn)); q[6] = v31 - angle2;
+    q[7] = v31 + (v28 + pick_wide(v28 <= -half_turn, all_wide(turn), only_wide(half_turn < v28,
         -turn)));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -704,19 +704,18 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v9 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = T33 * factor2m3m4 - T33, v13 = T22 - v3,
-        v14 = T23 - factor2m3m4 * (s1 * T31), v15 = T13 + factor2m3m4 * (v3 * T31), v16 = T12 - s1;
-    const four v17 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
-    const double v18 = T14 - v3 * v10, v19 = v18 * v18, v20 = T24 + s1 * v10, v21 = v20 * v20;
-    const four v22 = v21 + (v19 + v17 * v17);
-    const four_mask doubt2 = (m6 < v22) & (v22 <= m7);
+    const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = T33 * factor2m3m4 - T33,
+        v13 = T23 - factor2m3m4 * (s1 * T31), v14 = T13 + factor2m3m4 * (v3 * T31), v15 = v1 - 1.0;
+    const four v16 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
+    const double v17 = T14 - v3 * v10, v18 = T24 + s1 * v10, v19 = v17 * v17, v20 = v18 * v18;
+    const four v21 = v20 + (v19 + v16 * v16);
+    const four_mask doubt2 = (m6 < v21) & (v21 <= m7);
 
     /* joint values */
-    const double v26 = NAN;
-    const four v27 = only_four((v22 <= m6) == 0, v26);
-    const int doubt1 = (v4 <= m1) | (v1 <= m1) | ((-m3 <= D3) & (D3 <= m2)) | (m5 < v16 * v16 + (v15
-        * v15 + (v14 * v14 + (v13 * v13 + (T32 * T32 + v12 * v12))))) | (N3 <=
-        doubt_limit_squared2);
+    const double v25 = NAN;
+    const four v26 = only_four((v21 <= m6) == 0, v25);
+    const int doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12 + v13 *
+        v13 + v14 * v14 + v15 * v15) | (N3 <= doubt_limit_squared2);
 
     const four_ratio ratio1 = ratio_four((four){ T12, T12, T12, T12 }, (four){ -T22, -T22, -T22,
         -T22 }),
@@ -727,10 +726,10 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle1 = shuffle(packed2, packed2, 2, 2, 2, 2),
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3);
-    const four v23 = angle3 - offset2, v24 = e1 * angle2, v25 = angle3 - v24 - angle1,
-        v28 = angle4 + (w3 - w3), q1 = v27 + v28,
-        q2 = v27 + (v23 + only_four(v23 <= -half_turn, turn)), q3 = v24 + v27,
-        q4 = v27 + (v25 + pick_four(v25 <= -half_turn, all_four(turn), only_four(half_turn < v25,
+    const four v22 = angle3 - offset2, v23 = e1 * angle2, v24 = angle3 - v23 - angle1,
+        v27 = angle4 + (w3 - w3), q1 = v26 + v27,
+        q2 = v26 + (v22 + only_four(v22 <= -half_turn, turn)), q3 = v23 + v26,
+        q4 = v26 + (v24 + pick_four(v24 <= -half_turn, all_four(turn), only_four(half_turn < v24,
             -turn)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))

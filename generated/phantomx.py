@@ -110,13 +110,15 @@ doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 3.5500000000000003  # a row may miss the pose by this before it is tightened [mm]
 k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / k1 [mm^-2]
-doubt_limit_squared2 = 0.126025  # square of a length that fixes no angle [mm^2]
+doubt_limit_squared2 = 0.0012602499999999999  # square of a length that fixes no angle [mm^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-12  # doubt_limit_squared^2
-m2 = 0.004761904761904762  # a coefficient of S2
-m3 = 1e-24  # exact_slack^2
-m4 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
-m5 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
+m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m2 = 6.577829481102304e-05  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4]
+m3 = 65755.87888877846  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4]
+m4 = 0.004761904761904762  # a coefficient of S2
+m5 = 1e-24  # exact_slack^2
+m6 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
+m7 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -314,7 +316,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 62f465d9c4ad3761"
+_KEY = "phantomx faeaae98a457e61c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1303,43 +1305,42 @@ def _regular(pose, q, status):
     v6 = factor2m3m4 * (a4 * T31)
     Z2_3 = s1 * T24 - v3 * T14 - v6
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    w3 = math.sqrt(D3)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v7 = w3 * (m2 * Z2_3)
-    v8 = w3 * (m2 * -Z2_3)
-    v9 = m2 * (Z1_3 * N3)
+    v7 = w3 * (m4 * Z2_3)
+    v8 = w3 * (m4 * -Z2_3)
+    v9 = m4 * (Z1_3 * N3)
     S2_p = v9 - v7
     S2_m = v9 - v8
-    v10 = m2 * (Z2_3 * N3)
+    v10 = m4 * (Z2_3 * N3)
     factor2 = 1.0 / N3
 
     # is the pose one that the arm can take?
     v11 = -Z2_3 - v6
     v12 = d1 + v5
     v13 = T33 * factor2m3m4 - T33
-    v14 = T22 - v3
-    v15 = T23 - factor2m3m4 * (s1 * T31)
-    v16 = T13 + factor2m3m4 * (v3 * T31)
-    v17 = T12 - s1
-    v18 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-    v19 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-    v20 = T14 - v3 * v11
-    v21 = v20 * v20
-    v22 = T24 + s1 * v11
-    v23 = v22 * v22
-    v24 = v23 + (v21 + v18 * v18)
-    v25 = v23 + (v21 + v19 * v19)
+    v14 = T23 - factor2m3m4 * (s1 * T31)
+    v15 = T13 + factor2m3m4 * (v3 * T31)
+    v16 = v1 - 1.0
+    v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+    v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+    v19 = T14 - v3 * v11
+    v20 = T24 + s1 * v11
+    v21 = v19 * v19
+    v22 = v20 * v20
+    v23 = v22 + (v21 + v17 * v17)
+    v24 = v22 + (v21 + v18 * v18)
 
     # joint values
-    v30 = math.sqrt(-1.0)
-    v31 = 0.0 if v24 <= m4 else v30
-    v32 = 0.0 if v25 <= m4 else v30
+    v29 = math.sqrt(-1.0)
+    v30 = 0.0 if v23 <= m6 else v29
+    v31 = 0.0 if v24 <= m6 else v29
     doubt1 = (
-        v4 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3 < v17 *
-        v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32 + v13 * v13)))) or (m4 < v24 and v24
-        <= m5) or (m4 < v25 and v25 <= m5)
+        (-m3 <= D3 and D3 <= m2) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32 + v13 *
+        v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <=
+        m7)
     )
 
     # angles, side by side
@@ -1350,8 +1351,8 @@ def _regular(pose, q, status):
     room[4] = T12
     room[8] = -T31
     room[9] = N3 - k1
-    room[10] = -(v10 + w3 * (m2 * Z1_3))
-    room[11] = -(v10 + w3 * (m2 * -Z1_3))
+    room[10] = -(v10 + w3 * (m4 * Z1_3))
+    room[11] = -(v10 + w3 * (m4 * -Z1_3))
     room[12] = -T22
     for k in range(5, 8):
         room[k] = room[k + 8] = 1.0
@@ -1364,19 +1365,19 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # joint values
-    v26 = angle3 - offset2
-    v27 = angle4 - offset2
-    v28 = angle3 - angle2 - angle1
-    v29 = angle2 + angle4 - angle1
-    v33 = angle5 + (w3 - w3)
-    q1_p = v31 + v33
-    q1_m = v32 + v33
-    q2_p = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
-    q2_m = v32 + (v27 + (turn if v27 <= -half_turn else 0.0))
-    q3_p = angle2 + v31
-    q3_m = v32 - angle2
-    q4_p = v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
-    q4_m = v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
+    v25 = angle3 - offset2
+    v26 = angle4 - offset2
+    v27 = angle3 - angle2 - angle1
+    v28 = angle2 + angle4 - angle1
+    v32 = angle5 + (w3 - w3)
+    q1_p = v30 + v32
+    q1_m = v31 + v32
+    q2_p = v30 + (v25 + (turn if v25 <= -half_turn else 0.0))
+    q2_m = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
+    q3_p = angle2 + v30
+    q3_m = v31 - angle2
+    q4_p = v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
+    q4_m = v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1631,41 +1632,40 @@ def _in_tiles(T, q, status):
             v6 = factor2m3m4 * (a4 * T31)
             Z2_3 = s1 * T24 - v3 * T14 - v6
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v7 = w3 * (m2 * Z2_3)
-            v8 = w3 * (m2 * -Z2_3)
-            v9 = m2 * (Z1_3 * N3)
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            w3 = math.sqrt(D3)
+            v7 = w3 * (m4 * Z2_3)
+            v8 = w3 * (m4 * -Z2_3)
+            v9 = m4 * (Z1_3 * N3)
             S2_p = v9 - v7
             S2_m = v9 - v8
-            v10 = m2 * (Z2_3 * N3)
+            v10 = m4 * (Z2_3 * N3)
             factor2 = 1.0 / N3
             v11 = -Z2_3 - v6
             v12 = d1 + v5
             v13 = T33 * factor2m3m4 - T33
-            v14 = T22 - v3
-            v15 = T23 - factor2m3m4 * (s1 * T31)
-            v16 = T13 + factor2m3m4 * (v3 * T31)
-            v17 = T12 - s1
-            v18 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-            v19 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-            v20 = T14 - v3 * v11
-            v21 = v20 * v20
-            v22 = T24 + s1 * v11
-            v23 = v22 * v22
-            v24 = v23 + (v21 + v18 * v18)
-            v25 = v23 + (v21 + v19 * v19)
-            v30 = math.sqrt(-1.0)
-            v31 = 0.0 if v24 <= m4 else v30
-            v32 = 0.0 if v25 <= m4 else v30
+            v14 = T23 - factor2m3m4 * (s1 * T31)
+            v15 = T13 + factor2m3m4 * (v3 * T31)
+            v16 = v1 - 1.0
+            v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+            v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+            v19 = T14 - v3 * v11
+            v20 = T24 + s1 * v11
+            v21 = v19 * v19
+            v22 = v20 * v20
+            v23 = v22 + (v21 + v17 * v17)
+            v24 = v22 + (v21 + v18 * v18)
+            v29 = math.sqrt(-1.0)
+            v30 = 0.0 if v23 <= m6 else v29
+            v31 = 0.0 if v24 <= m6 else v29
             doubt1 = (
-                v4 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3
-                < v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32 + v13 * v13)))) or
-                (m4 < v24 and v24 <= m5) or (m4 < v25 and v25 <= m5)
+                (-m3 <= D3 and D3 <= m2) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32
+                + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 <
+                v24 and v24 <= m7)
             )
             work[272 + k] = w3
-            work[288 + k] = v31
-            work[304 + k] = v32
+            work[288 + k] = v30
+            work[304 + k] = v31
             work[320 + k] = doubt1
             work[336 + k] = T33
             work[352 + k] = w3
@@ -1674,37 +1674,37 @@ def _in_tiles(T, q, status):
             work[400 + k] = T12
             work[416 + k] = -T31
             work[432 + k] = N3 - k1
-            work[448 + k] = -(v10 + w3 * (m2 * Z1_3))
-            work[464 + k] = -(v10 + w3 * (m2 * -Z1_3))
+            work[448 + k] = -(v10 + w3 * (m4 * Z1_3))
+            work[464 + k] = -(v10 + w3 * (m4 * -Z1_3))
             work[480 + k] = -T22
         for k in range(336, 416):
             work[k] = _atan2(work[k], work[k + 80])
         for k in range(0, 16):
             w3 = work[272 + k]
-            v31 = work[288 + k]
-            v32 = work[304 + k]
+            v30 = work[288 + k]
+            v31 = work[304 + k]
             doubt1 = work[320 + k] != 0.0
             angle1 = work[336 + k]
             angle2 = work[352 + k]
             angle3 = work[368 + k]
             angle4 = work[384 + k]
             angle5 = work[400 + k]
-            v26 = angle3 - offset2
-            v27 = angle4 - offset2
-            v28 = angle3 - angle2 - angle1
-            v29 = angle2 + angle4 - angle1
-            v33 = angle5 + (w3 - w3)
-            q1_p = v31 + v33
-            q1_m = v32 + v33
-            q2_p = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
-            q2_m = v32 + (v27 + (turn if v27 <= -half_turn else 0.0))
-            q3_p = angle2 + v31
-            q3_m = v32 - angle2
+            v25 = angle3 - offset2
+            v26 = angle4 - offset2
+            v27 = angle3 - angle2 - angle1
+            v28 = angle2 + angle4 - angle1
+            v32 = angle5 + (w3 - w3)
+            q1_p = v30 + v32
+            q1_m = v31 + v32
+            q2_p = v30 + (v25 + (turn if v25 <= -half_turn else 0.0))
+            q2_m = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
+            q3_p = angle2 + v30
+            q3_m = v31 - angle2
             q4_p = (
-                v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
+                v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
             )
             q4_m = (
-                v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
+                v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
             )
             _496 = q1_p
             work[496 + k] = _496

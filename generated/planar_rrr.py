@@ -108,15 +108,14 @@ pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 5.715428130771723e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
-m3 = 1.25  # a coefficient of S1
-m4 = 0.08750000000000001  # a coefficient of S1
-m5 = 1.666666666666667  # a coefficient of c12
-m6 = 0.1166666666666667  # a coefficient of c12
-m7 = 7.225e-11  # pose_slack1^2 [m^2]
-m8 = 1.0000000000000002e-10  # pose_slack^2
-m9 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
+m1 = 5.715428130771723e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
+m4 = 1.666666666666667  # a coefficient of c12
+m5 = 0.1166666666666667  # a coefficient of c12
+m6 = 7.225e-11  # pose_slack1^2 [m^2]
+m7 = 1.0000000000000002e-10  # pose_slack^2
+m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -275,7 +274,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 7b005644ebaafa2e"
+_KEY = "planar_rrr 8a38211305f41453"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -829,37 +828,35 @@ def _regular(pose, q, status):
     w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v5 = m4 + m3 * N2
+    v5 = m3 + m2 * N2
     v6 = Z2_2 * v5
-    S1_p = v6 - w2 * (m3 * Z1_2)
-    S1_m = v6 - w2 * (m3 * -Z1_2)
+    S1_p = v6 - w2 * (m2 * Z1_2)
+    S1_m = v6 - w2 * (m2 * -Z1_2)
     v7 = Z1_2 * v5
-    C1_p = v7 + w2 * (m3 * Z2_2)
-    C1_m = v7 + w2 * (m3 * -Z2_2)
+    C1_p = v7 + w2 * (m2 * Z2_2)
+    C1_m = v7 + w2 * (m2 * -Z2_2)
     factor1 = 1.0 / N2
 
     # is the pose one that the arm can take?
-    v8 = m5 - m6 * factor1
+    v8 = m4 - m5 * factor1
     v9 = Z1_2 * v8
     v10 = Z2_2 * v8
     v11 = T33 - 1.0
-    v12 = T21 - T21 * v2
-    v13 = T11 - T11 * v2
-    v14 = T14 - (a2 * (v9 - w2 * (m5 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
-    v15 = T14 - (a2 * (v9 - w2 * (m5 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
-    v16 = T24 - (a2 * (v10 + w2 * (m5 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
-    v17 = T24 - (a2 * (v10 + w2 * (m5 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+    v12 = v1 - 1.0
+    v13 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+    v14 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+    v15 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+    v16 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+    v17 = v13 * v13 + v15 * v15
     v18 = v14 * v14 + v16 * v16
-    v19 = v15 * v15 + v17 * v17
 
     # joint values
-    v22 = math.sqrt(-1.0)
-    v23 = 0.0 if v18 <= m7 else v22
-    v24 = 0.0 if v19 <= m7 else v22
+    v21 = math.sqrt(-1.0)
+    v22 = 0.0 if v17 <= m6 else v21
+    v23 = 0.0 if v18 <= m6 else v21
     doubt1 = (
-        abs(D2) <= m2 or v1 <= m1 or m7 < T34 * T34 or m8 < T13 * T13 + (v13 * v13 + (v12 * v12 +
-        (T23 * T23 + (v11 * v11 + T31 * T31)))) or (m7 < v18 and v18 <= m9) or (m7 < v19 and v19 <=
-        m9)
+        m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 + T13 * T13 + v12
+        * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8)
     )
 
     # angles, side by side
@@ -881,14 +878,14 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v20 = angle1 - (angle2 + angle3)
-    v21 = angle1 - (angle4 - angle2)
-    q1_p = angle3 + v23
-    q1_m = angle4 + v24
-    q2_p = angle2 + v23
-    q2_m = v24 - angle2
-    q3_p = v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
-    q3_m = v24 + (v21 + (turn if v21 <= -half_turn else (-turn if half_turn < v21 else 0.0)))
+    v19 = angle1 - (angle2 + angle3)
+    v20 = angle1 - (angle4 - angle2)
+    q1_p = angle3 + v22
+    q1_m = angle4 + v23
+    q2_p = angle2 + v22
+    q2_m = v23 - angle2
+    q3_p = v22 + (v19 + (turn if v19 <= -half_turn else (-turn if half_turn < v19 else 0.0)))
+    q3_m = v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1138,36 +1135,34 @@ def _in_tiles(T, q, status):
             N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
             D2 = (longest2 - N2) * (N2 - shortest2)
             w2 = math.sqrt(D2)
-            v5 = m4 + m3 * N2
+            v5 = m3 + m2 * N2
             v6 = Z2_2 * v5
-            S1_p = v6 - w2 * (m3 * Z1_2)
-            S1_m = v6 - w2 * (m3 * -Z1_2)
+            S1_p = v6 - w2 * (m2 * Z1_2)
+            S1_m = v6 - w2 * (m2 * -Z1_2)
             v7 = Z1_2 * v5
-            C1_p = v7 + w2 * (m3 * Z2_2)
-            C1_m = v7 + w2 * (m3 * -Z2_2)
+            C1_p = v7 + w2 * (m2 * Z2_2)
+            C1_m = v7 + w2 * (m2 * -Z2_2)
             factor1 = 1.0 / N2
-            v8 = m5 - m6 * factor1
+            v8 = m4 - m5 * factor1
             v9 = Z1_2 * v8
             v10 = Z2_2 * v8
             v11 = T33 - 1.0
-            v12 = T21 - T21 * v2
-            v13 = T11 - T11 * v2
-            v14 = T14 - (a2 * (v9 - w2 * (m5 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
-            v15 = T14 - (a2 * (v9 - w2 * (m5 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
-            v16 = T24 - (a2 * (v10 + w2 * (m5 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
-            v17 = T24 - (a2 * (v10 + w2 * (m5 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+            v12 = v1 - 1.0
+            v13 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+            v14 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+            v15 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+            v16 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+            v17 = v13 * v13 + v15 * v15
             v18 = v14 * v14 + v16 * v16
-            v19 = v15 * v15 + v17 * v17
-            v22 = math.sqrt(-1.0)
-            v23 = 0.0 if v18 <= m7 else v22
-            v24 = 0.0 if v19 <= m7 else v22
+            v21 = math.sqrt(-1.0)
+            v22 = 0.0 if v17 <= m6 else v21
+            v23 = 0.0 if v18 <= m6 else v21
             doubt1 = (
-                abs(D2) <= m2 or v1 <= m1 or m7 < T34 * T34 or m8 < T13 * T13 + (v13 * v13 + (v12 *
-                v12 + (T23 * T23 + (v11 * v11 + T31 * T31)))) or (m7 < v18 and v18 <= m9) or (m7 <
-                v19 and v19 <= m9)
+                m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 + T13 *
+                T13 + v12 * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8)
             )
-            work[272 + k] = v23
-            work[288 + k] = v24
+            work[272 + k] = v22
+            work[288 + k] = v23
             work[304 + k] = doubt1
             work[320 + k] = T21
             work[336 + k] = w2
@@ -1180,24 +1175,24 @@ def _in_tiles(T, q, status):
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v23 = work[272 + k]
-            v24 = work[288 + k]
+            v22 = work[272 + k]
+            v23 = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            v20 = angle1 - (angle2 + angle3)
-            v21 = angle1 - (angle4 - angle2)
-            q1_p = angle3 + v23
-            q1_m = angle4 + v24
-            q2_p = angle2 + v23
-            q2_m = v24 - angle2
+            v19 = angle1 - (angle2 + angle3)
+            v20 = angle1 - (angle4 - angle2)
+            q1_p = angle3 + v22
+            q1_m = angle4 + v23
+            q2_p = angle2 + v22
+            q2_m = v23 - angle2
             q3_p = (
-                v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
+                v22 + (v19 + (turn if v19 <= -half_turn else (-turn if half_turn < v19 else 0.0)))
             )
             q3_m = (
-                v24 + (v21 + (turn if v21 <= -half_turn else (-turn if half_turn < v21 else 0.0)))
+                v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
             )
             _448 = q1_p
             work[448 + k] = _448

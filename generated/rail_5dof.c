@@ -646,9 +646,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
         v28 = T13 - (s2 * c4 - s4 * v18);
 
     /* joint values */
-    const wide_mask doubt1 = (v7 <= m2) | (v2 <= m1) | (v12 <= m4) | (v14 <= m4) | (m7 < v28 * v28 +
-        (v27 * v27 + (v25 * v25 + (v24 * v24 + (v21 * v21 + v22 * v22))))) | (m6 < v26 * v26 + (v20
-        * v20 + v23 * v23));
+    const wide_mask doubt1 = (v7 <= m2) | (v2 <= m1) | (v12 <= m4) | (v14 <= m4) | (m7 < v21 * v21 +
+        v22 * v22 + v24 * v24 + v25 * v25 + v27 * v27 + v28 * v28) | (m6 < v20 * v20 + v23 * v23 +
+        v26 * v26);
 
     q[0] = q1_p; q[1] = angle1; q[2] = angle2; q[3] = angle3; q[4] = angle4;
     kind[0] = kind_of(q[0], 0);
@@ -705,9 +705,9 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
         v31 = T13 - (s2 * c4 - s4 * v21);
 
     /* joint values */
-    const int doubt1 = (v7 <= m2) | (v2 <= m1) | (v14 <= m4) | (v16 <= m4) | (m7 < v31 * v31 + (v30
-        * v30 + (v28 * v28 + (v27 * v27 + (v24 * v24 + v25 * v25))))) | (m6 < v29 * v29 + (v23 * v23
-        + v26 * v26));
+    const int doubt1 = (v7 <= m2) | (v2 <= m1) | (v14 <= m4) | (v16 <= m4) | (m7 < v24 * v24 + v25 *
+        v25 + v27 * v27 + v28 * v28 + v30 * v30 + v31 * v31) | (m6 < v23 * v23 + v26 * v26 + v29 *
+        v29);
 
     const four_ratio ratio1 = ratio_four((four){ v1, -T33, w3, -S5 }, (four){ -C2, -X3, v13, -C5 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),

@@ -103,9 +103,9 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.06  # a row may miss the pose by this before it is tightened [m]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.296e-09  # doubt_limit_squared2^2 [m^4]
-m2 = 1e-06  # doubt_limit^2
-m4 = 1e-12  # doubt_limit_squared^2
+m1 = 1.296e-13  # doubt_limit_squared2^2 [m^4]
+m2 = 9.999999999999999e-09  # doubt_limit^2
+m4 = 9.999999999999997e-17  # doubt_limit_squared^2
 m5 = 2.0  # a coefficient of v10
 m6 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
 m7 = 1e-24  # exact_slack^2
@@ -284,7 +284,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 2a80412b3020df56"
+_KEY = "rail_5dof 8de959a6d90ff35e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1136,8 +1136,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v28 * v28 + (v27 * v27 + (v25 * v25 +
-        (v24 * v24 + (v21 * v21 + v22 * v22)))) or m6 < v26 * v26 + (v20 * v20 + v23 * v23)
+        v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v21 * v21 + v22 * v22 + v24 * v24 +
+        v25 * v25 + v27 * v27 + v28 * v28 or m6 < v20 * v20 + v23 * v23 + v26 * v26
     )
 
     # angles, side by side
@@ -1453,9 +1453,8 @@ def _in_tiles(T, q, status):
             v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4))
             v28 = T13 - (s2 * c4 - s4 * v18)
             doubt1 = (
-                v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v28 * v28 + (v27 * v27 + (v25
-                * v25 + (v24 * v24 + (v21 * v21 + v22 * v22)))) or m6 < v26 * v26 + (v20 * v20 + v23
-                * v23)
+                v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v21 * v21 + v22 * v22 + v24 *
+                v24 + v25 * v25 + v27 * v27 + v28 * v28 or m6 < v20 * v20 + v23 * v23 + v26 * v26
             )
             work[272 + k] = q1_p
             work[288 + k] = S5

@@ -244,12 +244,11 @@ static const double
     k1 = 0.25, /* L1^2 + L2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * L2 * L1) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m2 = 5.379696688124914e-14,
-    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m1 = 5.379696688124914e-14,
+    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
-static const double m3 = 1.25, m4 = 0.08750000000000001;
+static const double m2 = 1.25, m3 = 0.08750000000000001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -370,8 +369,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide t34 = T34 - L4 * T31;
 
     /* theta124 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
-        angle1 = atan2_wide(T21, T11);
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
     const wide t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
@@ -379,26 +377,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m4 + m3 * N2, v4 = t24 * v3, v5 = t14 * v3,
-        angle3 = atan2_wide(v4 - w2 * (m3 * t14), v5 + w2 * (m3 * t24)),
-        angle4 = atan2_wide(v4 - w2 * (m3 * -t14), v5 + w2 * (m3 * -t24));
+    const wide v1 = m3 + m2 * N2, v2 = t24 * v1, v3 = t14 * v1,
+        angle3 = atan2_wide(v2 - w2 * (m2 * t14), v3 + w2 * (m2 * t24)),
+        angle4 = atan2_wide(v2 - w2 * (m2 * -t14), v3 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
+    const wide v4 = T33 - 1.0, v5 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
-    const wide_mask v11 = beyond(t34, 3);
+    const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2);
+    const wide_mask v8 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
-        T23 + (v6 * v6 + T31 * T31))))) | (v1 <= m1);
+    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
+        T13 + v5 * v5);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
-    kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
+    q[3] = v6 + pick_wide(v6 <= -half_turn, all_wide(turn), only_wide(half_turn < v6, -turn));
+    kind[0] = kind_of(q[0], v8 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
-    kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
+    q[7] = v7 + pick_wide(v7 <= -half_turn, all_wide(turn), only_wide(half_turn < v7, -turn));
+    kind[1] = kind_of(q[4], v8 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -415,34 +413,31 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* r3 */
     const double t34 = T34 - L4 * T31;
 
-    /* theta124 */
-    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
-
     /* theta2 */
     const double t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
         D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
-    const double v3 = m4 + m3 * N2, v4 = t24 * v3, v5 = t14 * v3;
+    const double v1 = m3 + m2 * N2, v2 = t24 * v1, v3 = t14 * v1;
 
     /* is the pose one that the arm can take? */
-    const double v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
+    const double v4 = T33 - 1.0, v5 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const int v10 = beyond(t34, 3);
+    const int v7 = beyond(t34, 3);
     const double q3 = t34 + (w2 - w2);
-    const int doubt1 = (fabs(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 *
-        v6 + T31 * T31))))) | (v1 <= m1);
+    const int doubt1 = (fabs(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 *
+        v5);
 
-    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m3 * (e1 * t14)), all_four(T21),
-        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m3 * (e1 * t24)),
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w2 * (m2 * (e1 * t14)), all_four(T21),
+        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v3 + w2 * (m2 * (e1 * t24)),
         all_four(T11), 0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = e1 * angle2, v9 = angle1 - (angle3 + q2),
-        q4 = v9 + pick_four(v9 <= -half_turn, all_four(turn), only_four(half_turn < v9, -turn));
-    const four_mask outside = where_four(v10) | beyond_four(angle3, 1) | beyond_four(q2, 2);
+    const four q2 = e1 * angle2, v6 = angle1 - (angle3 + q2),
+        q4 = v6 + pick_four(v6 <= -half_turn, all_four(turn), only_four(half_turn < v6, -turn));
+    const four_mask outside = where_four(v7) | beyond_four(angle3, 1) | beyond_four(q2, 2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

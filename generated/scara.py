@@ -115,11 +115,10 @@ low2 = -2.530727416391778
 high2 = 2.530727416391778
 low3 = -0.200000001
 high3 = 1e-09
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 5.379696688124914e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
-m3 = 1.25  # a coefficient of S1
-m4 = 0.08750000000000001  # a coefficient of S1
-m5 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 5.379696688124914e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
+m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -279,7 +278,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 82224c6812a78e33"
+_KEY = "scara 302b05d4170956d7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -889,10 +888,6 @@ def _regular(pose, q, status):
     # r3, type 1: U0[3, 4]
     t34 = T34 - L4 * T31
 
-    # theta124, type 3: U0[1, 2] and U0[2, 2]
-    v1 = T21 * T21 + T11 * T11
-    v2 = math.sqrt(v1) * (1.0 / v1)
-
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     t14 = T14 - L4 * T11
     t24 = T24 - L4 * T21
@@ -901,32 +896,28 @@ def _regular(pose, q, status):
     w2 = math.sqrt(D2)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m4 + m3 * N2
-    v4 = t24 * v3
-    v5 = t14 * v3
+    v1 = m3 + m2 * N2
+    v2 = t24 * v1
+    v3 = t14 * v1
 
     # is the pose one that the arm can take?
-    v6 = T33 - 1.0
-    v7 = T21 - T21 * v2
-    v8 = T11 - T11 * v2
+    v4 = T33 - 1.0
+    v5 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
-    v11 = t34 < low3 or high3 < t34
+    v8 = t34 < low3 or high3 < t34
     q3_p = t34 + (w2 - w2)
-    doubt1 = (
-        abs(D2) <= m2 or m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 * v6 + T31 *
-        T31)))) or v1 <= m1
-    )
+    doubt1 = abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5
 
     # angles, side by side
     room[0] = T21
     room[1] = w2
-    room[2] = v4 - w2 * (m3 * t14)
-    room[3] = v4 - w2 * (m3 * -t14)
+    room[2] = v2 - w2 * (m2 * t14)
+    room[3] = v2 - w2 * (m2 * -t14)
     room[8] = T11
     room[9] = N2 - k1
-    room[10] = v5 + w2 * (m3 * t24)
-    room[11] = v5 + w2 * (m3 * -t24)
+    room[10] = v3 + w2 * (m2 * t24)
+    room[11] = v3 + w2 * (m2 * -t24)
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -937,12 +928,12 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v9 = angle1 - (angle2 + angle3)
-    v10 = angle1 - (angle4 - angle2)
-    q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-    q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-    outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-    outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+    v6 = angle1 - (angle2 + angle3)
+    v7 = angle1 - (angle4 - angle2)
+    q4_p = v6 + (turn if v6 <= -half_turn else (-turn if half_turn < v6 else 0.0))
+    q4_m = v7 + (turn if v7 <= -half_turn else (-turn if half_turn < v7 else 0.0))
+    outside_p = v8 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+    outside_m = v8 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1189,52 +1180,46 @@ def _in_tiles(T, q, status):
             T33 = work[160 + k]
             T34 = work[176 + k]
             t34 = T34 - L4 * T31
-            v1 = T21 * T21 + T11 * T11
-            v2 = math.sqrt(v1) * (1.0 / v1)
             t14 = T14 - L4 * T11
             t24 = T24 - L4 * T21
             N2 = t14 * t14 + t24 * t24
             D2 = (longest2 - N2) * (N2 - shortest2)
             w2 = math.sqrt(D2)
-            v3 = m4 + m3 * N2
-            v4 = t24 * v3
-            v5 = t14 * v3
-            v6 = T33 - 1.0
-            v7 = T21 - T21 * v2
-            v8 = T11 - T11 * v2
-            v11 = t34 < low3 or high3 < t34
+            v1 = m3 + m2 * N2
+            v2 = t24 * v1
+            v3 = t14 * v1
+            v4 = T33 - 1.0
+            v5 = T21 * T21 + T11 * T11 - 1.0
+            v8 = t34 < low3 or high3 < t34
             q3_p = t34 + (w2 - w2)
-            doubt1 = (
-                abs(D2) <= m2 or m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 * v6 + T31
-                * T31)))) or v1 <= m1
-            )
-            work[272 + k] = v11
+            doubt1 = abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5
+            work[272 + k] = v8
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
             work[336 + k] = w2
-            work[352 + k] = v4 - w2 * (m3 * t14)
-            work[368 + k] = v4 - w2 * (m3 * -t14)
+            work[352 + k] = v2 - w2 * (m2 * t14)
+            work[368 + k] = v2 - w2 * (m2 * -t14)
             work[384 + k] = T11
             work[400 + k] = N2 - k1
-            work[416 + k] = v5 + w2 * (m3 * t24)
-            work[432 + k] = v5 + w2 * (m3 * -t24)
+            work[416 + k] = v3 + w2 * (m2 * t24)
+            work[432 + k] = v3 + w2 * (m2 * -t24)
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v11 = work[272 + k] != 0.0
+            v8 = work[272 + k] != 0.0
             q3_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            v9 = angle1 - (angle2 + angle3)
-            v10 = angle1 - (angle4 - angle2)
-            q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-            q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-            outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-            outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+            v6 = angle1 - (angle2 + angle3)
+            v7 = angle1 - (angle4 - angle2)
+            q4_p = v6 + (turn if v6 <= -half_turn else (-turn if half_turn < v6 else 0.0))
+            q4_m = v7 + (turn if v7 <= -half_turn else (-turn if half_turn < v7 else 0.0))
+            outside_p = v8 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+            outside_m = v8 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
             _448 = angle3
             work[448 + k] = _448
             _464 = angle2

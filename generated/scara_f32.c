@@ -139,12 +139,11 @@ static const float
     k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
     k2 = 4.1666665f, /* 1 / (2 * L2 * L1) [m^-2] */
     half_turn = 3.1415927f, /* pi [rad] */
-    m1 = 1e-12f, /* doubt_limit_squared^2 */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m2 = 2.150425e-06f,
-    m5 = 1e-10f; /* pose_slack^2 */
+    m1 = 2.150425e-06f,
+    m4 = 1e-10f; /* pose_slack^2 */
 /* coefficients */
-static const float m3 = 1.25f, m4 = 0.0875f;
+static const float m2 = 1.25f, m3 = 0.0875f;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -267,8 +266,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide t34 = T34 - L4 * T31;
 
     /* theta124 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0f / v1),
-        angle1 = atan2_wide(T21, T11);
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
     const wide t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
@@ -276,26 +274,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m4 + m3 * N2, v4 = t24 * v3, v5 = t14 * v3,
-        angle3 = atan2_wide(v4 - w2 * (m3 * t14), v5 + w2 * (m3 * t24)),
-        angle4 = atan2_wide(v4 - w2 * (m3 * -t14), v5 + w2 * (m3 * -t24));
+    const wide v1 = m3 + m2 * N2, v2 = t24 * v1, v3 = t14 * v1,
+        angle3 = atan2_wide(v2 - w2 * (m2 * t14), v3 + w2 * (m2 * t24)),
+        angle4 = atan2_wide(v2 - w2 * (m2 * -t14), v3 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = T33 - 1.0f, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
+    const wide v4 = T33 - 1.0f, v5 = T21 * T21 + T11 * T11 - 1.0f;
 
     /* joint values */
-    const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
-    const wide_mask v11 = beyond(t34, 3);
+    const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2);
+    const wide_mask v8 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask doubt1 = (abs_wide(D2) <= m2) | (m5 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
-        T23 + (v6 * v6 + T31 * T31))))) | (v1 <= m1);
+    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
+        T13 + v5 * v5);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
-    kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
+    q[3] = v6 + pick_wide(v6 <= -half_turn, all_wide(turn), only_wide(half_turn < v6, -turn));
+    kind[0] = kind_of(q[0], v8 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
-    kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
+    q[7] = v7 + pick_wide(v7 <= -half_turn, all_wide(turn), only_wide(half_turn < v7, -turn));
+    kind[1] = kind_of(q[4], v8 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
 }

@@ -108,11 +108,10 @@ pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 1.813549310725559e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m3 = 1.6666666666666667  # a coefficient of S2
-m4 = 0.045833333333333316  # a coefficient of S2
-m5 = 1.0000000000000002e-10  # pose_slack^2
+m1 = 1.813549310725559e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 1.6666666666666667  # a coefficient of S2
+m3 = 0.045833333333333316  # a coefficient of S2
+m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -261,7 +260,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr 7c1a40cf985f849a"
+_KEY = "scara_prrr 3c4942bfd5c2aaa9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -626,43 +625,35 @@ def _regular(pose, q, status):
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta234, type 3: U0[1, 2] and U0[2, 2]
-    v1 = T21 * T21 + T11 * T11
-    v2 = math.sqrt(v1) * (1.0 / v1)
-
     # theta3, type 8: U0[1, 4] and U0[2, 4]
     N3 = T14 * T14 + T24 * T24
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
 
     # theta2, type 3: U0[2, 4] and U0[1, 4]
-    v3 = m4 + m3 * N3
-    v4 = T24 * v3
-    v5 = T14 * v3
-    v6 = w3 * (m3 * T14)
-    v7 = w3 * (m3 * T24)
+    v1 = m3 + m2 * N3
+    v2 = T24 * v1
+    v3 = T14 * v1
+    v4 = w3 * (m2 * T14)
+    v5 = w3 * (m2 * T24)
 
     # is the pose one that the arm can take?
-    v8 = 1.0 + T33
-    v9 = T21 - T21 * v2
-    v10 = T11 - T11 * v2
+    v6 = 1.0 + T33
+    v7 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
     q1_p = w3 - w3 + T34
-    doubt1 = (
-        abs(D3) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 + T31 *
-        T31)))) or v1 <= m1
-    )
+    doubt1 = abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
 
     # angles, side by side
     room[0] = T21
     room[1] = w3
-    room[2] = v4 - v6
-    room[3] = v4 + v6
+    room[2] = v2 - v4
+    room[3] = v2 + v4
     room[8] = T11
     room[9] = N3 - k1
-    room[10] = v5 + v7
-    room[11] = v5 - v7
+    room[10] = v3 + v5
+    room[11] = v3 - v5
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -673,10 +664,10 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v11 = angle1 - (angle2 + angle3)
-    v12 = angle1 - (angle4 - angle2)
-    q4_p = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
-    q4_m = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
+    v8 = angle1 - (angle2 + angle3)
+    v9 = angle1 - (angle4 - angle2)
+    q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
+    q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -922,34 +913,28 @@ def _in_tiles(T, q, status):
             T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
-            v1 = T21 * T21 + T11 * T11
-            v2 = math.sqrt(v1) * (1.0 / v1)
             N3 = T14 * T14 + T24 * T24
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
-            v3 = m4 + m3 * N3
-            v4 = T24 * v3
-            v5 = T14 * v3
-            v6 = w3 * (m3 * T14)
-            v7 = w3 * (m3 * T24)
-            v8 = 1.0 + T33
-            v9 = T21 - T21 * v2
-            v10 = T11 - T11 * v2
+            v1 = m3 + m2 * N3
+            v2 = T24 * v1
+            v3 = T14 * v1
+            v4 = w3 * (m2 * T14)
+            v5 = w3 * (m2 * T24)
+            v6 = 1.0 + T33
+            v7 = T21 * T21 + T11 * T11 - 1.0
             q1_p = w3 - w3 + T34
-            doubt1 = (
-                abs(D3) <= m2 or m5 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 * v8 +
-                T31 * T31)))) or v1 <= m1
-            )
+            doubt1 = abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
             work[272 + k] = q1_p
             work[288 + k] = doubt1
             work[304 + k] = T21
             work[320 + k] = w3
-            work[336 + k] = v4 - v6
-            work[352 + k] = v4 + v6
+            work[336 + k] = v2 - v4
+            work[352 + k] = v2 + v4
             work[368 + k] = T11
             work[384 + k] = N3 - k1
-            work[400 + k] = v5 + v7
-            work[416 + k] = v5 - v7
+            work[400 + k] = v3 + v5
+            work[416 + k] = v3 - v5
         for k in range(304, 368):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
@@ -959,10 +944,10 @@ def _in_tiles(T, q, status):
             angle2 = work[320 + k]
             angle3 = work[336 + k]
             angle4 = work[352 + k]
-            v11 = angle1 - (angle2 + angle3)
-            v12 = angle1 - (angle4 - angle2)
-            q4_p = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
-            q4_m = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
+            v8 = angle1 - (angle2 + angle3)
+            v9 = angle1 - (angle4 - angle2)
+            q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
+            q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
             _432 = q1_p
             work[432 + k] = _432
             _448 = angle3

@@ -654,9 +654,9 @@ HELPER wide_mask solve_wide(
         v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 *
             v35))), v64 = T14 + v6 * v52, v65 = T14 + v6 * v53, v66 = T14 - v6 * v54,
         v67 = T14 - v6 * v55, v68 = T24 + v7 * v52, v69 = T24 + v7 * v53, v70 = T24 - v7 * v54,
-        v71 = T24 - v7 * v55, v72 = v68 * v68 + (v60 * v60 + v64 * v64),
-        v73 = v69 * v69 + (v61 * v61 + v65 * v65), v74 = v70 * v70 + (v62 * v62 + v66 * v66),
-        v75 = v71 * v71 + (v63 * v63 + v67 * v67);
+        v71 = T24 - v7 * v55, v72 = v60 * v60 + v64 * v64 + v68 * v68,
+        v73 = v61 * v61 + v65 * v65 + v69 * v69, v74 = v62 * v62 + v66 * v66 + v70 * v70,
+        v75 = v63 * v63 + v67 * v67 + v71 * v71;
 
     /* joint values */
     const wide v76 = angle2 - (angle3 + angle5) - offset4,
@@ -675,7 +675,7 @@ HELPER wide_mask solve_wide(
         v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
     const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
         ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
-        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v59 * v59 + (v57 * v57 + v58 * v58)) |
+        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
         ((-m5 <= D3_p) & (D3_p <= m4)) | ((-m5 <= D3_m) & (D3_m <= m4));
 
     q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
@@ -742,13 +742,13 @@ HELPER int solve_regular(
         v39 = T23 - v12 * (v7 * v9);
     const four v40 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 * (a2 *
         v29))), v41 = T14 + e1 * (v6 * v35), v42 = T24 + e1 * (v7 * v35),
-        v43 = v42 * v42 + (v40 * v40 + v41 * v41);
+        v43 = v40 * v40 + v41 * v41 + v42 * v42;
 
     /* joint values */
     const double v48 = NAN;
     const four v49 = only_four((v43 <= m10) == 0, v48), v51 = v24 + free_joints[0], q5 = v49 + v51;
     const four_mask doubt3 = (v32 <= m8) | ((m10 < v43) & (v43 <= m11));
-    const int doubt1 = (v10 <= m3) | (m9 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1);
+    const int doubt1 = (v10 <= m3) | (m9 < v37 * v37 + v38 * v38 + v39 * v39) | (v4 <= m1);
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(w3, all_four(-v3), 0, 5, 2, 3),
         all_four(-v9), 0, 1, 2, 7), shuffle(shuffle(K3, all_four(-v2), 0, 5, 2, 3), all_four(T33),

@@ -120,14 +120,16 @@ doubtful_slack1 = 0.009519999999999999  # a row may miss the pose by this before
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / k1 [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.063039999999999e-07  # doubt_limit1^2 [m^2]
-m3 = 1e-12  # doubt_limit_squared^2
-m4 = 4.524886877828054  # a coefficient of Y1_2
-m5 = 2.262443438914027  # a coefficient of Y1_2
-m6 = 8.213869404159994e-13  # doubt_limit_squared2^2 [m^4]
-m7 = 1e-24  # exact_slack^2
-m8 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
-m9 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
+m1 = 9.06304e-09  # doubt_limit1^2 [m^2]
+m3 = 9.999999999999997e-17  # doubt_limit_squared^2
+m4 = 1.6429994031951628e-15  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m5 = 1.6442094386282138e-06  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m6 = 4.524886877828054  # a coefficient of Y1_2
+m7 = 2.262443438914027  # a coefficient of Y1_2
+m8 = 8.213869404159996e-17  # doubt_limit_squared2^2 [m^4]
+m9 = 1e-24  # exact_slack^2
+m10 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
+m11 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -344,7 +346,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing c597427367ff72b0"
+_KEY = "scorbot_pointing a15c943da9cd512c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1348,8 +1350,10 @@ def _regular(pose, q_free, q, status):
     N3_m = v23 + v22 * v22
     K3_p = N3_p - k1
     K3_m = N3_m - k1
-    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    w3_p = math.sqrt(D3_p)
+    w3_m = math.sqrt(D3_m)
     v24 = w3_p - w3_p
     v25 = w3_m - w3_m
     s3_p = k2 * w3_p
@@ -1361,19 +1365,19 @@ def _regular(pose, q_free, q, status):
     v26 = v12 * v13
     v27 = v10 * (v12 * v12 + v15 * v15)
     v28 = v13 * v13
-    Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17)))
-    Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18)))
+    Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17)))
+    Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18)))
     v29 = Z1_3 * Y1_2_p
     v30 = Z1_3 * Y1_2_m
-    v31 = v29 + w3_p * (m5 * v20)
-    v32 = v29 + w3_p * (m5 * -v20)
-    v33 = w3_m * (m5 * (v18 + v19))
+    v31 = v29 + w3_p * (m7 * v20)
+    v32 = v29 + w3_p * (m7 * -v20)
+    v33 = w3_m * (m7 * (v18 + v19))
     v34 = v30 - v33
     v35 = v30 + v33
     v36 = Z2_3_p * Y1_2_p
     v37 = v22 * Y1_2_m
-    v38 = m5 * Z1_3
-    v39 = m5 * -Z1_3
+    v38 = m7 * Z1_3
+    v39 = m7 * -Z1_3
     C2_pp = v36 - w3_p * v38
     C2_pm = v36 - w3_p * v39
     v40 = v37 + w3_m * v38
@@ -1418,17 +1422,17 @@ def _regular(pose, q_free, q, status):
     v69 = T24 + v7 * v53
     v70 = T24 - v7 * v54
     v71 = T24 - v7 * v55
-    v72 = v68 * v68 + (v60 * v60 + v64 * v64)
-    v73 = v69 * v69 + (v61 * v61 + v65 * v65)
-    v74 = v70 * v70 + (v62 * v62 + v66 * v66)
-    v75 = v71 * v71 + (v63 * v63 + v67 * v67)
+    v72 = v60 * v60 + v64 * v64 + v68 * v68
+    v73 = v61 * v61 + v65 * v65 + v69 * v69
+    v74 = v62 * v62 + v66 * v66 + v70 * v70
+    v75 = v63 * v63 + v67 * v67 + v71 * v71
 
     # joint values
     v84 = math.sqrt(-1.0)
-    v85 = 0.0 if v72 <= m8 else v84
-    v86 = 0.0 if v73 <= m8 else v84
-    v87 = 0.0 if v74 <= m8 else v84
-    v88 = 0.0 if v75 <= m8 else v84
+    v85 = 0.0 if v72 <= m10 else v84
+    v86 = 0.0 if v73 <= m10 else v84
+    v87 = 0.0 if v74 <= m10 else v84
+    v88 = 0.0 if v75 <= m10 else v84
     v91 = v24 + q_free[0]
     v92 = v25 + q_free[0]
     q5_pp = v85 + v91
@@ -1436,12 +1440,10 @@ def _regular(pose, q_free, q, status):
     q5_mp = v87 + v92
     q5_mm = v88 + v92
     doubt1 = (
-        v9 <= m3 or v4 <= m1 or (m8 < v75 and v75 <= m9) or v45 <= m6 or (m8 < v74 and v74 <= m9) or
-        v44 <= m6 or (m8 < v73 and v73 <= m9) or v43 <= m6 or (m8 < v72 and v72 <= m9) or v42 <= m6
-        or m7 < v59 * v59 + (v57 * v57 + v58 * v58) or (shortest3_reach <= N3_p and N3_p <=
-        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
-        (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m
-        < longest3_apart))
+        v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and v74 <=
+        m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72 and v72 <= m11)
+        or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m5 <= D3_p and D3_p <= m4) or
+        (-m5 <= D3_m and D3_m <= m4)
     )
 
     # angles, side by side
@@ -1790,8 +1792,10 @@ def _in_tiles(T, q_free, q, status):
             N3_m = v23 + v22 * v22
             K3_p = N3_p - k1
             K3_m = N3_m - k1
-            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
-            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            w3_p = math.sqrt(D3_p)
+            w3_m = math.sqrt(D3_m)
             v24 = w3_p - w3_p
             v25 = w3_m - w3_m
             s3_p = k2 * w3_p
@@ -1801,19 +1805,19 @@ def _in_tiles(T, q_free, q, status):
             v26 = v12 * v13
             v27 = v10 * (v12 * v12 + v15 * v15)
             v28 = v13 * v13
-            Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17)))
-            Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18)))
+            Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17)))
+            Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18)))
             v29 = Z1_3 * Y1_2_p
             v30 = Z1_3 * Y1_2_m
-            v31 = v29 + w3_p * (m5 * v20)
-            v32 = v29 + w3_p * (m5 * -v20)
-            v33 = w3_m * (m5 * (v18 + v19))
+            v31 = v29 + w3_p * (m7 * v20)
+            v32 = v29 + w3_p * (m7 * -v20)
+            v33 = w3_m * (m7 * (v18 + v19))
             v34 = v30 - v33
             v35 = v30 + v33
             v36 = Z2_3_p * Y1_2_p
             v37 = v22 * Y1_2_m
-            v38 = m5 * Z1_3
-            v39 = m5 * -Z1_3
+            v38 = m7 * Z1_3
+            v39 = m7 * -Z1_3
             C2_pp = v36 - w3_p * v38
             C2_pm = v36 - w3_p * v39
             v40 = v37 + w3_m * v38
@@ -1868,15 +1872,15 @@ def _in_tiles(T, q_free, q, status):
             v69 = T24 + v7 * v53
             v70 = T24 - v7 * v54
             v71 = T24 - v7 * v55
-            v72 = v68 * v68 + (v60 * v60 + v64 * v64)
-            v73 = v69 * v69 + (v61 * v61 + v65 * v65)
-            v74 = v70 * v70 + (v62 * v62 + v66 * v66)
-            v75 = v71 * v71 + (v63 * v63 + v67 * v67)
+            v72 = v60 * v60 + v64 * v64 + v68 * v68
+            v73 = v61 * v61 + v65 * v65 + v69 * v69
+            v74 = v62 * v62 + v66 * v66 + v70 * v70
+            v75 = v63 * v63 + v67 * v67 + v71 * v71
             v84 = math.sqrt(-1.0)
-            v85 = 0.0 if v72 <= m8 else v84
-            v86 = 0.0 if v73 <= m8 else v84
-            v87 = 0.0 if v74 <= m8 else v84
-            v88 = 0.0 if v75 <= m8 else v84
+            v85 = 0.0 if v72 <= m10 else v84
+            v86 = 0.0 if v73 <= m10 else v84
+            v87 = 0.0 if v74 <= m10 else v84
+            v88 = 0.0 if v75 <= m10 else v84
             v91 = v24 + given1
             v92 = v25 + given1
             q5_pp = v85 + v91
@@ -1884,12 +1888,10 @@ def _in_tiles(T, q_free, q, status):
             q5_mp = v87 + v92
             q5_mm = v88 + v92
             doubt1 = (
-                v9 <= m3 or v4 <= m1 or (m8 < v75 and v75 <= m9) or v45 <= m6 or (m8 < v74 and v74
-                <= m9) or v44 <= m6 or (m8 < v73 and v73 <= m9) or v43 <= m6 or (m8 < v72 and v72 <=
-                m9) or v42 <= m6 or m7 < v59 * v59 + (v57 * v57 + v58 * v58) or (shortest3_reach <=
-                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart))
+                v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and
+                v74 <= m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72
+                and v72 <= m11) or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m5 <=
+                D3_p and D3_p <= m4) or (-m5 <= D3_m and D3_m <= m4)
             )
             work[288 + k] = v3
             work[304 + k] = v24

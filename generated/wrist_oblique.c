@@ -405,10 +405,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
             (c1_p * 2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34))))),
         v62 = T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33 +
             C3_m * (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m)))), v63 = T13 - k1 * -v40,
-        v64 = T13 + k1 * v41, v65 = v59 * v59 + (v47 * v47 + v53 * v53),
-        v66 = v60 * v60 + (v48 * v48 + v54 * v54),
-        v67 = v63 * v63 + (v61 * v61 + (v57 * v57 + (v55 * v55 + (v49 * v49 + v51 * v51)))),
-        v68 = v64 * v64 + (v62 * v62 + (v58 * v58 + (v56 * v56 + (v50 * v50 + v52 * v52))));
+        v64 = T13 + k1 * v41, v65 = v47 * v47 + v53 * v53 + v59 * v59,
+        v66 = v48 * v48 + v54 * v54 + v60 * v60,
+        v67 = v49 * v49 + v51 * v51 + v55 * v55 + v57 * v57 + v61 * v61 + v63 * v63,
+        v68 = v50 * v50 + v52 * v52 + v56 * v56 + v58 * v58 + v62 * v62 + v64 * v64;
 
     /* joint values */
     const double v69 = NAN;
@@ -473,8 +473,8 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
             S3 * v25)) - sa2 * (sqrt3 * (c1 * S3)))), v38 = T14 + k1 * (d3 * v28),
         v39 = T11 - v15 * (k1 * (sa2 * (sqrt3 * (s1 * S3)) + v23 * (c2 * (S3 * v24 - C3 * (c1 *
             2.0)) + v21 * (s1 * C3 + S3 * (2.0 * v25))))), v40 = T13 - k1 * -v28,
-        v41 = v38 * v38 + (v32 * v32 + v35 * v35),
-        v42 = v40 * v40 + (v39 * v39 + (v37 * v37 + (v36 * v36 + (v33 * v33 + v34 * v34))));
+        v41 = v32 * v32 + v35 * v35 + v38 * v38,
+        v42 = v33 * v33 + v34 * v34 + v36 * v36 + v37 * v37 + v39 * v39 + v40 * v40;
 
     /* joint values */
     const double v43 = NAN;

@@ -292,7 +292,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 0642db48a1f4b320"
+_KEY = "wrist_oblique 820e0fab1715f614"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -769,10 +769,10 @@ def _regular(pose, q, status):
     )
     v63 = T13 - k1 * -v40
     v64 = T13 + k1 * v41
-    v65 = v59 * v59 + (v47 * v47 + v53 * v53)
-    v66 = v60 * v60 + (v48 * v48 + v54 * v54)
-    v67 = v63 * v63 + (v61 * v61 + (v57 * v57 + (v55 * v55 + (v49 * v49 + v51 * v51))))
-    v68 = v64 * v64 + (v62 * v62 + (v58 * v58 + (v56 * v56 + (v50 * v50 + v52 * v52))))
+    v65 = v47 * v47 + v53 * v53 + v59 * v59
+    v66 = v48 * v48 + v54 * v54 + v60 * v60
+    v67 = v49 * v49 + v51 * v51 + v55 * v55 + v57 * v57 + v61 * v61 + v63 * v63
+    v68 = v50 * v50 + v52 * v52 + v56 * v56 + v58 * v58 + v62 * v62 + v64 * v64
 
     # joint values
     v69 = math.sqrt(-1.0)
@@ -1156,10 +1156,10 @@ def _in_tiles(T, q, status):
             )
             v63 = T13 - k1 * -v40
             v64 = T13 + k1 * v41
-            v65 = v59 * v59 + (v47 * v47 + v53 * v53)
-            v66 = v60 * v60 + (v48 * v48 + v54 * v54)
-            v67 = v63 * v63 + (v61 * v61 + (v57 * v57 + (v55 * v55 + (v49 * v49 + v51 * v51))))
-            v68 = v64 * v64 + (v62 * v62 + (v58 * v58 + (v56 * v56 + (v50 * v50 + v52 * v52))))
+            v65 = v47 * v47 + v53 * v53 + v59 * v59
+            v66 = v48 * v48 + v54 * v54 + v60 * v60
+            v67 = v49 * v49 + v51 * v51 + v55 * v55 + v57 * v57 + v61 * v61 + v63 * v63
+            v68 = v50 * v50 + v52 * v52 + v56 * v56 + v58 * v58 + v62 * v62 + v64 * v64
             v69 = math.sqrt(-1.0)
             v70 = 0.0 if (v65 <= m4 and v67 <= m6) else v69
             v71 = 0.0 if (v66 <= m4 and v68 <= m6) else v69

@@ -423,9 +423,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
             factor2_p))), v46 = w3_m * (m9 * (v22 * factor2_m)),
         v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m))),
         v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m))), v49 = T14 - c1 * v34,
-        v50 = T14 + c1 * v35, v51 = v49 * v49, v52 = v50 * v50, v53 = T24 - s1 * v34,
-        v54 = T24 + s1 * v35, v55 = v53 * v53, v56 = v54 * v54, v57 = v55 + (v51 + v44 * v44),
-        v58 = v55 + (v51 + v45 * v45), v59 = v56 + (v52 + v47 * v47), v60 = v56 + (v52 + v48 * v48);
+        v50 = T14 + c1 * v35, v51 = T24 - s1 * v34, v52 = T24 + s1 * v35, v53 = v49 * v49,
+        v54 = v50 * v50, v55 = v51 * v51, v56 = v52 * v52, v57 = v55 + (v53 + v44 * v44),
+        v58 = v55 + (v53 + v45 * v45), v59 = v56 + (v54 + v47 * v47), v60 = v56 + (v54 + v48 * v48);
 
     /* joint values */
     const wide angle9 = atan2_wide(v3, v2), v61 = angle9 - offset1,
@@ -447,9 +447,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v84 = v23 + (v61 + only_wide(v61 <= -half_turn, turn)),
         v85 = v24 + (v62 + only_wide(v62 <= -half_turn, turn)), v86 = angle2 + v23,
         v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
-    const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v43 * v43 + (v42 * v42 +
-        (v41 * v41 + (v40 * v40 + (v38 * v38 + v39 * v39))))) | ((m12 < v60) & (v60 <= m13)) | ((m12
-        < v59) & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
+    const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 +
+        v40 * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59)
+        & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
         (abs_wide(D3_p) <= m6) | (abs_wide(D3_m) <= m6);
 
     q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, turn));
@@ -522,15 +522,15 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         v33 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
         v34 = T13 - factor234 * (c1 * Z2_234);
     const four v35 = T34 - (a3 * (v26 + w3 * (m9 * (v22 * factor2))) + (v28 + a2 * (S2 * factor2))),
-        v36 = T14 - e1 * (c1 * v27), v37 = v36 * v36, v38 = T24 - e1 * (s1 * v27), v39 = v38 * v38,
-        v40 = v39 + (v37 + v35 * v35);
+        v36 = T14 - e1 * (c1 * v27), v37 = T24 - e1 * (s1 * v27), v38 = v36 * v36, v39 = v37 * v37,
+        v40 = v39 + (v38 + v35 * v35);
     const four_mask doubt3 = (m12 < v40) & (v40 <= m13);
 
     /* joint values */
     const double v41 = copysign(half_turn, v3), v49 = NAN;
     const four v50 = only_four((v40 <= m12) == 0, v49);
-    const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m11 < v34 * v34 + (v33 * v33 + (v32 * v32 + (v31 *
-        v31 + (v29 * v29 + v30 * v30))))) | (v8 <= m2);
+    const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m11 < v29 * v29 + v30 * v30 + v31 * v31 + v32 *
+        v32 + v33 * v33 + v34 * v34) | (v8 <= m2);
 
     const four_ratio ratio1 = ratio_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),
         ratio2 = ratio_four(shuffle(shuffle(w3, all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0,

@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 379eaf91fbd7f120"
+_KEY = "xarm5 5c52b6873a735c19"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1034,16 +1034,16 @@ def _regular(pose, q, status):
     v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
     v49 = T14 - c1 * v34
     v50 = T14 + c1 * v35
-    v51 = v49 * v49
-    v52 = v50 * v50
-    v53 = T24 - s1 * v34
-    v54 = T24 + s1 * v35
-    v55 = v53 * v53
-    v56 = v54 * v54
-    v57 = v55 + (v51 + v44 * v44)
-    v58 = v55 + (v51 + v45 * v45)
-    v59 = v56 + (v52 + v47 * v47)
-    v60 = v56 + (v52 + v48 * v48)
+    v51 = T24 - s1 * v34
+    v52 = T24 + s1 * v35
+    v53 = v49 * v49
+    v54 = v50 * v50
+    v55 = v51 * v51
+    v56 = v52 * v52
+    v57 = v55 + (v53 + v44 * v44)
+    v58 = v55 + (v53 + v45 * v45)
+    v59 = v56 + (v54 + v47 * v47)
+    v60 = v56 + (v54 + v48 * v48)
 
     # joint values
     v79 = math.sqrt(-1.0)
@@ -1052,10 +1052,9 @@ def _regular(pose, q, status):
     v82 = 0.0 if v59 <= m12 else v79
     v83 = 0.0 if v60 <= m12 else v79
     doubt1 = (
-        v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40 * v40 +
-        (v38 * v38 + v39 * v39)))) or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <= m13) or
-        (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <=
-        m6
+        v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41 +
+        v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <= m13) or (m12 <
+        v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
     )
 
     # angles, side by side
@@ -1473,26 +1472,26 @@ def _in_tiles(T, q, status):
             v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
             v49 = T14 - c1 * v34
             v50 = T14 + c1 * v35
-            v51 = v49 * v49
-            v52 = v50 * v50
-            v53 = T24 - s1 * v34
-            v54 = T24 + s1 * v35
-            v55 = v53 * v53
-            v56 = v54 * v54
-            v57 = v55 + (v51 + v44 * v44)
-            v58 = v55 + (v51 + v45 * v45)
-            v59 = v56 + (v52 + v47 * v47)
-            v60 = v56 + (v52 + v48 * v48)
+            v51 = T24 - s1 * v34
+            v52 = T24 + s1 * v35
+            v53 = v49 * v49
+            v54 = v50 * v50
+            v55 = v51 * v51
+            v56 = v52 * v52
+            v57 = v55 + (v53 + v44 * v44)
+            v58 = v55 + (v53 + v45 * v45)
+            v59 = v56 + (v54 + v47 * v47)
+            v60 = v56 + (v54 + v48 * v48)
             v79 = math.sqrt(-1.0)
             v80 = 0.0 if v57 <= m12 else v79
             v81 = 0.0 if v58 <= m12 else v79
             v82 = 0.0 if v59 <= m12 else v79
             v83 = 0.0 if v60 <= m12 else v79
             doubt1 = (
-                v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40
-                * v40 + (v38 * v38 + v39 * v39)))) or (m12 < v60 and v60 <= m13) or (m12 < v59 and
-                v59 <= m13) or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p)
-                <= m6 or abs(D3_m) <= m6
+                v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 + v41 *
+                v41 + v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <=
+                m13) or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6
+                or abs(D3_m) <= m6
             )
             work[272 + k] = v3
             work[288 + k] = Z2_5

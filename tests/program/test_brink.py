@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.count import count_operations
 from dhgen.program.interpret import outputs
 from dhgen.program.regular.regular import regular
 from dhgen.program.role import Tolerance
@@ -62,3 +63,13 @@ def test_a_distance_that_the_links_do_not_allow_is_no_doubt() -> None:
     lengths = Tolerance("free_square", 2), Tolerance("doubt_square", 2)
     assert lengths[0] in {c.role for c in whole.constants}
     assert lengths[1] not in {c.role for c in solver.program.constants}
+
+
+def test_what_has_to_be_of_length_1_is_neither_short_nor_divided_by_its_length() -> None:
+    """SCARA's angle 1 + 2 + 4 is the direction of (T11, T21), which has to be that direction."""
+    whole, solver = story("scara").program, regular(story("scara").program)
+    assert solver is not None
+    assert Tolerance("free_square", 0) in {c.role for c in whole.constants}
+    assert Tolerance("doubt_square", 0) not in {c.role for c in solver.program.constants}
+    count = count_operations(solver.program)
+    assert (count.divisions, count.square_roots) == (0, 1)

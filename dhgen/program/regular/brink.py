@@ -34,12 +34,21 @@ class Brink:
     def ends(self, inside: Node) -> None:
         """Takes note that branches end where a condition does not hold."""
         for low, value in self._at_most(inside):
-            least, entry = self._number(low), self._builder.entries[value]
-            if least is None:
-                continue
-            self._least[value] = least
-            if entry.operator == "sub" and (off := self._number(entry.operands[1])) is not None:
-                self._least[entry.operands[0]] = least + off
+            self._is_above(value, self._number(low))
+
+    def keeps(self, misses: list[Node], limit: Node) -> None:
+        """Takes note that poses are doubtful where any of these is farther from zero."""
+        most = self._number(limit)
+        for miss in misses:
+            self._is_above(miss, None if most is None else -most)
+
+    def _is_above(self, value: Node, least: Fraction | None) -> None:
+        entry = self._builder.entries[value]
+        if least is None:
+            return
+        self._least[value] = least
+        if entry.operator == "sub" and (off := self._number(entry.operands[1])) is not None:
+            self._least[entry.operands[0]] = least + off
 
     def excludes(self, condition: Node) -> bool:
         """Whether a condition, x <= limit, holds in no branch that has a solution."""

@@ -21,6 +21,7 @@ from dhgen.program.ir import (
 )
 from dhgen.program.regular.assumptions import Assumptions, joined, meeting
 from dhgen.program.regular.brink import Brink
+from dhgen.program.regular.directions import by_their_lengths
 from dhgen.program.regular.endings import Endings
 from dhgen.program.regular.limits import Limiting
 from dhgen.program.regular.signed import Signed, SignedArithmetic
@@ -216,17 +217,22 @@ class Unguarded:
                     value = self._value(miss)
                     if not arithmetic.vanishes(value):
                         of = misses.setdefault(arithmetic.plain(self._value(limit)), [])
-                        of.append(builder.square(arithmetic.plain(value)))
+                        of.append(arithmetic.plain(value))
                 case _:
                     self._endings.unless(self._truth(part))
-        for limit_node, squares in misses.items():
+        for limit_node, found in misses.items():
             accepted, allowed = self._slacks.get(limit_node, (limit_node, limit_node))
-            total, least = reduce(builder.add, squares), builder.square(accepted)
+            signed = any(map(builder.axes_of, found))
+            short = found if signed else by_their_lengths(builder, found)
+            total = reduce(builder.add, map(builder.square, short))
+            least = builder.square(accepted)
             doubtful = builder.apply("less", least, total)
-            if builder.axes_of(total):
-                most = builder.mul(builder.integer(len(squares)), builder.square(allowed))
+            if signed:
+                most = builder.mul(builder.integer(len(found)), builder.square(allowed))
                 self._endings.unless(builder.apply("at_most", total, least))
                 doubtful = builder.apply("and", doubtful, builder.apply("at_most", total, most))
+            else:
+                self._brink.keeps(short, accepted)
             self._doubts.append(doubtful)
 
     def _end(self, guard: Guard) -> None:
