@@ -418,6 +418,26 @@ static double clamped(const struct descent *d, const double u[6], double inside[
     return most;
 }
 
+/* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
+ * has to
+ * be, farther on if steps lead back; returns if it can. */
+static int leads_inside(struct descent *d, const double u[6], double end[6])
+{
+    double way[6], start[6], inside[6];
+    copy(end, start);
+    for (int j = 0; j < 6; j++)
+        way[j] = start[j] - u[j];
+    wrap_angles(way);
+    for (int k = 0; k < 5; k++) {
+        static const double farther_on[] = { 0.0, 1.0, 3.0, 7.0, 15.0 };
+        for (int j = 0; j < 6; j++)
+            end[j] = start[j] + farther_on[k] * way[j];
+        if (descend(d, end) <= 1e-11 && clamped(d, end, inside) <= 1e-09)
+            return 1;
+    }
+    return 0;
+}
+
 /* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
  * inside
  * the limits leads to one, from there or from the seed; where it stands alone to one that is taken
@@ -426,14 +446,14 @@ static double clamped(const struct descent *d, const double u[6], double inside[
 static void move_inside(
     struct descent *d, const struct kept *kept, int alone, double enough, double u[6])
 {
-    double end[6], inside[6];
+    double end[6];
     if (clamped(d, u, end) <= 1e-09)
         return;
     for (int from_seed = 0; from_seed < 2; from_seed++) {
         (void)clamped(d, from_seed ? d->seed : u, end);
         if (pulled(d, end, least_u, most_u) > enough)
             continue;
-        if (alone && (descend(d, end) > 1e-11 || clamped(d, end, inside) > 1e-09))
+        if (alone && !leads_inside(d, u, end))
             continue;
         if (known_as(d, kept, end, 1) < 0 && (!alone || taken_for(d, u, end, 1))) {
             copy(end, u);

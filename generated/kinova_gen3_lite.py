@@ -340,7 +340,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite d2d1b902852c2d87"
+_KEY = "kinova_gen3_lite ea23d3958ed78867"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -735,19 +735,35 @@ def _clamped(u, seen, inside):
     return most
 
 
+@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1])")
+def _leads_inside(T, q, near, u, end):
+    """Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
+    has to be, farther on if steps lead back; returns if it can."""
+    way, start, inside = np.empty(6), end.copy(), np.empty(6)
+    for j in range(6):
+        way[j] = start[j] - u[j]
+    _wrap_angles(way)
+    for part in (0.0, 1.0, 3.0, 7.0, 15.0):
+        for j in range(6):
+            end[j] = start[j] + part * way[j]
+        if _descend(T, q, end) <= 1e-11 and _clamped(end, near, inside) <= 1e-09:
+            return True
+    return False
+
+
 @_apart("void(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, boolean, float64, float64[::1])")
 def _move_inside(T, q, near, kept, kinds, count, alone, enough, u):
     """Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
     inside the limits leads to one, from there or from the seed; where it stands alone to one that is
     taken for it and as exact as a row has to be."""
-    end, inside = np.empty(6), np.empty(6)
+    end = np.empty(6)
     if _clamped(u, near, end) <= 1e-09:
         return
     for from_seed in range(2):
         _clamped(near if from_seed else u, near, end)
         if _pulled(T, q, end, near, _LEAST_U, _MOST_U) > enough:
             continue
-        if alone and (_descend(T, q, end) > 1e-11 or _clamped(end, near, inside) > 1e-09):
+        if alone and not _leads_inside(T, q, near, u, end):
             continue
         if _known_as(T, q, kept, kinds, count, end, True) < 0 and (not alone or _taken_for(T, q, u, end, True)):
             _take(u, end)

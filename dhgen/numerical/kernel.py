@@ -60,6 +60,9 @@ SETTLED = 1e-9  # a step shorter than this ends the pull
 SINGULAR = 1e-4  # what is left of a generic direction when all that moves the tool is taken away
 FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
 FELT = 0.01  # and how far from where it began, and from the other side, a solution must then be
+# Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
+# place, and from the limit steps may lead back: how far to go on, as parts of the way there.
+FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
 # Just beyond an end of its range a joint is taken for one on that end, not for one that turned to
 # the other, if the seed is nearer than this [rad].
 BESIDE_SEED = 0.15

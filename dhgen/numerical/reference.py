@@ -296,15 +296,23 @@ class Arm:
             end, length = self._pull(self._clamped(start)[0], self.limits)
             if length > enough:
                 continue
-            if alone:
-                ends, lengths = self.descend(end[None])
-                end = ends[0]
-                if lengths[0] > TOLERANCES.promised or self._beyond(end):
-                    continue
-            new = self._known(end, kept, singular=True) is None
-            if new and (not alone or self._taken_for(u, end, loose=True)):
-                return end
+            ends = self._leads_inside(u, end) if alone else [end]
+            for end in ends:
+                new = self._known(end, kept, singular=True) is None
+                if new and (not alone or self._taken_for(u, end, loose=True)):
+                    return end
         return u
+
+    def _leads_inside(self, u: FloatArray, start: FloatArray) -> list[FloatArray]:
+        """Where joint values on a way from u lead, if that keeps all limits.
+
+        It has to be as exact as a row has to be. Farther on if steps lead back.
+        """
+        way = self.wrapped(start - u)
+        ends, lengths = self.descend(start + np.array(constants.FARTHER_ON)[:, None] * way)
+        found = zip(ends, lengths, strict=True)
+        good = (end for end, length in found if length <= TOLERANCES.promised)
+        return [end for end in good if not self._beyond(end)][:1]
 
     def _clamped(self, u: FloatArray) -> tuple[FloatArray, float]:
         """The nearest values inside the limits, whole turns aside, and how far one was beyond.

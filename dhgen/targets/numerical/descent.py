@@ -29,7 +29,9 @@ def _listed(numbers: Sequence[float]) -> Listed:
     return Listed(len(numbers), ", ".join(map(repr, numbers)))
 
 
-BESIDE, ACROSS, BETWEEN = map(_listed, (kernel.BESIDE, kernel.ACROSS, kernel.BETWEEN))
+BESIDE, ACROSS, BETWEEN, FARTHER_ON = map(
+    _listed, (kernel.BESIDE, kernel.ACROSS, kernel.BETWEEN, kernel.FARTHER_ON)
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +82,7 @@ class Descent:
     together: str = repr(kernel.TOGETHER)
     neighbours: str = repr(kernel.NEIGHBOURS)
     between: Listed = BETWEEN
+    farther_on: Listed = FARTHER_ON
     steps_aside: int = kernel.STEPS_ASIDE
     stays: str = repr(kernel.STAYS)
     same: str = repr(kernel.SAME)
