@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -69,6 +70,32 @@ def test_a_slide_that_is_drawn_in_leaves_a_joint_free(tmp_path: Path) -> None:
     rows = interpret(lower(derive(chain)), numeric_arm(chain).pose(q), q)
     away = np.abs(rows.q - q[:, None]).max(axis=2)
     assert np.where(rows.free, away, np.inf).min(axis=1).max() < 1e-9
+
+
+# Its slide and joint 2 are polar coordinates of a vector of which two of three components tell, one
+# of them by the cosine of a twist.
+SLANTED = """
+name: arm
+convention: modified
+joints:
+  - {theta: q, a: 0.2, alpha: 1.571}
+  - {theta: q, alpha: -1.5708}
+  - {theta: 0, d: q, alpha: pi/2}
+  - {theta: q, alpha: pi/2}
+  - {theta: q, alpha: 1.5708}
+  - {theta: q, d: 0.1, alpha: -1.5708}
+"""
+
+
+def test_polar_coordinates_are_not_divided_by_next_to_nothing(tmp_path: Path) -> None:
+    (tmp_path / "arm.yaml").write_text(SLANTED, encoding="utf-8")
+    chain = build_chain(load(tmp_path / "arm.yaml"))
+    arm, source = numeric_arm(chain), np.random.default_rng(6)
+    q = source.uniform(-2.0, 2.0, (POSES, chain.dof))
+    poses = arm.pose(q)
+    rows = interpret(replace(lower(derive(chain)), tightened=None), poses, q)
+    reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
+    assert np.abs(reached - poses[:, None]).max(axis=(2, 3))[rows.solved].max() < 1e-13
 
 
 def test_rows_that_would_miss_are_tightened(tmp_path: Path) -> None:

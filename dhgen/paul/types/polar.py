@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.paul.form import common_angle_and_length
-from dhgen.paul.step import Kind, Step
+from dhgen.paul.step import NEARLY_NOTHING, Kind, Step
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -38,13 +38,14 @@ class Polar:
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
         """One step for both unknowns."""
-        del view
         read = _read(forms)
         if isinstance(read, str):
             return
         unknowns = (read.angle, read.length)
         letters = (("X1", read.x1), ("Y1", read.y1), ("X2", read.x2), ("Y2", read.y2))
-        yield Step(Kind.POLAR, unknowns, tuple(forms), letters, 2, PENALTY)
+        little = any(view.is_nearly_nothing(each) for each in (read.x1, read.x2))
+        penalty = PENALTY + (NEARLY_NOTHING if little else 0)
+        yield Step(Kind.POLAR, unknowns, tuple(forms), letters, 2, penalty)
 
 
 @dataclass(frozen=True, slots=True)
