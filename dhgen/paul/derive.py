@@ -8,11 +8,13 @@ from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel, is_better_polished
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.no_arm_angle import demand_arm_angle
+from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.audit import best_route
 from dhgen.paul.choices import good_choices
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.inverse_forms import with_inverse_forms
+from dhgen.paul.little import hangs_on_little
 from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
@@ -79,10 +81,19 @@ def _from_both_ends(pool: Pool, chain: Chain, most: int | None) -> Derivation | 
     """
     closed_only = most is not None or is_better_polished(chain)
     route = best_route(Search(pool, CLOSED if closed_only else QUARTIC), pool)
-    if route is not None and (most is None or route.rows <= most):
-        return Derivation(pool, route.steps, route.alternatives)
-    kernel = general_kernel(chain) if most is None else None
-    return None if kernel is None else Derivation(pool, (), (), kernel)
+    found = None if route is None else Derivation(pool, route.steps, route.alternatives)
+    if most is not None:
+        return found if found is not None and found.branches <= most else None
+    if found is not None and not _is_frail(found):
+        return found
+    kernel = general_kernel(chain)
+    return found if kernel is None else Derivation(pool, (), (), kernel)
+
+
+def _is_frail(derivation: Derivation) -> bool:
+    """Whether roots of a quartic may lie too close to be told apart."""
+    rooted = derivation.method is Method.QUARTIC
+    return rooted and hangs_on_little(derivation.pool, derivation.steps)
 
 
 def _usual_rows(chain: Chain) -> int:

@@ -1,4 +1,7 @@
-"""The same arm written otherwise is solved as well: from its tool, in other units, other frames."""
+"""The same arm written otherwise is solved as well: from its tool, in other units, other frames.
+
+Or with an offset that is next to nothing.
+"""
 
 from __future__ import annotations
 
@@ -60,6 +63,15 @@ SLANTING = """\
   - {{direction: [1, 0, 0], point: [0, 0.7, 0.5]}}
   - {{direction: [0, 4/5, 3/5], point: [0.8, 0.1, 0.2]}}
 """
+# UR5, calibrated: axes 5 and 6 do not meet
+OFFSET_WRIST = """\
+  - {{theta: q, d: 0.0892, a: 0, alpha: pi/2}}
+  - {{theta: q, d: 0, a: -0.425, alpha: 0}}
+  - {{theta: q, d: 0, a: -0.39225, alpha: 0}}
+  - {{theta: q, d: 0.10915, a: 0, alpha: pi/2}}
+  - {{theta: q, d: 0.09465, a: {0}, alpha: -pi/2}}
+  - {{theta: q, d: 0.0823, a: 0, alpha: 0}}
+"""
 MODIFIED = "convention: modified\njoints"
 
 
@@ -98,3 +110,19 @@ def test_axes_that_meet_aside_of_their_points_are_concurrent(tmp_path: Path) -> 
     points = [(0.3 + y, 0.2 + z) for y, z in ((0.3, 0.4), (-0.8, 0.6), (1.0, 2.4))]
     rows = turning(SLANTING.format(*points))
     assert derived(tmp_path, rows, "axes").method is Method.QUARTIC
+
+
+@pytest.mark.parametrize(
+    ("offset", "method"),
+    [
+        (0.0, Method.CLOSED_FORM),
+        (1e-7, Method.GENERAL_6R),
+        (1e-6, Method.GENERAL_6R),
+        (1e-3, Method.QUARTIC),
+    ],
+)
+def test_a_quartic_whose_roots_meet_is_left_to_the_general_algorithm(
+    tmp_path: Path, offset: float, method: Method
+) -> None:
+    """With an offset of 1e-7 in the wrist it lost one row in ten."""
+    assert derived(tmp_path, OFFSET_WRIST.format(offset)).method is method

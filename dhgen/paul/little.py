@@ -1,0 +1,48 @@
+"""Whether an order of steps hangs on lengths, or twists, that are next to nothing.
+
+An offset of a micrometre, as calibrations and drawings have them, makes a quartic whose roots lie
+in pairs that are next to nothing apart, and what tells the two of a pair is divided by the offset.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.paul.step import FEW_SIZES, Kind
+from dhgen.paul.witness import OWN_LENGTHS, build_witnesses
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.paul.pool import Pool
+    from dhgen.paul.step import Step
+
+# Roots so far apart have lost as many digits, and what is divided by the offset as many again. In
+# an arm with three parallel axes and such an offset of 1e-6 one row in a thousand is lost.
+LITTLE = 1e-4
+FACTORS = {
+    Kind.LENGTH: (("X",),),
+    Kind.ANGLE: (("X", "Y"),),
+    Kind.ANGLE_PAIR: (("X1", "Y1"), ("X2", "Y2")),
+}
+
+
+def hangs_on_little(pool: Pool, steps: Sequence[Step]) -> bool:
+    """Whether the factors of an unknown are small together wherever the arm is, with its lengths.
+
+    Args:
+        pool: The equations.
+        steps: All steps of an arm.
+    """
+    witnesses = build_witnesses(pool)
+    algebra = pool.problem.algebra
+    for step in steps:
+        for letters in FACTORS.get(step.kind, ()):
+            factors = [step.coefficient(letter) for letter in letters]
+            unit = (algebra.chain.size / FEW_SIZES) ** algebra.degree(*factors)
+            values = [witnesses.evaluate(factor)[OWN_LENGTHS] for factor in factors]
+            if np.abs(values).max() < LITTLE * unit:
+                return True
+    return False
