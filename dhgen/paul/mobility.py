@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 POSITIONS = 3
 NULL = 1e-9  # a singular value, or a joint's part in a null vector, this small is zero
+NEARLY_NULL = 1e-4  # this is more than twists leave that were meant to be right angles
 SAME_LINE = 1e-9
 ROUNDING = 1e-14  # of the arm's size: what places of axes are computed to
 
@@ -47,8 +48,13 @@ class Surplus:
     joints: tuple[int, ...]
 
 
-def surplus(chain: Chain) -> Surplus:
-    """What the task leaves open at every pose, the free joints or the arm angle held."""
+def surplus(chain: Chain, nothing: float = NULL) -> Surplus:
+    """What the task leaves open at every pose, the free joints or the arm angle held.
+
+    Args:
+        chain: The arm.
+        nothing: A singular value is zero if it is this part of the largest one.
+    """
     source = np.random.default_rng(3)
     arm = numeric_arm(chain)
     solved = [joint.number for joint in chain.solved]
@@ -58,10 +64,10 @@ def surplus(chain: Chain) -> Surplus:
         jacobian = task_jacobian(arm, source.uniform(-2.0, 2.0, chain.dof) * units(chain))
         columns = jacobian[:, [number - 1 for number in solved]]
         _, values, rows = np.linalg.svd(columns)
-        rank = int(np.sum(values > NULL * max(values.max(), NULL)))
+        rank = int(np.sum(values > nothing * max(values.max(), NULL)))
         count = min(count, len(solved) - rank)
         null = rows[rank:]
-        moving &= np.abs(null).max(axis=0, initial=0.0) > NULL**0.5
+        moving &= np.abs(null).max(axis=0, initial=0.0) > nothing**0.5
     return Surplus(
         max(count - chain.arm_angle, 0),
         tuple(j for j, moves in zip(solved, moving, strict=True) if moves),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.no_arm_angle import why_no_arm_angle
 from dhgen.paul.choices import choices_text
 from dhgen.paul.mobility import (
+    NEARLY_NULL,
     crowded_axes,
     moving_coordinates,
     still_coordinates,
@@ -50,6 +51,19 @@ def redundant(
         "--numerical would give the solution near a seed, by damped least squares",
     ]
     return "\n".join(lines)
+
+
+def nearly_redundant(chain: Chain) -> list[str]:
+    """That joints nearly move without moving the tool, wherever the arm is; nothing if they don't.
+
+    Of an arm that is so in earnest, it is not said.
+    """
+    spare = surplus(chain, NEARLY_NULL)
+    if not spare.count or surplus(chain).count:
+        return []
+    nearly = f"wherever the arm is, {_moved(chain, spare)} by more than 0.01 % of their way"
+    why = "a pose tells few digits of their values; are twists rounded that are right angles?"
+    return [f"{nearly}: {why}"]
 
 
 def _moved(chain: Chain, spare: Surplus) -> str:

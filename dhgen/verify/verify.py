@@ -14,6 +14,7 @@ import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.method import Method
+from dhgen.paul.redundant import nearly_redundant
 from dhgen.program.interpret import interpret
 from dhgen.robot.task import TaskKind
 from dhgen.tolerances import TOLERANCES
@@ -61,6 +62,13 @@ def verify(module: SolverModule, folder: Path) -> Report:
     Raises:
         VerificationError: Something is not as promised; the text says what, and on which joints.
     """
+    try:
+        return _verify(module, folder)
+    except VerificationError as error:
+        raise VerificationError("\n".join([str(error), *nearly_redundant(module.chain)])) from error
+
+
+def _verify(module: SolverModule, folder: Path) -> Report:
     python = import_module(folder / f"{module.name}.py")
     source = folder / f"{module.name}.c"
     shape = module.chain.dof, module.solver.rows, module.chain.given
