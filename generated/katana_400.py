@@ -341,7 +341,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 b01a78c819ba24cf"
+_KEY = "katana_400 f25560fda2bcb9cb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -688,15 +688,24 @@ def _serving(pose, seed, search, q, status):
 def _serving_digits(pose, seed, search, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
-    As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
-    would take its own.
+    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
+    to rounding of what it was taken from, `_solve` takes it as it would take its own.
     """
+    before, past = np.full(2, -math.inf), np.zeros(2)
     moved = 1e-15
     while moved < 0.1:
-        if _attempt(pose, seed, search, moved, q, status) == 0.0:
-            return moved
-        if _attempt(pose, seed, search, -moved, q, status) == 0.0:
-            return -moved
+        for side in range(2):
+            there = -moved if side else moved
+            here = _attempt(pose, seed, search, there, q, status)
+            if here == 0.0:
+                return there
+            if here < 2.0 * before[side] and past[side] == 0.0:
+                past[side] = 1.0
+                low = 0.25 * there
+                top = _summit(pose, seed, search, low, there, q, status)
+                if not math.isnan(top):
+                    return top
+            before[side] = here
         moved *= 2.0
     return math.nan
 

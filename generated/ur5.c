@@ -859,16 +859,25 @@ static double serving_value(struct search *s)
 }
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
- * from, `solve` takes it as it would take its own. */
+ * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
+ * */
 static double serving_digits(struct search *s)
 {
-    for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
-        if (attempt(s, moved) == 0.0)
-            return moved;
-        if (attempt(s, -moved) == 0.0)
-            return -moved;
-    }
+    double before[2] = { -HUGE_VAL, -HUGE_VAL };
+    int past[2] = { 0 };
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
+        for (int side = 0; side < 2; side++) {
+            const double there = side ? -moved : moved, here = attempt(s, there);
+            if (here == 0.0)
+                return there;
+            if (here < 2.0 * before[side] && !past[side]++) {
+                const double top = summit(s, 0.25 * there, there);
+                if (!isnan(top))
+                    return top;
+            }
+            before[side] = here;
+        }
     return NAN;
 }
 

@@ -635,16 +635,25 @@ static float serving_value(struct search *s)
 }
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
- * from, `solve` takes it as it would take its own. */
+ * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
+ * */
 static float serving_digits(struct search *s)
 {
-    for (float moved = 1e-15f; moved < 0.1f; moved *= 2.0f) {
-        if (attempt(s, moved) == 0.0f)
-            return moved;
-        if (attempt(s, -moved) == 0.0f)
-            return -moved;
-    }
+    float before[2] = { -HUGE_VALF, -HUGE_VALF };
+    int past[2] = { 0 };
+    for (float moved = 1e-15f; moved < 0.1f; moved *= 2.0f)
+        for (int side = 0; side < 2; side++) {
+            const float there = side ? -moved : moved, here = attempt(s, there);
+            if (here == 0.0f)
+                return there;
+            if (here < 2.0f * before[side] && !past[side]++) {
+                const float top = summit(s, 0.25f * there, there);
+                if (!isnan(top))
+                    return top;
+            }
+            before[side] = here;
+        }
     return NAN;
 }
 

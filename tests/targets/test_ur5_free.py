@@ -14,7 +14,7 @@ import pytest
 
 from dhgen.survey.oracle.poses import random_joints
 from tests.robots.cases import dh, lengths
-from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver
+from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver, gap
 from tests.targets.made import poses_of, residual, robot
 
 if TYPE_CHECKING:
@@ -96,3 +96,25 @@ def test_a_stretched_arm_whose_wrist_is_just_not_straight(name: str, straight: f
         held = rows[np.isin(status, HELD)]
         assert len(held)
         assert residual(name, held, T) < 1e-11
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("off", [1e-10, 1e-11])
+def test_beside_three_singularities_at_once_there_is_a_row(language: str, off: float) -> None:
+    """Wrist and elbow straight, link 5 in line with the arm: one value of q6 and none beside it.
+
+    It is known to few digits, and the arm just reaches there.
+    """
+    count = {"C": 300, "Python": 40}[language]
+    source = np.random.default_rng(1)
+    q = source.uniform(-3.0, 3.0, (count, 6))
+    q[:, 2:5] = 0.0, -np.pi / 2, 0.0
+    q += source.uniform(-off, off, q.shape)
+    solver = Solver("ur5", language)
+    for joints, T in zip(q, poses_of("ur5", q), strict=True):
+        for seed in (None, joints + source.uniform(-1e-3, 1e-3, 6)):
+            rows, status = solver.all(T, seed)
+            held = rows[np.isin(status, HELD)]
+            assert len(held), joints
+            assert residual("ur5", held, T) < 1e-11
+            assert seed is None or gap(held, seed).min() < 0.005
