@@ -86,6 +86,10 @@ class Demands:
         ways = (way for row in held for way in self.measures.ways(row, q))
         return any(self.measures.residual(way, T) <= GENERAL_RESIDUAL for way in ways)
 
+    def are_at_an_edge(self, rows: Array) -> bool:
+        """Whether the arm is so singular at each of these that rounding may decide on them."""
+        return all(self.measures.fixed(row) <= TOLERANCES.told for row in rows)
+
     def nearest(self, found: Array, q: Array, where: str) -> None:
         """The generating joint values are the nearest to themselves."""
         miss = float(np.abs(found - q).max()) / max(1.0, self._chain.size)
