@@ -8,10 +8,7 @@ from itertools import product
 
 import pytest
 
-from dhgen.kinematics.build import build_chain
-from dhgen.paul.derive import derive
 from dhgen.paul.step import Kind
-from dhgen.program.lowering.lower import lower
 from dhgen.targets.derivation import (
     alternatives_text,
     derivation_document,
@@ -23,8 +20,8 @@ from dhgen.targets.derivation.sections.tree import tree_text
 from dhgen.targets.derivation.types import PRINTERS
 from tests.derivation.golden import FOLDER, made, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
+from tests.derivation.made import made_of
 from tests.derivation.stories import ALL_WHOLE, NAMES, WITH_STEPS, document, story
-from tests.kinematics.values import table
 
 SECTIONS = [
     "The robot",
@@ -166,20 +163,12 @@ def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
         "theta: q, alpha: pi/2",
         "theta: 0, d: q",
     )
-    robot = table(*rows)
-    derivation = derive(build_chain(robot))
-    text = derivation_document(robot, derivation, lower(derivation), "robots/x.yaml")
+    text = made_of(*rows)
     assert r"every $\theta_1$ works" not in text
     told = r"this equation holds for every $\theta_1$, the others for all, a few or none of them"
     assert told in text
     assert "every $" in document("puma560")
     assert "this equation holds for every" not in document("puma560")
-
-
-def made_of(*rows: str, **sections: str) -> str:
-    robot = table(*rows, **sections)
-    derivation = derive(build_chain(robot))
-    return derivation_document(robot, derivation, lower(derivation), "robots/x.yaml")
 
 
 def test_numbers_of_a_frame_are_not_called_its_entries() -> None:

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.ring import terms_in_numbers
 from dhgen.paul.step import Kind
+from dhgen.targets.derivation.geometry import NEAR
 from dhgen.targets.derivation.notation.names import letter, unknown_symbol
 from dhgen.targets.derivation.text.formula import equal, number, times
 from dhgen.targets.derivation.text.lines import width
@@ -147,6 +149,14 @@ class StepContext:
     def is_constant(self, *names: str) -> bool:
         """Whether letters are made of the arm's lengths alone."""
         return all(self.story.algebra.is_constant(self.step.coefficient(name)) for name in names)
+
+    def vanishes(self, name: str) -> bool:
+        """Whether a letter is zero, or made of lengths that cancel with the arm's numbers."""
+        if not self.is_constant(name):
+            return False
+        values = {constant.name: constant.value for constant in self.story.algebra.chain.constants}
+        terms = terms_in_numbers(self.polynomial(name), values)
+        return abs(sum(terms)) <= NEAR * sum(map(abs, terms))
 
     def is_number(self, name: str) -> bool:
         """Whether a letter is a plain number."""

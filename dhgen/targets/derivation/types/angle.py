@@ -196,6 +196,8 @@ def _general(context: StepContext) -> StepText:
             )
         ),
     ]
+    if context.vanishes("Z") and not context.is_constant("X", "Y"):
+        return _cancelled(context, blocks, remembered)
     met = Singularity(
         context.number,
         equal(remembered.letter, ZERO),
@@ -207,6 +209,25 @@ def _general(context: StepContext) -> StepText:
     far = relation(SQUARES, "<", square(Z))
     blocks.append(paragraph(text, far, met.condition, met.meaning, met.effect))
     return _with_free(context, blocks, met)
+
+
+def _cancelled(context: StepContext, blocks: list[Block], remembered: Remembered) -> StepText:
+    """Lengths that cancel: the root is zero only where X and Y are, and with them the equation."""
+    joints = other_combination(context)
+    free = Singularity(
+        context.number,
+        equal(remembered.letter, ZERO),
+        condition_in_joints(context, joints),
+        meaning_of_free(context, joints),
+        free_effect(context),
+    )
+    text = (
+        "With the numbers of this arm {}, so there is always a solution, and {} only when {}. "
+        "Degenerate when {}: {}. Then {}."
+    )
+    none, vanishing = equal(Z, ZERO), equal(X, Y, ZERO)
+    shown = none, free.condition, vanishing, free.condition, free.meaning, free.effect
+    return StepText((*blocks, paragraph(text, *shown)), (free,))
 
 
 def _with_free(context: StepContext, blocks: list[Block], met: Singularity) -> StepText:

@@ -115,7 +115,7 @@ def _solution(
 
 def _never_vanishes(context: StepContext) -> bool:
     """Whether X1^2 + Y1^2 is always positive, because one of the two is a constant."""
-    return any(context.polynomial(name) and context.is_constant(name) for name in ("X1", "Y1"))
+    return any(context.is_constant(name) and not context.vanishes(name) for name in ("X1", "Y1"))
 
 
 def _free(context: StepContext, *, together: bool) -> Singularity:
