@@ -17,18 +17,33 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Block, Prose
 
 
+ENDING = (
+    "A branch ends where a square root has a negative argument; its rows are empty and the other "
+    "rows keep their places."
+)
+ASCENDING = (
+    "The real roots ascend from root 1; where there are fewer than four, the rows of the last ones "
+    "are empty. So where two roots meet and vanish, the roots above them change their rows."
+)
+UNDER_A_ROOT = (
+    " Under each root a branch ends where a square root has a negative argument; its row is empty "
+    "and the other one keeps its place."
+)
+
+
 def solutions_section(story: Story) -> list[Block]:
     """The tree, and what becomes of branches that have no solution."""
-    rows = story.program.rows
     blocks: list[Block] = [Heading(2, say("The solutions")), Drawing(tree_text(story))]
-    if rows > 1:
-        blocks.append(
-            paragraph(
-                "A branch ends where a square root has a negative argument; its rows are empty and "
-                "the other rows keep their places."
-            )
-        )
+    if finds_roots(story.program):
+        blocks.append(paragraph(ASCENDING + (UNDER_A_ROOT if _signs(story) else "")))
+    elif story.program.rows > 1:
+        blocks.append(paragraph(ENDING))
     return blocks
+
+
+def _signs(story: Story) -> int:
+    """How many choices are signs."""
+    return sum(axis.count == 2 for axis in story.program.axes)
 
 
 def singular_section(found: list[Singularity]) -> list[Block]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 P1, Q1, R1, P2, Q2, R2 = (type_letter(name) for name in ("P1", "Q1", "R1", "P2", "Q2", "R2"))
 V1, V2 = (type_letter(name) for name in ("V1", "V2"))
 I = Symbol("i", "i")
+JACOBIAN = Symbol("J", "J")
 
 
 def print_circle(context: StepContext) -> StepText:
@@ -52,8 +54,10 @@ def print_circle(context: StepContext) -> StepText:
             "its real roots, at most four, give {}; {} follows for each of them.",
             *names,
         ),
-        paragraph("No solution when it has no real root; where two roots meet, they count once."),
     ]
+    met = _met(context)
+    text = "No solution when it has no real root. Where {}, {}; {}."
+    blocks.append(paragraph(text, met.condition, met.meaning, met.effect))
     free = Singularity(
         context.number,
         say("all coefficients of the equation vanish at once"),
@@ -63,7 +67,22 @@ def print_circle(context: StepContext) -> StepText:
     )
     text = "Degenerate when {}: {}. Then {}."
     blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
-    return StepText(tuple(blocks), (free,))
+    return StepText(tuple(blocks), (met, free))
+
+
+def _met(context: StepContext) -> Singularity:
+    """Where two roots meet, with them two solutions."""
+    chain = context.story.algebra.chain
+    meaning = say("two solutions become one")
+    if chain.dof == chain.task.dimension:
+        which = {
+            TaskKind.POSE: say("{}", Symbol(r"\det J", "det J")),
+            TaskKind.POSITION: say("the determinant of the first three rows of {}", JACOBIAN),
+        }
+        if (determinant := which.get(chain.task.kind)) is not None:
+            meaning = say("{}, and {} is zero", meaning, determinant)
+    effect = say("they count once, and the rows of the last roots stay empty")
+    return Singularity(context.number, say("two roots of the equation meet"), None, meaning, effect)
 
 
 def _eliminated(context: StepContext) -> AngleSum:
