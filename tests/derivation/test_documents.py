@@ -80,6 +80,32 @@ def test_rows_are_said_to_keep_their_place_only_where_they_do() -> None:
     assert keeps not in document("xarm6")
 
 
+def test_roots_ascend_and_their_rows_do_not_keep_their_places() -> None:
+    ends = "A branch ends where a square root has a negative argument; its rows are empty and the"
+    ascend = "The real roots ascend from root 1; where there are fewer than four, the rows of the"
+    under = "Under each root a branch ends where a square root has a negative argument; its row is"
+    for name, told in {
+        "scara": (True, False, False),
+        "cuspidal_3r": (False, True, False),
+        "parallel_123": (False, True, True),
+    }.items():
+        assert tuple(each in document(name) for each in (ends, ascend, under)) == told
+
+
+def test_two_roots_that_meet_are_a_singular_configuration() -> None:
+    row = "| 1 | two roots of the equation meet | — | two solutions become one, and"
+    assert rf"{row} $\det J$ is zero; they count once" in document("parallel_123")
+    assert f"{row} the determinant of the first three rows of $J$ is" in document("cuspidal_3r")
+
+
+def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:
+    text = document("kuka_youbot")
+    elements, step = text.split("**1. $")[:2]
+    assert "U_1[3,3] & = s_1 t_{13} - c_1 t_{23} = 0" in elements
+    weight = r"with lengths divided by the arm's size, $0.6875$ m, and $\operatorname{sgn}(0) = 1$:"
+    assert weight in step
+
+
 def test_an_arm_near_to_a_closed_form_is_told_so() -> None:
     """The offset of the xArm's wrist is 76 mm; Manseur and Doty's arm is near to nothing."""
     assert "axes 4, 5, 6 miss one point by 0.076 (lengths in m)" in document("xarm6")

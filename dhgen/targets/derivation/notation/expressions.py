@@ -74,3 +74,12 @@ def text_symbol(text: str) -> Symbol:
         latex.append(pair[0])
         plain.append(pair[1])
     return Symbol("".join(latex), "".join(plain))
+
+
+def number_symbol(value: float) -> Symbol:
+    """A decimal number."""
+    text = repr(value).removesuffix(".0")
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return Symbol(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", text)
+    return Symbol(text, text.replace("-", "−"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.paul.arm_plane import SHOULDER
+from dhgen.paul.equation import MOMENT
 from dhgen.targets.derivation.notation.matrices import (
     known_matrix,
     left_name,
@@ -25,6 +26,7 @@ from dhgen.targets.derivation.text.words import many
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Origin
+    from dhgen.paul.step import Step
     from dhgen.targets.derivation.notation.matrices import Form
     from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.blocks import Block, Prose
@@ -35,7 +37,7 @@ def element_blocks(story: Story) -> list[Block]:
     """Both sides of every element in the columns that the steps use, each once."""
     used: dict[tuple[bool, bool, int, int], list[Origin]] = {}
     for step in story.steps:
-        for origin in step.origins:
+        for origin in (*step.origins, *_second_origins(step)):
             key = (origin.shoulder, origin.inverse, origin.m, -origin.k)
             used.setdefault(key, []).append(origin)
     blocks: list[Block] = []
@@ -51,6 +53,13 @@ def element_blocks(story: Story) -> list[Block]:
         return []
     text = "The elements that are used below, and their neighbours in column 4:"
     return [paragraph(text), *blocks]
+
+
+def _second_origins(step: Step) -> tuple[Origin, ...]:
+    """Where the second equation of a step stands; that of a cross product is told in the step."""
+    if step.second is None:
+        return ()
+    return tuple(origin for origin in step.second.origins if origin.column != MOMENT)
 
 
 def _form_sentence(story: Story, form: Form) -> Prose:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.ring import used_places
 from dhgen.robot.expression import Negate, Number
-from dhgen.targets.derivation.notation.expressions import expression_symbol
+from dhgen.targets.derivation.notation.expressions import expression_symbol, number_symbol
 from dhgen.targets.derivation.notation.names import parameter
 from dhgen.targets.derivation.text.blocks import Given, joined, paragraph, say
-from dhgen.targets.derivation.text.formula import Symbol, equal
+from dhgen.targets.derivation.text.formula import equal
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -68,7 +68,7 @@ def _written(chain: Chain) -> list[Constant]:
 
 
 def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:
-    value = _number(each.value)
+    value = number_symbol(each.value)
     written = each.expression
     plain = isinstance(written, Number) or (
         isinstance(written, Negate) and isinstance(written.operand, Number)
@@ -82,7 +82,9 @@ def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Pros
 def _constant(story: Story, constant: Constant) -> Prose:
     unit = say(" {}", Given(story.robot.length_unit)) if constant.is_length else say("")
     symbol = story.letters[constant.name]
-    return say("{}{} ({})", equal(symbol, _number(constant.value)), unit, Given(_meaning(constant)))
+    return say(
+        "{}{} ({})", equal(symbol, number_symbol(constant.value)), unit, Given(_meaning(constant))
+    )
 
 
 def _meaning(constant: Constant) -> str:
@@ -92,11 +94,3 @@ def _meaning(constant: Constant) -> str:
         return constant.meaning
     place = re.sub(r"^(.*), entry .*", r"the \1", what)
     return f"{function} of an angle in {place}"
-
-
-def _number(value: float) -> Symbol:
-    text = repr(value).removesuffix(".0")
-    if "e" in text:
-        mantissa, exponent = text.split("e")
-        return Symbol(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", text)
-    return Symbol(text, text.replace("-", "−"))

@@ -9,10 +9,12 @@ from dhgen.paul.equation import MOMENT
 from dhgen.paul.second import across
 from dhgen.targets.derivation.joint_space import unsigned
 from dhgen.targets.derivation.notation.elements import element_of
+from dhgen.targets.derivation.notation.expressions import number_symbol
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
 from dhgen.targets.derivation.step_context import type_letter
-from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.blocks import Given, display, paragraph, say
 from dhgen.targets.derivation.text.formula import (
+    ONE,
     ZERO,
     Call,
     Symbol,
@@ -82,7 +84,11 @@ class Second:
             display(*letters),
             paragraph(
                 "The vectors of both equations lie along one line. They are added, the second one "
-                "turned to the side of the first, with lengths in units of the arm's size:"
+                "turned to the side of the first, with lengths divided by the arm's size, {} {}, "
+                "and {}:",
+                number_symbol(float(f"{story.algebra.chain.size:.12g}")),
+                Given(story.robot.length_unit),
+                equal(Call("sgn", (ZERO,)), ONE),
             ),
             display(equal(WEIGHT, Call("sgn", (along,))), *sums),
         ]
