@@ -72,6 +72,7 @@ class Unguarded:
         self._ends: dict[str, Signed] = {}
         self._slacks: dict[Node, tuple[Node, Node]] = {}  # what is exact, and what may be rounded
         self._exact = _compared(program)
+        self._named = {s.name: s.expression for s in program.body if isinstance(s, Let)}
         self._builder = Builder(program.reserved, FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
         self._values: dict[str, Signed] = {}
@@ -213,7 +214,7 @@ class Unguarded:
         misses: dict[Node, list[Node]] = {}
         for part in joined(condition, "and"):
             match part:
-                case Apply("at_most", (Apply("abs", (miss,)), limit)):
+                case Apply("at_most", (size, limit)) if (miss := self._of_size(size)) is not None:
                     value = self._value(miss)
                     if not arithmetic.vanishes(value):
                         of = misses.setdefault(arithmetic.plain(self._value(limit)), [])
@@ -234,6 +235,16 @@ class Unguarded:
             else:
                 self._brink.keeps(short, accepted)
             self._doubts.append(doubtful)
+
+    def _of_size(self, size: Expression) -> Expression | None:
+        """The x of |x|, which may have a name where it is used twice."""
+        match size:
+            case Apply("abs", (miss,)):
+                return miss
+            case Variable(name) if name in self._named:
+                return self._of_size(self._named[name])
+            case _:
+                return None
 
     def _end(self, guard: Guard) -> None:
         """A branch ends where it would be out of reach."""
