@@ -193,8 +193,8 @@ def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
     assert r"every $\theta_1$ works" not in text
     told = r"this equation holds for every $\theta_1$, the others for all, a few or none of them"
     assert told in text
-    assert "every $" in document("puma560")
-    assert "this equation holds for every" not in document("puma560")
+    assert "every $" in document("spherical")
+    assert "this equation holds for every" not in document("spherical")
 
 
 def test_numbers_of_a_frame_are_not_called_its_entries() -> None:

@@ -12,6 +12,7 @@ from dhgen.targets.derivation.joint_space import (
     meaning_of_root,
     other_combination,
 )
+from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
@@ -91,6 +92,10 @@ def _homogeneous(context: StepContext) -> StepText:
         s, c = sine(context.angle), cosine(context.angle)
         blocks.append(paragraph("Later steps use the other combination of {} and {},", s, c))
         blocks.append(display(_combination(context, remembered, root(SQUARES))))
+    if second is None and are_never_zero(
+        context.story.algebra, *(context.polynomial(name) for name in "XY")
+    ):
+        return StepText((*blocks, paragraph("There is always a solution.")))
     free = _free(context, second)
     blocks.append(
         paragraph(
@@ -232,7 +237,8 @@ def _cancelled(context: StepContext, blocks: list[Block], remembered: Remembered
 
 def _with_free(context: StepContext, blocks: list[Block], met: Singularity) -> StepText:
     """What happens where X, Y and Z vanish together, if they may."""
-    if context.is_constant("X", "Y") or context.is_constant("Z"):
+    factors = [context.polynomial(name) for name in "XYZ"]
+    if are_never_zero(context.story.algebra, *factors):
         return StepText(tuple(blocks), (met,))
     free = Singularity(
         context.number,

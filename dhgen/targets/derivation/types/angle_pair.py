@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
@@ -9,6 +10,7 @@ from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
 from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.joint_space import OTHERS_DECIDE, point_name
+from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
@@ -81,8 +83,11 @@ def _cramer(context: StepContext) -> StepText:
         ),
         display(equal(theta(context.angle), atan2(*parts))),
     ]
-    if context.is_constant("X1", "Y1", "X2", "Y2") or (together and _never_vanishes(context)):
+    if context.is_constant("X1", "Y1", "X2", "Y2"):
         return StepText(tuple(blocks))
+    if (why := _never_vanishes(context, together=together)) is not None:
+        size = add(square(X1), square(Y1)) if together else DELTA
+        return StepText((*blocks, paragraph("{} is never zero: {}.", size, why)))
     free = _free(context, together=together)
     blocks.append(
         paragraph(
@@ -113,9 +118,23 @@ def _solution(
     return equal(DELTA, delta, context.story.write(context.determinant, context.number)), parts
 
 
-def _never_vanishes(context: StepContext) -> bool:
-    """Whether X1^2 + Y1^2 is always positive, because one of the two is a constant."""
-    return any(context.is_constant(name) and not context.vanishes(name) for name in ("X1", "Y1"))
+def _never_vanishes(context: StepContext, *, together: bool) -> Prose | None:
+    """Why the determinant is never zero, if it is not."""
+    links = _links(context)
+    if links is not None and not _are_equal(*links):
+        return say("the two links differ in length")
+    names = [name for name in ("X1", "Y1") if context.polynomial(name)]
+    if together and (fixed := [name for name in names if _is_fixed(context, name)]):
+        return say("{} is fixed", type_letter(fixed[0]))
+    algebra = context.story.algebra
+    factors = [context.polynomial(name) for name in names] if together else [context.determinant]
+    if not are_never_zero(algebra, *factors):
+        return None
+    return say("the numbers of this arm do not allow it")
+
+
+def _is_fixed(context: StepContext, name: str) -> bool:
+    return context.is_constant(name) and not context.vanishes(name)
 
 
 def _free(context: StepContext, *, together: bool) -> Singularity:
@@ -144,22 +163,31 @@ def _vanishing(*, together: bool) -> Formula:
 
 def _only_if(context: StepContext) -> Prose:
     """That two links must be equal, where the same equations gave the angle between them."""
+    if _links(context) is None:
+        return say("")
+    return say(" (possible only with two links of equal length, as this arm has)")
+
+
+def _links(context: StepContext) -> tuple[float, float] | None:
+    """How long two links are, where the same equations gave the angle between them."""
     own = {form.equation for form in context.step.forms}
-    vectors = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
+    kinds = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
     algebra = context.story.algebra
     for step in context.story.steps[: context.number - 1]:
-        if step.kind not in vectors or {form.equation for form in step.forms} != own:
+        if step.kind not in kinds or {form.equation for form in step.forms} != own:
             continue
-        lengths = []
-        for name in "VW":
-            parts = [step.coefficient(name + part) for part in "12"]
-            if not all(map(algebra.is_constant, parts)):
-                return say("")
-            lengths.append(sum(constant_value(algebra, part) ** 2 for part in parts) ** 0.5)
-        equal_links = abs(lengths[0] - lengths[1]) <= CLOSE * sum(lengths)
-        ending = "as this arm has" if equal_links else "which this arm does not have"
-        return say(f" (possible only with two links of equal length, {ending})")
-    return say("")
+        vectors = [[step.coefficient(name + part) for part in "12"] for name in "VW"]
+        if not all(algebra.is_constant(part) for parts in vectors for part in parts):
+            return None
+        first, second = (
+            math.hypot(*(constant_value(algebra, part) for part in parts)) for parts in vectors
+        )
+        return first, second
+    return None
+
+
+def _are_equal(first: float, second: float) -> bool:
+    return abs(first - second) <= CLOSE * (first + second)
 
 
 def _facing(sign: int, first: tuple[Formula, Formula], second: tuple[Formula, Formula]) -> Formula:

@@ -10,6 +10,7 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value, primitive
 from dhgen.targets.derivation.effects import free_effect, merged_effect
 from dhgen.targets.derivation.joint_space import unsigned
+from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
@@ -172,6 +173,8 @@ def _free(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity | N
     """
     algebra = context.story.algebra
     if algebra.is_constant(x) and algebra.is_constant(y):
+        return None
+    if are_never_zero(algebra, x, y):
         return None
     vectors = ([context.step.coefficient(name + part) for part in "12"] for name in "VWZ")
     fixed = [parts for parts in vectors if all(map(algebra.is_constant, parts))]
