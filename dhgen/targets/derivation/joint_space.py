@@ -9,7 +9,7 @@ import numpy as np
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.chain import Turn, parallel_groups
 from dhgen.kinematics.product import product
-from dhgen.kinematics.ring import used_places
+from dhgen.kinematics.ring import primitive, used_places
 from dhgen.kinematics.transform import identity
 from dhgen.paul.witness import build_witnesses
 from dhgen.program.ir import Failure, Guard
@@ -75,7 +75,22 @@ def condition_in_joints(context: StepContext, joints: Polynomial | None) -> Form
     """joints = 0, with the sign that reads best."""
     if joints is None:
         return None
-    return equal(unsigned(context.story, joints), ZERO)
+    story = context.story
+    return equal(unsigned(story, without_lengths(story.algebra, joints)), ZERO)
+
+
+def without_lengths(algebra: Algebra, form: Polynomial) -> Polynomial:
+    """A form without the numbers and lengths that all its terms share."""
+    _, rest = primitive(form)
+    first = len(algebra.ring.gens) - len(algebra.chain.ring.gens)
+    common = tuple(min(powers) for powers in zip(*rest, strict=True))
+    lowered = tuple(0 if place < first else power for place, power in enumerate(common))
+    return algebra.ring.from_dict(
+        {
+            tuple(e - p for e, p in zip(monomial, lowered, strict=True)): coefficient
+            for monomial, coefficient in rest.terms()
+        }
+    )
 
 
 def unsigned(story: Story, polynomial: Polynomial) -> Formula:
@@ -209,4 +224,5 @@ __all__ = [
     "other_combination",
     "point_name",
     "unsigned",
+    "without_lengths",
 ]

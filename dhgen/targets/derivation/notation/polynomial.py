@@ -25,6 +25,7 @@ from dhgen.targets.derivation.text.formula import (
     Quotient,
     add,
     minus,
+    square,
     times,
 )
 
@@ -159,8 +160,43 @@ class Writer:
             part, inside = split(inside, frozenset({place}))
             if part:
                 parts.append((self._place_of(part), self.write(part)))
-        parts += [(self._place_of(term), self.write(term)) for term in _terms_of(inside)]
+        squared, inside = self._squares(inside)
+        parts += squared
+        parts += [(self._place_of(part), self.write(part)) for part in self._by_entries(inside)]
         return parts
+
+    def _by_entries(self, inside: Polynomial) -> list[Polynomial]:
+        """Terms one by one, but those with the same entries of the pose together."""
+        orders = self.alphabet.orders
+        groups: dict[tuple[int, ...], list[Polynomial]] = {}
+        for term in _terms_of(inside):
+            (monomial,) = term
+            entries = tuple(
+                power if kind in {3, 4} else 0
+                for power, (kind, _) in zip(monomial, orders, strict=True)
+            )
+            own = entries if any(entries) else monomial
+            groups.setdefault(own, []).append(term)
+        return [sum(terms, inside.ring.zero) for terms in groups.values()]
+
+    def _squares(
+        self, inside: Polynomial
+    ) -> tuple[list[tuple[tuple[int, ...], Formula]], Polynomial]:
+        """The squares of sums of two constants, x^2 + 2 x y + y^2, and the terms that are left."""
+        found = []
+        for pair in _crossed(inside, self.alphabet):
+            first, second = (inside.ring.gens[place] for place in pair)
+            (whole,) = (m for m in inside if all(m[place] == 1 for place in pair) and sum(m) == 2)
+            half = inside[whole] / 2
+            for sum_ in (first + second, first - second):
+                square_ = sum_**2 * (half if sum_ == first + second else -half)
+                if all(inside.get(m) == c for m, c in square_.items()):
+                    power = times(_as_number(Fraction(str(abs(half)))), square(self.write(sum_)))
+                    negative = square_[_squared(pair[0], whole)] < 0
+                    found.append((self._place_of(square_), minus(power) if negative else power))
+                    inside = inside - square_
+                    break
+        return found, inside
 
     def _place_of(self, polynomial: Polynomial) -> tuple[int, ...]:
         """Pose entries first, then constants, then the joints in their order."""
@@ -179,6 +215,22 @@ class Writer:
             return frozenset()
         best = max(moving, key=lambda place: (self.rank(names[place]), -place))
         return self.alphabet.pairs.get(best, frozenset({best}))
+
+
+def _crossed(polynomial: Polynomial, alphabet: Alphabet) -> list[tuple[int, int]]:
+    """The pairs of constants that stand in one product of two, and in no other."""
+    pairs = [
+        tuple(place for place, power in enumerate(m) if power)
+        for m in polynomial
+        if sum(m) == 2 and max(m) == 1
+    ]
+    constants = [p for p in pairs if all(alphabet.orders[place][0] == 0 for place in p)]
+    every = [place for pair in constants for place in pair]
+    return sorted((a, b) for a, b in constants if every.count(a) == every.count(b) == 1)
+
+
+def _squared(place: int, like: tuple[int, ...]) -> tuple[int, ...]:
+    return tuple(2 if each == place else 0 for each in range(len(like)))
 
 
 def _terms_of(polynomial: Polynomial) -> list[Polynomial]:

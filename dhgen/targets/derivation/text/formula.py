@@ -188,8 +188,17 @@ def subtract(left: Formula, right: Formula) -> Formula:
     return add(left, minus(right))
 
 
+def is_function(formula: Formula) -> bool:
+    """Whether a formula is the cosine or sine of an angle without parentheses: cos alpha_2."""
+    base = formula.base if isinstance(formula, Power) else formula
+    return isinstance(base, Symbol) and base.text.startswith(("cos ", "sin "))
+
+
 def times(*factors: Formula) -> Formula:
-    """The product of some factors; signs and numbers come first."""
+    """The product of some factors; signs and numbers come first.
+
+    Functions come last, or else what follows would seem to be part of their angle.
+    """
     flat: list[Formula] = []
     value = Fraction(1)
     for factor in factors:
@@ -204,6 +213,7 @@ def times(*factors: Formula) -> Formula:
             flat.append(inner)
     if value == 0:
         return ZERO
+    flat.sort(key=is_function)
     if abs(value) != 1:
         flat.insert(0, Number(abs(value)))
     if not flat:
@@ -218,6 +228,8 @@ def over(above: Formula, below: Formula) -> Formula:
         return minus(over(above.operand, below))
     if isinstance(below, Minus):
         return over(minus(above), below.operand)
+    if any(isinstance(each, Quotient) or _is_fraction(each) for each in factors_of(below)):
+        return _without_fractions(above, below)
     if isinstance(above, Product) and isinstance(first := above.factors[0], Quotient):
         return over(times(first.over, *above.factors[1:]), times(first.under, below))
     if isinstance(above, Quotient):
@@ -228,6 +240,44 @@ def over(above: Formula, below: Formula) -> Formula:
     if below == ONE or above == ZERO:
         return above
     return Quotient(above, below)
+
+
+def factors_of(formula: Formula) -> tuple[Formula, ...]:
+    """The factors of a product; anything else is its own."""
+    return formula.factors if isinstance(formula, Product) else (formula,)
+
+
+def _is_fraction(formula: Formula) -> bool:
+    return isinstance(formula, Number) and formula.value.denominator != 1
+
+
+def _without_fractions(above: Formula, below: Formula) -> Formula:
+    """A fraction by a fraction as one, without the factors that both its parts would have."""
+    value = Fraction(1)
+    parts: tuple[list[Formula], list[Formula]] = ([], [])
+    waiting = [(each, 0) for each in factors_of(above)] + [(each, 1) for each in factors_of(below)]
+    while waiting:
+        each, place = waiting.pop(0)
+        if isinstance(each, Number):
+            value = value / each.value if place else value * each.value
+        elif isinstance(each, Quotient):
+            waiting = [
+                *((factor, place) for factor in factors_of(each.over)),
+                *((factor, 1 - place) for factor in factors_of(each.under)),
+                *waiting,
+            ]
+        elif each in parts[1 - place]:
+            parts[1 - place].remove(each)
+        else:
+            parts[place].append(each)
+    for each in [each for each in parts[1] if isinstance(each, Symbol)]:
+        radicand = each.text.removeprefix("√")
+        if radicand != each.text and value.numerator % int(radicand) == 0:
+            value /= int(radicand)  # 2/√2 is √2
+            parts[1].remove(each)
+            parts[0].insert(0, each)
+    upper, lower = number(value.numerator), number(value.denominator)
+    return over(times(upper, *parts[0]), times(lower, *parts[1]))
 
 
 def square(operand: Formula) -> Formula:

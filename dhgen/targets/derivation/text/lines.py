@@ -15,8 +15,9 @@ from dhgen.targets.derivation.text.formula import (
     Quotient,
     Relation,
     Sum,
+    is_function,
 )
-from dhgen.targets.derivation.text.show import is_tall, show, signed_terms
+from dhgen.targets.derivation.text.show import is_tall, show, show_factor, signed_terms
 from dhgen.targets.derivation.text.style import PLAIN
 
 if TYPE_CHECKING:
@@ -113,14 +114,12 @@ def _pieces(formula: Formula, style: Style) -> list[str]:
             below = show(under, style)
             below = f"({below})" if isinstance(under, Sum | Product) else below
             return _enclosed("(", _pieces(over, style), f")/{below}")
-        case Product(factors) if isinstance(factors[-1], Sum) and (
-            not is_tall(factors[-1]) or width(formula) > BREAKS_TALL
+        case Product(factors) if (place := _last_sum(factors)) is not None and (
+            not is_tall(factors[place]) or width(formula) > BREAKS_TALL
         ):
-            before = " ".join(
-                show(f, style) if not isinstance(f, Sum) else f"({show(f, style)})"
-                for f in factors[:-1]
-            )
-            return _enclosed(f"{before} (", _pieces(factors[-1], style), ")")
+            before = "".join(f"{show_factor(f, style)} " for f in factors[:place])
+            after = "".join(f" {show(f, style)}" for f in factors[place + 1 :])
+            return _enclosed(f"{before}(", _pieces(factors[place], style), f"){after}")
         case Call(function, arguments) if not any(map(is_tall, arguments)):
             parts: list[str] = []
             for argument in arguments:
@@ -135,6 +134,12 @@ def _pieces(formula: Formula, style: Style) -> list[str]:
             return [item + style.comma for item in shown[:-1]] + shown[-1:]
         case _:
             return [show(formula, style)]
+
+
+def _last_sum(factors: tuple[Formula, ...]) -> int | None:
+    """The place of the factor that is broken: a sum with nothing but functions behind it."""
+    place = max((i for i, factor in enumerate(factors) if not is_function(factor)), default=0)
+    return place if isinstance(factors[place], Sum) else None
 
 
 def _sum_pieces(terms: tuple[Formula, ...], style: Style) -> list[str]:

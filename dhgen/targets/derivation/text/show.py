@@ -20,6 +20,7 @@ from dhgen.targets.derivation.text.formula import (
     Size,
     Sum,
     Symbol,
+    is_function,
 )
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ def _show_unit(formula: Number | Power | Quotient | Root | Size, style: Style) -
             return str(value)
         case Number(value):
             return style.quotient(str(value.numerator), str(value.denominator))
-        case Power(Symbol(text=text) as base, exponent) if text.startswith(("cos ", "sin ")):
+        case Power(base, exponent) if is_function(base):
             function, _, angle = show(base, style).partition(" ")
             return f"{style.power(function, exponent)} {angle}"
         case Power(base, exponent):

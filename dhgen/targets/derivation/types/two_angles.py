@@ -7,9 +7,9 @@ from itertools import permutations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.kinematics.ring import constant_value, primitive
+from dhgen.kinematics.ring import constant_value
 from dhgen.targets.derivation.effects import free_effect, merged_effect
-from dhgen.targets.derivation.joint_space import unsigned
+from dhgen.targets.derivation.joint_space import unsigned, without_lengths
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
@@ -159,7 +159,7 @@ def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
     meaning = say("the point is at the edge of its reach")
     if context.is_constant("V1", "V2", "W1", "W2"):
         if not is_elimination(context):
-            shared = _without_lengths(context, algebra.normal(y * s - x * c))
+            shared = without_lengths(algebra, algebra.normal(y * s - x * c))
             joints = equal(unsigned(context.story, shared), ZERO)
         meaning = say("the arm is stretched or folded")
     return Singularity(context.number, condition, joints, meaning, merged_effect(context))
@@ -186,21 +186,6 @@ def _free(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity | N
     named = [letter_ for letter_, part in ((X, x), (Y, y)) if part]
     condition = equal(*named, K, ZERO)
     return Singularity(context.number, condition, None, meaning, free_effect(context))
-
-
-def _without_lengths(context: StepContext, form: Polynomial) -> Polynomial:
-    """A form without the numbers and lengths that all its terms share."""
-    _, rest = primitive(form)
-    algebra = context.story.algebra
-    first = len(algebra.ring.gens) - len(algebra.chain.ring.gens)
-    common = tuple(min(powers) for powers in zip(*rest, strict=True))
-    lowered = tuple(0 if place < first else power for place, power in enumerate(common))
-    return algebra.ring.from_dict(
-        {
-            tuple(e - p for e, p in zip(monomial, lowered, strict=True)): coefficient
-            for monomial, coefficient in rest.terms()
-        }
-    )
 
 
 def _reach(context: StepContext) -> Prose:
