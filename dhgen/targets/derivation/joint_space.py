@@ -80,9 +80,13 @@ def condition_in_joints(context: StepContext, joints: Polynomial | None) -> Form
 
 
 def without_lengths(algebra: Algebra, form: Polynomial) -> Polynomial:
-    """A form without the numbers and lengths that all its terms share."""
+    """A form without the numbers and lengths, and sums of them, that all its terms share."""
     _, rest = primitive(form)
     first = len(algebra.ring.gens) - len(algebra.chain.ring.gens)
+    moving = {monomial[:first] for monomial in rest}
+    if len(moving) == 1:
+        still = (0,) * (len(algebra.ring.gens) - first)
+        return algebra.ring.from_dict({(*moving.pop(), *still): algebra.ring.domain.one})
     common = tuple(min(powers) for powers in zip(*rest, strict=True))
     lowered = tuple(0 if place < first else power for place, power in enumerate(common))
     return algebra.ring.from_dict(

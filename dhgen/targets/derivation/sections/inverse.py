@@ -102,7 +102,7 @@ def _named(story: Story) -> Prose:
 
 
 def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
-    """The entries of U_0 by those of POS = (p_ij)."""
+    """The entries of U_0 by those of POS = (p_ij), or (m_ij) where points of axes are called p."""
     algebra = story.algebra
     problem = story.derivation.problem
     entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]
@@ -114,15 +114,16 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
         back = inverse(algebra.lift(algebra.chain.tool), algebra.normal)
         given = compose(given, back, algebra.normal)
     letters = dict(story.letters)
+    named = "m" if any(each.text.startswith("p_") for each in letters.values()) else "p"
     for i in range(1, 4):
         for j in range(1, 5):
-            letters[f"t{i}{j}"] = letter("p", "p", f"{i}{j}", f"p{i}{j}")
+            letters[f"t{i}{j}"] = letter(named, named, f"{i}{j}", f"p{i}{j}")
     writer = Writer(alphabet(algebra, letters), lambda _: 0)
     shown = [
         equal(story.letters[name], writer.write(given.entry(*POSE_PLACES[name])))
         for name in sorted(problem.known, key=lambda name: (name[2], name[1]))
     ]
-    entries = equal(POSE, Symbol("(p_{ij})", "(pᵢⱼ)"))
+    entries = equal(POSE, Symbol(f"({named}_{{ij}})", f"({named}ᵢⱼ)"))
     return [paragraph("With {} its entries are", entries), display(*shown)]
 
 

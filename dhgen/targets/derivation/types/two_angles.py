@@ -17,6 +17,7 @@ from dhgen.targets.derivation.text.blocks import display, paragraph, say
 from dhgen.targets.derivation.text.formula import (
     ZERO,
     Formula,
+    Sum,
     add,
     atan2,
     equal,
@@ -193,9 +194,28 @@ def _reach(context: StepContext) -> Prose:
     if not context.is_constant("V1", "V2", "W1", "W2"):
         return say("")
     (v, v_value), (w, w_value) = _length(context, "V"), _length(context, "W")
-    longer, shorter = (v, w) if v_value >= w_value else (w, v)
+    longest, shortest = add(v, w), subtract(v, w) if v_value >= w_value else subtract(w, v)
+    first, second = _signed(context, "V"), _signed(context, "W")
+    if first is not None and second is not None:
+        longest = _collected(context, first + second, longest)
+        difference = first - second if v_value >= w_value else second - first
+        shortest = _collected(context, difference, shortest)
     text = ": {} is greater than {} or less than {}"
-    return say(text, root(REACH), add(v, w), subtract(longer, shorter))
+    return say(text, root(REACH), longest, shortest)
+
+
+def _signed(context: StepContext, name: str) -> Polynomial | None:
+    """The length of a vector with one coordinate."""
+    parts = [part for each in "12" if (part := context.polynomial(name + each))]
+    if len(parts) != 1:
+        return None
+    return -parts[0] if constant_value(context.story.algebra, parts[0]) < 0.0 else parts[0]
+
+
+def _collected(context: StepContext, length: Polynomial, formula: Formula) -> Formula:
+    """A length as it is when terms of a sum cancel, or else the sum."""
+    terms = len(formula.terms) if isinstance(formula, Sum) else 1
+    return context.story.write(length) if len(length) < terms else formula
 
 
 def _length(context: StepContext, name: str) -> tuple[Formula, float]:
