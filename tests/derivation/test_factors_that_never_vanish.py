@@ -44,3 +44,16 @@ def test_numbers_tell_whether_factors_vanish_together() -> None:
     assert not are_never_zero(algebra, a3 + a3 * c3, a3 * s3)
     assert not are_never_zero(algebra, c2, c3)
     assert not are_never_zero(algebra, a3 * s3)
+
+
+def test_the_point_that_is_at_the_edge_of_its_reach_is_named() -> None:
+    text = made_of(
+        "theta: q - pi/2, d: 0.3, a: 0.3, alpha: 60 deg",
+        "theta: 0, d: q, a: 0.2, alpha: 120 deg",
+        "theta: q, a: 0.3, alpha: pi/2",
+        "theta: q - pi/2, d: 0.3, alpha: -pi/2",
+        "theta: pi - q, alpha: pi/2",
+        "theta: q",
+    )
+    assert "the wrist centre is at the edge of its reach" in text
+    assert "the point is at" not in text

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value
 from dhgen.targets.derivation.effects import free_effect, merged_effect
-from dhgen.targets.derivation.joint_space import unsigned, without_lengths
+from dhgen.targets.derivation.joint_space import point_name, unsigned, without_lengths
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
@@ -157,7 +157,9 @@ def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
     s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
     condition = equal(square(K), add(*(square(n) for n, part in ((X, x), (Y, y)) if part)))
     joints = None
-    meaning = say("the point is at the edge of its reach")
+    in_column = all(origin.column == 4 for origin in context.step.origins)
+    point = point_name(context) if in_column else say("the arm")
+    meaning = say("{} is at the edge of its reach", point)
     if context.is_constant("V1", "V2", "W1", "W2"):
         if not is_elimination(context):
             shared = without_lengths(algebra, algebra.normal(y * s - x * c))
