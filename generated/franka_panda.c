@@ -252,7 +252,6 @@ static const double
     k3 = 0.06581583470025, /* k1^2 + k2^2 [m^4] */
     k4 = 0.25318050000000003, /* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
     k5 = 15.193911990243306, /* 1 / k3 [m^-4] */
-    k6 = -12.121212121212121, /* -1 / a3 [m^-1] */
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
@@ -260,7 +259,7 @@ static const double
     m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
-m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384, m10 = 12.121212121212121;
+m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -269,8 +268,9 @@ m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384, m10 = 12.121212121212121;
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const franka_panda_branches[8] = {
-    "noflip4-noflip5-left", "noflip4-noflip5-right", "noflip4-flip5-left", "noflip4-flip5-right",
-    "flip4-noflip5-left", "flip4-noflip5-right", "flip4-flip5-left", "flip4-flip5-right",
+    "noflip4-noflip5-noflip3", "noflip4-noflip5-flip3", "noflip4-flip5-noflip3",
+    "noflip4-flip5-flip3", "flip4-noflip5-noflip3", "flip4-noflip5-flip3", "flip4-flip5-noflip3",
+    "flip4-flip5-flip3",
 };
 
 static const double lowest[7] = { -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973 };
@@ -440,140 +440,125 @@ HELPER wide_mask solve_wide(
         angle5 = atan2_wide(-v32, C6_pm), angle6 = atan2_wide(-v34, C6_mp),
         angle7 = atan2_wide(-v35, C6_mm);
 
-    /* theta1 */
-    const wide v44 = c7 * T11 - s7 * T12, v45 = T13 * c4_p, v46 = T13 * c4_m, v47 = c4_p * v44,
-        v48 = c4_m * v44, v49 = c7 * T12 + s7 * T11, v50 = s5_p * (s4_p * v49),
-        v51 = s5_m * (v8 * v49), v52 = v22 * (s4_p * v44), v53 = v23 * (v8 * v44),
-        v54 = v22 * (T13 * s4_p), v55 = v23 * (T13 * v8),
-        X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52)),
-        X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52)),
-        X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51,
-        v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53)),
-        v57 = c7 * T21 - s7 * T22, v58 = T23 * c4_p, v59 = T23 * c4_m, v60 = c4_p * v57,
-        v61 = c4_m * v57, v62 = c7 * T22 + s7 * T21, v63 = s5_p * (s4_p * v62),
-        v64 = s5_m * (v8 * v62), v65 = v22 * (s4_p * v57), v66 = v23 * (v8 * v57),
-        v67 = v22 * (T23 * s4_p), v68 = v23 * (T23 * v8),
-        v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65)),
-        v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65)),
-        v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64,
-        v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66)),
-        v73 = X1_pp * X1_pp + v69 * v69, v74 = X1_pm * X1_pm + v70 * v70,
-        v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72, w1_pp = sqrt_wide(v73),
-        w1_pm = sqrt_wide(v74), w1_mp = sqrt_wide(v75), w1_mm = sqrt_wide(v76), v77 = 1.0 / v73,
-        v78 = 1.0 / v74, v79 = 1.0 / v75, v80 = 1.0 / v76, angle8 = atan2_wide(-v69, -X1_pp),
-        angle9 = atan2_wide(-v70, -X1_pm), angle10 = atan2_wide(-v71, -X1_mp),
-        angle11 = atan2_wide(v72, v56), q1_ppm = angle8 - signed_wide(half_turn, -v69),
-        q1_pmm = angle9 - signed_wide(half_turn, -v70),
-        q1_mpm = angle10 - signed_wide(half_turn, -v71),
-        q1_mmm = angle11 - signed_wide(half_turn, v72);
-
     /* theta3 */
-    const wide v81 = a4 * v57, v82 = d5 * T23, v83 = a4 * T23, v84 = d5 * v57, v85 = a4 * v62,
-        v86 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v87 = s5_p * v85 - v86,
-        v88 = s5_m * v85 - v86, v89 = v22 * v81, v90 = v23 * v81, v91 = v22 * v83, v92 = v23 * v83,
-        v93 = a4 * v44, v94 = d5 * T13, v95 = a4 * T13, v96 = d5 * v44, v97 = a4 * v49,
-        v98 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12)), v99 = s5_p * v97 - v98,
-        v100 = s5_m * v97 - v98, v101 = v22 * v93, v102 = v23 * v93, v103 = v22 * v95,
-        v104 = v23 * v95, v105 = s5_p * v57, v106 = s5_m * v57, v107 = T23 * s5_p,
-        v108 = T23 * s5_m, v109 = v22 * v62, v110 = v23 * v62, v111 = s5_p * v44, v112 = s5_m * v44,
-        v113 = T13 * s5_p, v114 = T13 * s5_m, v115 = v22 * v49, v116 = v23 * v49,
-        v117 = m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) + v31 * (v96 + v103)))
-            - X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) + v31 * (v84 + v91))))),
-        v118 = m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103)))
-            - X1_pm * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91))))),
-        v119 = m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) + v34 * (v96 + v104)))
-            - X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) + v34 * (v84 + v92))))),
-        v120 = m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) -
-            v72 * (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104))))),
-        v121 = v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 - v31 * v107)) - v69 * (v115 +
-            factor6_pp * (C6_pp * v111 - v31 * v113))),
-        v122 = v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm
-            * (C6_pm * v111 - v32 * v113) - v115)),
-        v123 = v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 - v34 * v108)) - v71 * (v116 +
-            factor6_mp * (C6_mp * v112 - v34 * v114))),
-        v124 = v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm *
-            (C6_mm * v106 - v35 * v108) - v110)), angle12 = atan2_wide(v117, -v121),
-        angle13 = atan2_wide(v118, -v122), angle14 = atan2_wide(v119, -v123),
-        angle15 = atan2_wide(v120, -v124), q3_ppm = angle12 - signed_wide(half_turn, v117),
-        q3_pmm = angle13 - signed_wide(half_turn, v118),
-        q3_mpm = angle14 - signed_wide(half_turn, v119),
-        q3_mmm = angle15 - signed_wide(half_turn, v120);
+    const wide v44 = c7 * T31 - s7 * T32, v45 = c4_p * v44, v46 = c4_m * v44, v47 = T33 * s4_p,
+        v48 = T33 * v8, v49 = T33 * c4_p, v50 = T33 * c4_m, v51 = s4_p * v44, v52 = v8 * v44,
+        v53 = c7 * T32 + s7 * T31, v54 = s5_p * (c4_p * v53), v55 = s5_m * (c4_m * v53),
+        v56 = v22 * v45, v57 = v23 * v46, v58 = v22 * v49, v59 = v23 * v50,
+        c3_pp = v54 + factor6_pp * (C6_pp * (v47 - v56) + v31 * (v51 + v58)),
+        c3_pm = v54 + factor6_pm * (C6_pm * (v47 + v56) + v32 * (v51 - v58)),
+        c3_mp = v55 - factor6_mp * (C6_mp * (v48 + v57) - v34 * (v59 - v52)),
+        c3_mm = v55 + factor6_mm * (C6_mm * (v57 - v48) - v35 * (v52 + v59)), v60 = s5_p * v44,
+        v61 = s5_m * v44, v62 = T33 * s5_p, v63 = T33 * s5_m, v64 = v22 * v53, v65 = v23 * v53,
+        v66 = v64 + factor6_pp * (C6_pp * v60 - v31 * v62),
+        v67 = factor6_pm * (C6_pm * v60 - v32 * v62) - v64,
+        v68 = v65 + factor6_mp * (C6_mp * v61 - v34 * v63),
+        v69 = factor6_mm * (C6_mm * v61 - v35 * v63) - v65, v70 = c3_pp * c3_pp + v66 * v66,
+        v71 = c3_pm * c3_pm + v67 * v67, v72 = c3_mp * c3_mp + v68 * v68,
+        v73 = c3_mm * c3_mm + v69 * v69, angle8 = atan2_wide(-v66, c3_pp),
+        angle9 = atan2_wide(-v67, c3_pm), angle10 = atan2_wide(-v68, c3_mp),
+        angle11 = atan2_wide(-v69, c3_mm), q3_ppm = angle8 - signed_wide(half_turn, -v66),
+        q3_pmm = angle9 - signed_wide(half_turn, -v67),
+        q3_mpm = angle10 - signed_wide(half_turn, -v68),
+        q3_mmm = angle11 - signed_wide(half_turn, -v69);
 
     /* theta2 */
-    const wide v125 = c7 * T31 - s7 * T32, v126 = s4_p * v125, v127 = v8 * v125, v128 = T33 * c4_p,
-        v129 = T33 * c4_m, v130 = T33 * s4_p, v131 = T33 * v8, v132 = c4_p * v125,
-        v133 = c4_m * v125, v134 = c7 * T32 + s7 * T31, v135 = s5_p * (s4_p * v134),
-        v136 = s5_m * (v8 * v134), v137 = v22 * v126, v138 = v23 * v127, v139 = v22 * v130,
-        v140 = v23 * v131, v141 = s5_p * (c4_p * v134), v142 = s5_m * (c4_m * v134),
-        v143 = v22 * v132, v144 = v23 * v133, v145 = v22 * v128, v146 = v23 * v129,
-        v147 = s5_p * v125, v148 = s5_m * v125, v149 = T33 * s5_p, v150 = T33 * s5_m,
-        v151 = v22 * v134, v152 = v23 * v134,
-        angle16 = atan2_wide(w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) + v31 *
-            (v126 + v145))) + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 - v31 * v149)), v135
-            + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))),
-        angle17 = atan2_wide(w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 *
-            (v126 - v145))) + w1_pm * v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151), v135
-            - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))),
-        angle18 = atan2_wide(w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) - v34 *
-            (v146 - v127))) + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 - v34 * v150)),
-            factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136),
-        angle19 = atan2_wide(w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 *
-            (v127 + v146))) + w1_mm * v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152),
-            -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138))));
+    const wide v74 = s5_p * (s4_p * v53), v75 = s5_m * (v8 * v53), v76 = v22 * v51, v77 = v23 * v52,
+        v78 = v22 * v47, v79 = v23 * v48,
+        angle12 = atan2_wide(-sqrt_wide(v70), v74 + factor6_pp * (-v31 * (v45 - v78) - C6_pp * (v49
+            + v76))),
+        angle13 = atan2_wide(-sqrt_wide(v71), v74 - factor6_pm * (v32 * (v45 + v78) + C6_pm * (v49 -
+            v76))),
+        angle14 = atan2_wide(-sqrt_wide(v72), factor6_mp * (-v34 * (v46 + v79) - C6_mp * (v50 -
+            v77)) - v75),
+        angle15 = atan2_wide(-sqrt_wide(v73), -(v75 + factor6_mm * (v35 * (v46 - v79) + C6_mm * (v50
+            + v77))));
+
+    /* theta1 */
+    const wide v80 = c7 * T11 - s7 * T12, v81 = s5_p * v80, v82 = s5_m * v80, v83 = T13 * s5_p,
+        v84 = T13 * s5_m, v85 = c7 * T12 + s7 * T11, v86 = v22 * v85, v87 = v23 * v85,
+        v88 = T13 * s4_p, v89 = T13 * v8, v90 = s4_p * v80, v91 = v8 * v80,
+        v92 = s5_p * (c4_p * v85), v93 = s5_m * (c4_m * v85), v94 = v22 * (c4_p * v80),
+        v95 = v23 * (c4_m * v80), v96 = v22 * (T13 * c4_p), v97 = v23 * (T13 * c4_m),
+        s1_pp = v66 * (v92 + factor6_pp * (C6_pp * (v88 - v94) + v31 * (v90 + v96))) - c3_pp * (v86
+            + factor6_pp * (C6_pp * v81 - v31 * v83)),
+        s1_pm = v67 * (v92 + factor6_pm * (C6_pm * (v88 + v94) + v32 * (v90 - v96))) - c3_pm *
+            (factor6_pm * (C6_pm * v81 - v32 * v83) - v86),
+        s1_mp = v68 * (v93 - factor6_mp * (C6_mp * (v89 + v95) - v34 * (v97 - v91))) - c3_mp * (v87
+            + factor6_mp * (C6_mp * v82 - v34 * v84)),
+        s1_mm = v69 * (v93 + factor6_mm * (C6_mm * (v95 - v89) - v35 * (v91 + v97))) - c3_mm *
+            (factor6_mm * (C6_mm * v82 - v35 * v84) - v87), v98 = c7 * T21 - s7 * T22,
+        v99 = s5_p * v98, v100 = s5_m * v98, v101 = T23 * s5_p, v102 = T23 * s5_m,
+        v103 = c7 * T22 + s7 * T21, v104 = v22 * v103, v105 = v23 * v103, v106 = T23 * s4_p,
+        v107 = T23 * v8, v108 = s4_p * v98, v109 = v8 * v98, v110 = s5_p * (c4_p * v103),
+        v111 = s5_m * (c4_m * v103), v112 = v22 * (c4_p * v98), v113 = v23 * (c4_m * v98),
+        v114 = v22 * (T23 * c4_p), v115 = v23 * (T23 * c4_m),
+        angle16 = atan2_wide(s1_pp, c3_pp * (v104 + factor6_pp * (C6_pp * v99 - v31 * v101)) - v66 *
+            (v110 + factor6_pp * (C6_pp * (v106 - v112) + v31 * (v108 + v114)))),
+        angle17 = atan2_wide(s1_pm, c3_pm * (factor6_pm * (C6_pm * v99 - v32 * v101) - v104) - v67 *
+            (v110 + factor6_pm * (C6_pm * (v106 + v112) + v32 * (v108 - v114)))),
+        angle18 = atan2_wide(s1_mp, c3_mp * (v105 + factor6_mp * (C6_mp * v100 - v34 * v102)) - v68
+            * (v111 - factor6_mp * (C6_mp * (v107 + v113) - v34 * (v115 - v109)))),
+        angle19 = atan2_wide(s1_mm, c3_mm * (factor6_mm * (C6_mm * v100 - v35 * v102) - v105) - v69
+            * (v111 + factor6_mm * (C6_mm * (v113 - v107) - v35 * (v109 + v115)))),
+        q1_ppm = angle16 - signed_wide(half_turn, s1_pp),
+        q1_pmm = angle17 - signed_wide(half_turn, s1_pm),
+        q1_mpm = angle18 - signed_wide(half_turn, s1_mp),
+        q1_mmm = angle19 - signed_wide(half_turn, s1_mm);
 
     /* joint values */
-    const wide v153 = q4__p + only_wide(q4__p <= -half_turn, turn),
-        v154 = only_wide(-v9 <= -half_turn, turn) - v9;
-    const wide_mask v155 = beyond(v153, 4), v156 = beyond(v154, 4), v157 = beyond(angle2, 5),
-        v158 = beyond(q5_pmp, 5), v159 = beyond(angle3, 5), v160 = beyond(q5_mmp, 5);
-    const wide v161 = angle4 + only_wide(angle4 < low(6), turn),
-        v162 = angle5 + only_wide(angle5 < low(6), turn),
-        v163 = angle6 + only_wide(angle6 < low(6), turn),
-        v164 = angle7 + only_wide(angle7 < low(6), turn);
-    const wide_mask v165 = beyond(v161, 6), v166 = beyond(v162, 6), v167 = beyond(v163, 6),
-        v168 = beyond(v164, 6);
-    const wide q6_ppp = pick_wide(v165, angle4, v161), q6_pmp = pick_wide(v166, angle5, v162),
-        q6_mpp = pick_wide(v167, angle6, v163), q6_mmp = pick_wide(v168, angle7, v164),
-        q4_ppp = v18 + v153, q4_mpp = v19 + v154, v169 = free_joints[0] + (w4 - w4),
-        q7_ppp = v18 + v169, q7_mpp = v19 + v169;
+    const wide v116 = q4__p + only_wide(q4__p <= -half_turn, turn),
+        v117 = only_wide(-v9 <= -half_turn, turn) - v9;
+    const wide_mask v118 = beyond(v116, 4), v119 = beyond(v117, 4), v120 = beyond(angle2, 5),
+        v121 = beyond(q5_pmp, 5), v122 = beyond(angle3, 5), v123 = beyond(q5_mmp, 5);
+    const wide v124 = angle4 + only_wide(angle4 < low(6), turn),
+        v125 = angle5 + only_wide(angle5 < low(6), turn),
+        v126 = angle6 + only_wide(angle6 < low(6), turn),
+        v127 = angle7 + only_wide(angle7 < low(6), turn);
+    const wide_mask v128 = beyond(v124, 6), v129 = beyond(v125, 6), v130 = beyond(v126, 6),
+        v131 = beyond(v127, 6);
+    const wide q6_ppp = pick_wide(v128, angle4, v124), q6_pmp = pick_wide(v129, angle5, v125),
+        q6_mpp = pick_wide(v130, angle6, v126), q6_mmp = pick_wide(v131, angle7, v127),
+        q4_ppp = v18 + v116, q4_mpp = v19 + v117, v132 = free_joints[0] + (w4 - w4),
+        q7_ppp = v18 + v132, q7_mpp = v19 + v132;
     const wide_mask doubt1 = (free_joints[0] < low(7)) | (abs_wide(D4) <= reach_slack2 *
-        (reach_slack2 + 2.0 * abs_wide(Z4))) | (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8)
-        | (v74 <= m9) | (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v17) | (N5_m <=
+        (reach_slack2 + 2.0 * abs_wide(Z4))) | (v73 <= m9) | (v43 <= m8) | (v72 <= m9) | (v42 <= m8)
+        | (v71 <= m9) | (v41 <= m8) | (v70 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v17) | (N5_m <=
         doubt_limit_squared2) | (abs_wide(D5_p) <= v17) | (high(7) < free_joints[0]) | (N5_p <=
         doubt_limit_squared2);
 
-    q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
+    q[0] = angle16; q[1] = angle12; q[2] = angle8; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
-    kind[0] = kind_of(q[0], v165 | v157 | v155 | beyond(angle12, 3) | beyond(angle8, 1) |
-        beyond(angle16, 2));
-    q[7] = q1_ppm; q[8] = -angle16; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
+    kind[0] = kind_of(q[0], v128 | v120 | v118 | beyond(angle8, 3) | beyond(angle16, 1) |
+        beyond(angle12, 2));
+    q[7] = q1_ppm; q[8] = -angle12; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
-    kind[1] = kind_of(q[7], v165 | v157 | v155 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
-        beyond(-angle16, 2));
-    q[14] = angle9; q[15] = angle17; q[16] = angle13; q[17] = q4_ppp; q[18] = q5_pmp;
+    kind[1] = kind_of(q[7], v128 | v120 | v118 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
+        beyond(-angle12, 2));
+    q[14] = angle17; q[15] = angle13; q[16] = angle9; q[17] = q4_ppp; q[18] = q5_pmp;
     q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14], v166 | v158 | v155 | beyond(angle13, 3) | beyond(angle9, 1) |
-        beyond(angle17, 2));
-    q[21] = q1_pmm; q[22] = -angle17; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
+    kind[2] = kind_of(q[14], v129 | v121 | v118 | beyond(angle9, 3) | beyond(angle17, 1) |
+        beyond(angle13, 2));
+    q[21] = q1_pmm; q[22] = -angle13; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
     q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21], v166 | v158 | v155 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
-        beyond(-angle17, 2));
-    q[28] = angle10; q[29] = angle18; q[30] = angle14; q[31] = q4_mpp; q[32] = angle3;
+    kind[3] = kind_of(q[21], v129 | v121 | v118 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
+        beyond(-angle13, 2));
+    q[28] = angle18; q[29] = angle14; q[30] = angle10; q[31] = q4_mpp; q[32] = angle3;
     q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28], v167 | v159 | v156 | beyond(angle14, 3) | beyond(angle10, 1) |
-        beyond(angle18, 2));
-    q[35] = q1_mpm; q[36] = -angle18; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
+    kind[4] = kind_of(q[28], v130 | v122 | v119 | beyond(angle10, 3) | beyond(angle18, 1) |
+        beyond(angle14, 2));
+    q[35] = q1_mpm; q[36] = -angle14; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
     q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35], v167 | v159 | v156 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
-        beyond(-angle18, 2));
-    q[42] = angle11; q[43] = angle19; q[44] = angle15; q[45] = q4_mpp; q[46] = q5_mmp;
+    kind[5] = kind_of(q[35], v130 | v122 | v119 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
+        beyond(-angle14, 2));
+    q[42] = angle19; q[43] = angle15; q[44] = angle11; q[45] = q4_mpp; q[46] = q5_mmp;
     q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42], v168 | v160 | v156 | beyond(angle15, 3) | beyond(angle11, 1) |
-        beyond(angle19, 2));
-    q[49] = q1_mmm; q[50] = -angle19; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
+    kind[6] = kind_of(q[42], v131 | v123 | v119 | beyond(angle11, 3) | beyond(angle19, 1) |
+        beyond(angle15, 2));
+    q[49] = q1_mmm; q[50] = -angle15; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
     q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49], v168 | v160 | v156 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
-        beyond(-angle19, 2));
+    kind[7] = kind_of(q[49], v131 | v123 | v119 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
+        beyond(-angle15, 2));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -621,76 +606,69 @@ HELPER int solve_regular(
         v21 = w2z * Y1_6, v22 = e2 * Z2_6, C6 = v21 + w5 * (inverse5 * (v6 * (v8 * v22))),
         v23 = v20 * v20 + C6 * C6, factor6 = sqrt_four(v23) * (1.0 / v23);
 
-    /* theta1 */
-    const double v24 = c7 * T11 - s7 * T12;
-    const four v25 = T13 * c4, v26 = c4 * v24;
-    const double v27 = c7 * T12 + s7 * T11;
-    const four v28 = s5 * (s4 * v27), v29 = v13 * (s4 * v24), v30 = v13 * (T13 * s4),
-        X1 = v28 + factor6 * (-v20 * (v26 - e2 * v30) - C6 * (v25 + e2 * v29));
-    const double v31 = c7 * T21 - s7 * T22;
-    const four v32 = T23 * c4, v33 = c4 * v31;
-    const double v34 = c7 * T22 + s7 * T21;
-    const four v35 = s5 * (s4 * v34), v36 = v13 * (s4 * v31), v37 = v13 * (T23 * s4),
-        v38 = v35 + factor6 * (-v20 * (v33 - e2 * v37) - C6 * (v32 + e2 * v36)),
-        v39 = X1 * X1 + v38 * v38, w1 = sqrt_four(v39), v40 = 1.0 / v39;
-
     /* theta3 */
-    const double v41 = a4 * v31, v42 = d5 * T23, v43 = a4 * T23, v44 = d5 * v31, v45 = a4 * v34,
-        v46 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const four v47 = s5 * v45 - v46, v48 = v13 * v41, v49 = v13 * v43;
-    const double v50 = a4 * v24, v51 = d5 * T13, v52 = a4 * T13, v53 = d5 * v24, v54 = a4 * v27,
-        v55 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const four v56 = s5 * v54 - v55, v57 = v13 * v50, v58 = v13 * v52, v59 = s5 * v31,
-        v60 = T23 * s5, v61 = v13 * v34, v62 = s5 * v24, v63 = T13 * s5, v64 = v13 * v27,
-        v65 = m10 * (v40 * (v38 * (v56 + factor6 * (C6 * (v51 - e2 * v57) + v20 * (v53 + e2 * v58)))
-            - X1 * (v47 + factor6 * (C6 * (v42 - e2 * v48) + v20 * (v44 + e2 * v49))))),
-        v66 = v40 * (X1 * (factor6 * (C6 * v59 - v20 * v60) + e2 * v61) - v38 * (e2 * v64 + factor6
-            * (C6 * v62 - v20 * v63)));
+    const double v24 = c7 * T31 - s7 * T32;
+    const four v25 = c4 * v24, v26 = T33 * s4, v27 = T33 * c4, v28 = s4 * v24;
+    const double v29 = c7 * T32 + s7 * T31;
+    const four v30 = s5 * (c4 * v29), v31 = v13 * v25, v32 = v13 * v27,
+        c3 = v30 + factor6 * (C6 * (v26 - e2 * v31) + v20 * (v28 + e2 * v32)), v33 = s5 * v24,
+        v34 = T33 * s5, v35 = v13 * v29, v36 = e2 * v35 + factor6 * (C6 * v33 - v20 * v34),
+        v37 = c3 * c3 + v36 * v36;
 
     /* theta2 */
-    const double v67 = c7 * T31 - s7 * T32;
-    const four v68 = s4 * v67, v69 = T33 * c4, v70 = T33 * s4, v71 = c4 * v67;
-    const double v72 = c7 * T32 + s7 * T31;
-    const four v73 = s5 * (s4 * v72), v74 = v13 * v68, v75 = v13 * v70, v76 = s5 * (c4 * v72),
-        v77 = v13 * v71, v78 = v13 * v69, v79 = s5 * v67, v80 = T33 * s5, v81 = v13 * v72;
+    const four v38 = s5 * (s4 * v29), v39 = v13 * v28, v40 = v13 * v26;
+
+    /* theta1 */
+    const double v41 = c7 * T11 - s7 * T12;
+    const four v42 = s5 * v41, v43 = T13 * s5;
+    const double v44 = c7 * T12 + s7 * T11;
+    const four v45 = v13 * v44, v46 = T13 * s4, v47 = s4 * v41, v48 = s5 * (c4 * v44),
+        v49 = v13 * (c4 * v41), v50 = v13 * (T13 * c4),
+        s1 = v36 * (v48 + factor6 * (C6 * (v46 - e2 * v49) + v20 * (v47 + e2 * v50))) - c3 * (e2 *
+            v45 + factor6 * (C6 * v42 - v20 * v43));
+    const double v51 = c7 * T21 - s7 * T22;
+    const four v52 = s5 * v51, v53 = T23 * s5;
+    const double v54 = c7 * T22 + s7 * T21;
+    const four v55 = v13 * v54, v56 = T23 * s4, v57 = s4 * v51, v58 = s5 * (c4 * v54),
+        v59 = v13 * (c4 * v51), v60 = v13 * (T23 * c4);
 
     /* joint values */
-    const double v87 = free_joints[0] + (w4 - w4);
-    const four q7_p = v11 + v87;
+    const double v66 = free_joints[0] + (w4 - w4);
+    const four q7_p = v11 + v66;
     const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v10),
-        doubt3 = (v23 <= m8) | (v39 <= m9);
+        doubt3 = (v23 <= m8) | (v37 <= m9);
     const int doubt1 = (free_joints[0] < low(7)) | (high(7) < free_joints[0]) | (fabs(D4) <=
         reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4)));
 
     const four_ratio ratio1 = ratio_four(shuffle(v14, all_four(w4), 0, 5, 2, 3), shuffle(-v12,
-        all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v38, -X1),
-        ratio4 = ratio_four(v65, -v66),
-        ratio5 = ratio_four(w1 * v66 * (v76 + factor6 * (C6 * (v70 - e2 * v77) + v20 * (v68 + e2 *
-            v78))) + w1 * v65 * (e2 * v81 + factor6 * (C6 * v79 - v20 * v80)), v73 + factor6 * (-v20
-            * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
+        all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v36, c3),
+        ratio4 = ratio_four(s1, c3 * (e2 * v55 + factor6 * (C6 * v52 - v20 * v53)) - v36 * (v58 +
+            factor6 * (C6 * (v56 - e2 * v59) + v20 * (v57 + e2 * v60)))),
+        ratio5 = ratio_four(-sqrt_four(v37), v38 + factor6 * (-v20 * (v25 - e2 * v40) - C6 * (v27 +
+            e2 * v39)));
     const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
-        angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
+        angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
-        q1_m = angle4 - signed_four(half_turn, -v38), q3_m = angle5 - signed_four(half_turn, v65),
-        v82 = q4_ + only_four(q4_ <= -half_turn, turn);
-    const four_mask v83 = beyond_four(v82, 4), v84 = beyond_four(q5_p, 5);
-    const four v85 = angle3 + only_four(angle3 < low(6), turn);
-    const four_mask v86 = beyond_four(v85, 6);
-    const four q6_p = pick_four(v86, angle3, v85), q4_p = v11 + v82;
-    const four_mask outside_p = v86 | v84 | v83 | beyond_four(angle5, 3) | beyond_four(angle4, 1) |
-        beyond_four(angle6, 2),
-        outside_m = v86 | v84 | v83 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1) |
-            beyond_four(-angle6, 2);
+        q3_m = angle4 - signed_four(half_turn, -v36), q1_m = angle6 - signed_four(half_turn, s1),
+        v61 = q4_ + only_four(q4_ <= -half_turn, turn);
+    const four_mask v62 = beyond_four(v61, 4), v63 = beyond_four(q5_p, 5);
+    const four v64 = angle3 + only_four(angle3 < low(6), turn);
+    const four_mask v65 = beyond_four(v64, 6);
+    const four q6_p = pick_four(v65, angle3, v64), q4_p = v11 + v61;
+    const four_mask outside_p = v65 | v63 | v62 | beyond_four(angle4, 3) | beyond_four(angle6, 1) |
+        beyond_four(angle5, 2),
+        outside_m = v65 | v63 | v62 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1) |
+            beyond_four(-angle5, 2);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle4, angle6, angle5, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle6, angle5, angle4, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, q5_p, q6_p, q7_p);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle6, q3_m, q4_p);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle5, q3_m, q4_p);
     store_4(&q[1][3], &q[3][3], &q[5][3], &q[7][3], q4_p, q5_p, q6_p, q7_p);
-    const unsigned long long none1 = (bits_four(angle4 != angle4) * 0x200040008001ull &
+    const unsigned long long none1 = (bits_four(angle6 != angle6) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(q1_m != q1_m) * 0x20004000800100ull &
         0x100010001000100ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
@@ -783,18 +761,12 @@ static void solve(
     /* theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4] */
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
 
-    /* theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3] */
-    const double v16 = c7 * T11 - s7 * T12, v21 = c7 * T12 + s7 * T11, v23 = c7 * T21 - s7 * T22,
-        v28 = c7 * T22 + s7 * T21;
+    /* theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3] */
+    const double v16 = c7 * T31 - s7 * T32, v21 = c7 * T32 + s7 * T31;
 
-    /* theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3] */
-    const double v31 = a4 * v23, v32 = d5 * T23, v33 = a4 * T23, v34 = d5 * v23, v35 = a4 * v28,
-        v36 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6)), v39 = a4 * v16, v40 = d5 * T13,
-        v41 = a4 * T13, v42 = d5 * v16, v43 = a4 * v21,
-        v44 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6));
-
-    /* theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1] */
-    const double v54 = c7 * T31 - s7 * T32, v59 = c7 * T32 + s7 * T31;
+    /* theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3] */
+    const double v27 = c7 * T11 - s7 * T12, v30 = c7 * T12 + s7 * T11, v38 = c7 * T21 - s7 * T22,
+        v41 = c7 * T22 + s7 * T21;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -819,18 +791,17 @@ static void solve(
         const double Y1_6 = d5 + (d3 * c4 - a3 * s4);
         const double v13 = Y1_6 * Z2_6, v15 = w2z * Y1_6;
 
-        /* theta1 */
-        const double v17 = s4 * v16, v18 = T13 * c4, v19 = T13 * s4, v20 = c4 * v16,
-            v22 = s5 * (s4 * v21), v24 = s4 * v23, v25 = T23 * c4, v26 = T23 * s4, v27 = c4 * v23,
-            v29 = s5 * (s4 * v28);
-
         /* theta3 */
-        const double v37 = s5 * v35 - v36, v45 = s5 * v43 - v44, v47 = s5 * v23, v48 = T23 * s5,
-            v50 = s5 * v16, v51 = T13 * s5;
+        const double v17 = c4 * v16, v18 = T33 * s4, v19 = T33 * c4, v20 = s4 * v16,
+            v22 = s5 * (c4 * v21), v24 = s5 * v16, v25 = T33 * s5;
 
-        /* theta2 */
-        const double v55 = s4 * v54, v56 = T33 * c4, v57 = T33 * s4, v58 = c4 * v54,
-            v60 = s5 * (s4 * v59), v61 = s5 * (c4 * v59), v63 = s5 * v54, v64 = T33 * s5;
+        /* theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1] */
+        const double v26 = s5 * (s4 * v21);
+
+        /* theta1 */
+        const double v28 = s5 * v27, v29 = T13 * s5, v32 = c4 * v27, v33 = T13 * s4, v34 = T13 * c4,
+            v35 = s4 * v27, v36 = s5 * (c4 * v30), v39 = s5 * v38, v40 = T23 * s5, v43 = c4 * v38,
+            v44 = T23 * s4, v45 = T23 * c4, v46 = s4 * v38, v47 = s5 * (c4 * v41);
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -849,43 +820,41 @@ static void solve(
                 s6 = free6 ? sin(seed[5]) : -(v14 * factor6);
             const double q6 = atan2(s6, c6);
 
-            /* theta1 */
-            const double X1 = c6 * (c5 * v17 - v18) + s6 * (c5 * v19 + v20) + v22;
-            const double v30 = c6 * (c5 * v24 - v25) + s6 * (c5 * v26 + v27) + v29;
-            const double w1 = sqrt(X1 * X1 + v30 * v30);
-            const int free1 = w1 <= free_limit;
-            const double divisor1 = free1 ? 1.0 : w1;
-
             /* theta3 */
-            const double v38 = c6 * (c5 * v31 + v32) + s6 * (c5 * v33 - v34) + v37,
-                v46 = c6 * (c5 * v39 + v40) + s6 * (c5 * v41 - v42) + v45,
-                v49 = c6 * v47 + s6 * v48 - c5 * v28, v52 = c5 * v21 - (c6 * v50 + s6 * v51);
+            const double v23 = c6 * (c5 * v17 + v18) + s6 * (c5 * v19 - v20) + v22;
+            const double Y3 = c5 * v21 - (c6 * v24 + s6 * v25);
+            const double w3 = sqrt(v23 * v23 + Y3 * Y3);
+            const int free3 = w3 <= free_limit;
+            const double divisor3 = free3 ? 1.0 : w3;
 
             /* theta2 */
-            const double c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60,
-                v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61,
-                v65 = c5 * v59 - (c6 * v63 + s6 * v64);
+            const double c2 = c6 * (c5 * v20 - v19) + s6 * (v17 + c5 * v18) + v26;
 
-            for (int i3 = 0; i3 < 2; i3++) { /* left, right */
+            /* theta1 */
+            const double v31 = c5 * v30 - (c6 * v28 + s6 * v29),
+                v37 = c6 * (c5 * v32 + v33) + s6 * (c5 * v34 - v35) + v36,
+                v42 = c5 * v41 - (c6 * v39 + s6 * v40),
+                v48 = c6 * (c5 * v43 + v44) + s6 * (c5 * v45 - v46) + v47;
+
+            for (int i3 = 0; i3 < 2; i3++) { /* noflip3, flip3 */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
-                /* theta1 */
-                if (e3 < 0.0 && free1) continue; /* both signs give the same */
-                const double factor1 = e3 / divisor1;
-                const double c1 = free1 ? cos(seed[0]) : -(X1 * factor1),
-                    s1 = free1 ? sin(seed[0]) : -(v30 * factor1);
-                const double q1 = atan2(s1, c1);
-
                 /* theta3 */
-                const double s3 = (s1 * v46 - c1 * v38) * k6, v53 = a3 * (c1 * v49 + s1 * v52) * k6;
-                const double q3 = atan2(s3, -v53);
+                if (e3 < 0.0 && free3) continue; /* both signs give the same */
+                const double factor3 = e3 / divisor3;
+                const double c3 = free3 ? cos(seed[2]) : v23 * factor3,
+                    s3 = free3 ? sin(seed[2]) : Y3 * factor3;
+                const double q3 = atan2(s3, c3);
 
                 /* theta2 */
-                const double s2 = v53 * v62 - s3 * v65;
-                const double q2 = atan2(s2, c2);
+                const double q2 = atan2(-(w3 * e3), c2);
+
+                /* theta1 */
+                const double s1 = c3 * v31 - s3 * v37, c1 = s3 * v48 - c3 * v42;
+                const double q1 = atan2(s1, c1);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6; q[row][6] = free_joints[0];
-                status[row] = (free1 || free5 || free6) ? FRANKA_PANDA_FREE_JOINT : FRANKA_PANDA_OK;
+                status[row] = (free3 || free5 || free6) ? FRANKA_PANDA_FREE_JOINT : FRANKA_PANDA_OK;
             }
         }
     }
@@ -986,7 +955,7 @@ static void keep_limits(
     const double T[16], const double free_joints[1], const double seed[7], int row, double q[8][7],
     unsigned char status[8])
 {
-    static const int choosable[3] = { 5, 4, 0 };
+    static const int choosable[3] = { 5, 4, 2 };
     struct search search = { .T = T, .row = row, .free_joints = free_joints };
     for (int i = 0; i < 7; i++)
         search.seed[i] = seed[i] - overshoot(i, seed[i]);

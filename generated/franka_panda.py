@@ -85,14 +85,14 @@ JOINT_LIMITS = (
     (-2.8973, 2.8973),
 )
 BRANCHES = (
-    "noflip4-noflip5-left",
-    "noflip4-noflip5-right",
-    "noflip4-flip5-left",
-    "noflip4-flip5-right",
-    "flip4-noflip5-left",
-    "flip4-noflip5-right",
-    "flip4-flip5-left",
-    "flip4-flip5-right",
+    "noflip4-noflip5-noflip3",
+    "noflip4-noflip5-flip3",
+    "noflip4-flip5-noflip3",
+    "noflip4-flip5-flip3",
+    "flip4-noflip5-noflip3",
+    "flip4-noflip5-flip3",
+    "flip4-flip5-noflip3",
+    "flip4-flip5-flip3",
 )
 MAX_SOLUTIONS = 8
 FREE_JOINTS = (7,)  # from 1: the caller gives their values
@@ -122,7 +122,6 @@ k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
 k3 = 0.06581583470025  # k1^2 + k2^2 [m^4]
 k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k5 = 15.193911990243306  # 1 / k3 [m^-4]
-k6 = -12.121212121212121  # -1 / a3 [m^-1]
 doubt_limit_squared2 = 1.940449e-08  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
@@ -148,7 +147,6 @@ m5 = 0.2674017784649193  # a coefficient of v7
 m7 = 0.384  # a coefficient of Y1_6
 m8 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m9 = 9.999999999999999e-09  # doubt_limit^2
-m10 = 12.121212121212121  # a coefficient of s3
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -414,7 +412,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda ac534e916b3210c3"
+_KEY = "franka_panda 3741be707a5850d7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -510,29 +508,15 @@ def _solve(pose, q_free, seed, q, status):
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
 
-    # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    v16 = c7 * T11 - s7 * T12
-    v21 = c7 * T12 + s7 * T11
-    v23 = c7 * T21 - s7 * T22
-    v28 = c7 * T22 + s7 * T21
+    # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
+    v16 = c7 * T31 - s7 * T32
+    v21 = c7 * T32 + s7 * T31
 
-    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v31 = a4 * v23
-    v32 = d5 * T23
-    v33 = a4 * T23
-    v34 = d5 * v23
-    v35 = a4 * v28
-    v36 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6))
-    v39 = a4 * v16
-    v40 = d5 * T13
-    v41 = a4 * T13
-    v42 = d5 * v16
-    v43 = a4 * v21
-    v44 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6))
-
-    # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v54 = c7 * T31 - s7 * T32
-    v59 = c7 * T32 + s7 * T31
+    # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
+    v27 = c7 * T11 - s7 * T12
+    v30 = c7 * T12 + s7 * T11
+    v38 = c7 * T21 - s7 * T22
+    v41 = c7 * T22 + s7 * T21
 
     for i1 in range(2):  # noflip4, flip4
         e1 = 1.0 - 2.0 * i1
@@ -561,35 +545,33 @@ def _solve(pose, q_free, seed, q, status):
         v13 = Y1_6 * Z2_6
         v15 = w2z * Y1_6
 
-        # theta1
-        v17 = s4 * v16
-        v18 = T13 * c4
-        v19 = T13 * s4
-        v20 = c4 * v16
-        v22 = s5 * (s4 * v21)
-        v24 = s4 * v23
-        v25 = T23 * c4
-        v26 = T23 * s4
-        v27 = c4 * v23
-        v29 = s5 * (s4 * v28)
-
         # theta3
-        v37 = s5 * v35 - v36
-        v45 = s5 * v43 - v44
-        v47 = s5 * v23
-        v48 = T23 * s5
-        v50 = s5 * v16
-        v51 = T13 * s5
+        v17 = c4 * v16
+        v18 = T33 * s4
+        v19 = T33 * c4
+        v20 = s4 * v16
+        v22 = s5 * (c4 * v21)
+        v24 = s5 * v16
+        v25 = T33 * s5
 
-        # theta2
-        v55 = s4 * v54
-        v56 = T33 * c4
-        v57 = T33 * s4
-        v58 = c4 * v54
-        v60 = s5 * (s4 * v59)
-        v61 = s5 * (c4 * v59)
-        v63 = s5 * v54
-        v64 = T33 * s5
+        # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
+        v26 = s5 * (s4 * v21)
+
+        # theta1
+        v28 = s5 * v27
+        v29 = T13 * s5
+        v32 = c4 * v27
+        v33 = T13 * s4
+        v34 = T13 * c4
+        v35 = s4 * v27
+        v36 = s5 * (c4 * v30)
+        v39 = s5 * v38
+        v40 = T23 * s5
+        v43 = c4 * v38
+        v44 = T23 * s4
+        v45 = T23 * c4
+        v46 = s4 * v38
+        v47 = s5 * (c4 * v41)
 
         for i2 in range(2):  # noflip5, flip5
             e2 = 1.0 - 2.0 * i2
@@ -610,42 +592,39 @@ def _solve(pose, q_free, seed, q, status):
             s6 = math.sin(seed[5]) if free6 else -(v14 * factor6)
             q6 = _atan2(s6, c6)
 
-            # theta1
-            X1 = c6 * (c5 * v17 - v18) + s6 * (c5 * v19 + v20) + v22
-            v30 = c6 * (c5 * v24 - v25) + s6 * (c5 * v26 + v27) + v29
-            w1 = math.sqrt(X1 * X1 + v30 * v30)
-            free1 = w1 <= free_limit
-            divisor1 = 1.0 if free1 else w1
-
             # theta3
-            v38 = c6 * (c5 * v31 + v32) + s6 * (c5 * v33 - v34) + v37
-            v46 = c6 * (c5 * v39 + v40) + s6 * (c5 * v41 - v42) + v45
-            v49 = c6 * v47 + s6 * v48 - c5 * v28
-            v52 = c5 * v21 - (c6 * v50 + s6 * v51)
+            v23 = c6 * (c5 * v17 + v18) + s6 * (c5 * v19 - v20) + v22
+            Y3 = c5 * v21 - (c6 * v24 + s6 * v25)
+            w3 = math.sqrt(v23 * v23 + Y3 * Y3)
+            free3 = w3 <= free_limit
+            divisor3 = 1.0 if free3 else w3
 
             # theta2
-            c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60
-            v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61
-            v65 = c5 * v59 - (c6 * v63 + s6 * v64)
+            c2 = c6 * (c5 * v20 - v19) + s6 * (v17 + c5 * v18) + v26
 
-            for i3 in range(2):  # left, right
+            # theta1
+            v31 = c5 * v30 - (c6 * v28 + s6 * v29)
+            v37 = c6 * (c5 * v32 + v33) + s6 * (c5 * v34 - v35) + v36
+            v42 = c5 * v41 - (c6 * v39 + s6 * v40)
+            v48 = c6 * (c5 * v43 + v44) + s6 * (c5 * v45 - v46) + v47
+
+            for i3 in range(2):  # noflip3, flip3
                 e3 = 1.0 - 2.0 * i3
-                # theta1
-                if e3 < 0.0 and free1:
-                    continue  # both signs give the same
-                factor1 = e3 / divisor1
-                c1 = math.cos(seed[0]) if free1 else -(X1 * factor1)
-                s1 = math.sin(seed[0]) if free1 else -(v30 * factor1)
-                q1 = _atan2(s1, c1)
-
                 # theta3
-                s3 = (s1 * v46 - c1 * v38) * k6
-                v53 = a3 * (c1 * v49 + s1 * v52) * k6
-                q3 = _atan2(s3, -v53)
+                if e3 < 0.0 and free3:
+                    continue  # both signs give the same
+                factor3 = e3 / divisor3
+                c3 = math.cos(seed[2]) if free3 else v23 * factor3
+                s3 = math.sin(seed[2]) if free3 else Y3 * factor3
+                q3 = _atan2(s3, c3)
 
                 # theta2
-                s2 = v53 * v62 - s3 * v65
-                q2 = _atan2(s2, c2)
+                q2 = _atan2(-(w3 * e3), c2)
+
+                # theta1
+                s1 = c3 * v31 - s3 * v37
+                c1 = s3 * v48 - c3 * v42
+                q1 = _atan2(s1, c1)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -654,7 +633,7 @@ def _solve(pose, q_free, seed, q, status):
                 q[row, 4] = q5
                 q[row, 5] = q6
                 q[row, 6] = q_free[0]
-                status[row] = FREE_JOINT if free1 or free5 or free6 else OK
+                status[row] = FREE_JOINT if free3 or free5 or free6 else OK
 
 
 @njit(**{**_OPTIONS, "forceinline": True})
@@ -810,7 +789,7 @@ def _serving(pose, q_free, seed, search, q, status):
     return nearest
 
 
-_CHOOSABLE = (5, 4, 0,)  # joints, from 0, that may be free
+_CHOOSABLE = (5, 4, 2,)  # joints, from 0, that may be free
 
 
 @_inner
@@ -1091,12 +1070,6 @@ def _regular(pose, q_free, q, status):
     w2x = v1 * T11 + v2 * T21 + v3 * T31
     w2y = v1 * T12 + v2 * T22 + v3 * T32
     w2z = T13 * v1 + T23 * v2 + T33 * v3
-
-    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v82 = d5 * T23
-    v83 = a4 * T23
-    v94 = d5 * T13
-    v95 = a4 * T13
     s7 = math.sin(q_free[0])
     c7 = math.cos(q_free[0])
 
@@ -1176,155 +1149,111 @@ def _regular(pose, q_free, q, status):
     factor6_mp = math.sqrt(v42) * (1.0 / v42)
     factor6_mm = math.sqrt(v43) * (1.0 / v43)
 
-    # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    v44 = c7 * T11 - s7 * T12
-    v45 = T13 * c4_p
-    v46 = T13 * c4_m
-    v47 = c4_p * v44
-    v48 = c4_m * v44
-    v49 = c7 * T12 + s7 * T11
-    v50 = s5_p * (s4_p * v49)
-    v51 = s5_m * (v8 * v49)
-    v52 = v22 * (s4_p * v44)
-    v53 = v23 * (v8 * v44)
-    v54 = v22 * (T13 * s4_p)
-    v55 = v23 * (T13 * v8)
-    X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52))
-    X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52))
-    X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51
-    v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53))
-    v57 = c7 * T21 - s7 * T22
-    v58 = T23 * c4_p
-    v59 = T23 * c4_m
-    v60 = c4_p * v57
-    v61 = c4_m * v57
-    v62 = c7 * T22 + s7 * T21
-    v63 = s5_p * (s4_p * v62)
-    v64 = s5_m * (v8 * v62)
-    v65 = v22 * (s4_p * v57)
-    v66 = v23 * (v8 * v57)
-    v67 = v22 * (T23 * s4_p)
-    v68 = v23 * (T23 * v8)
-    v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65))
-    v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65))
-    v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64
-    v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66))
-    v73 = X1_pp * X1_pp + v69 * v69
-    v74 = X1_pm * X1_pm + v70 * v70
-    v75 = X1_mp * X1_mp + v71 * v71
-    v76 = v56 * v56 + v72 * v72
-    w1_pp = math.sqrt(v73)
-    w1_pm = math.sqrt(v74)
-    w1_mp = math.sqrt(v75)
-    w1_mm = math.sqrt(v76)
-    v77 = 1.0 / v73
-    v78 = 1.0 / v74
-    v79 = 1.0 / v75
-    v80 = 1.0 / v76
-
-    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v81 = a4 * v57
-    v84 = d5 * v57
-    v85 = a4 * v62
-    v86 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-    v87 = s5_p * v85 - v86
-    v88 = s5_m * v85 - v86
-    v89 = v22 * v81
-    v90 = v23 * v81
-    v91 = v22 * v83
-    v92 = v23 * v83
-    v93 = a4 * v44
-    v96 = d5 * v44
-    v97 = a4 * v49
-    v98 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-    v99 = s5_p * v97 - v98
-    v100 = s5_m * v97 - v98
-    v101 = v22 * v93
-    v102 = v23 * v93
-    v103 = v22 * v95
-    v104 = v23 * v95
-    v105 = s5_p * v57
-    v106 = s5_m * v57
-    v107 = T23 * s5_p
-    v108 = T23 * s5_m
-    v109 = v22 * v62
-    v110 = v23 * v62
-    v111 = s5_p * v44
-    v112 = s5_m * v44
-    v113 = T13 * s5_p
-    v114 = T13 * s5_m
-    v115 = v22 * v49
-    v116 = v23 * v49
-    v117 = (
-        m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) - -v31 * (v96 + v103))) -
-        X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) - -v31 * (v84 + v91)))))
-    )
-    v118 = (
-        m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103))) - X1_pm
-        * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91)))))
-    )
-    v119 = (
-        m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) - -v34 * (v96 + v104))) -
-        X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) - -v34 * (v84 + v92)))))
-    )
-    v120 = (
-        m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) - v72 *
-        (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104)))))
-    )
-    v121 = (
-        v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 + -v31 * v107)) - v69 * (v115 + factor6_pp
-        * (C6_pp * v111 + -v31 * v113)))
-    )
-    v122 = (
-        v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm *
-        (C6_pm * v111 - v32 * v113) - v115))
-    )
-    v123 = (
-        v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 + -v34 * v108)) - v71 * (v116 + factor6_mp
-        * (C6_mp * v112 + -v34 * v114)))
-    )
-    v124 = (
-        v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm * (C6_mm
-        * v106 - v35 * v108) - v110))
-    )
+    # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
+    v44 = c7 * T31 - s7 * T32
+    v45 = c4_p * v44
+    v46 = c4_m * v44
+    v47 = T33 * s4_p
+    v48 = T33 * v8
+    v49 = T33 * c4_p
+    v50 = T33 * c4_m
+    v51 = s4_p * v44
+    v52 = v8 * v44
+    v53 = c7 * T32 + s7 * T31
+    v54 = s5_p * (c4_p * v53)
+    v55 = s5_m * (c4_m * v53)
+    v56 = v22 * v45
+    v57 = v23 * v46
+    v58 = v22 * v49
+    v59 = v23 * v50
+    c3_pp = v54 + factor6_pp * (C6_pp * (v47 - v56) - -v31 * (v51 + v58))
+    c3_pm = v54 + factor6_pm * (C6_pm * (v47 + v56) + v32 * (v51 - v58))
+    c3_mp = v55 - factor6_mp * (C6_mp * (v48 + v57) + -v34 * (v59 - v52))
+    c3_mm = v55 + factor6_mm * (C6_mm * (v57 - v48) - v35 * (v52 + v59))
+    v60 = s5_p * v44
+    v61 = s5_m * v44
+    v62 = T33 * s5_p
+    v63 = T33 * s5_m
+    v64 = v22 * v53
+    v65 = v23 * v53
+    v66 = v64 + factor6_pp * (C6_pp * v60 + -v31 * v62)
+    v67 = factor6_pm * (C6_pm * v60 - v32 * v62) - v64
+    v68 = v65 + factor6_mp * (C6_mp * v61 + -v34 * v63)
+    v69 = factor6_mm * (C6_mm * v61 - v35 * v63) - v65
+    v70 = c3_pp * c3_pp + v66 * v66
+    v71 = c3_pm * c3_pm + v67 * v67
+    v72 = c3_mp * c3_mp + v68 * v68
+    v73 = c3_mm * c3_mm + v69 * v69
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v125 = c7 * T31 - s7 * T32
-    v126 = s4_p * v125
-    v127 = v8 * v125
-    v128 = T33 * c4_p
-    v129 = T33 * c4_m
-    v130 = T33 * s4_p
-    v131 = T33 * v8
-    v132 = c4_p * v125
-    v133 = c4_m * v125
-    v134 = c7 * T32 + s7 * T31
-    v135 = s5_p * (s4_p * v134)
-    v136 = s5_m * (v8 * v134)
-    v137 = v22 * v126
-    v138 = v23 * v127
-    v139 = v22 * v130
-    v140 = v23 * v131
-    v141 = s5_p * (c4_p * v134)
-    v142 = s5_m * (c4_m * v134)
-    v143 = v22 * v132
-    v144 = v23 * v133
-    v145 = v22 * v128
-    v146 = v23 * v129
-    v147 = s5_p * v125
-    v148 = s5_m * v125
-    v149 = T33 * s5_p
-    v150 = T33 * s5_m
-    v151 = v22 * v134
-    v152 = v23 * v134
+    v74 = s5_p * (s4_p * v53)
+    v75 = s5_m * (v8 * v53)
+    v76 = v22 * v51
+    v77 = v23 * v52
+    v78 = v22 * v47
+    v79 = v23 * v48
+
+    # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
+    v80 = c7 * T11 - s7 * T12
+    v81 = s5_p * v80
+    v82 = s5_m * v80
+    v83 = T13 * s5_p
+    v84 = T13 * s5_m
+    v85 = c7 * T12 + s7 * T11
+    v86 = v22 * v85
+    v87 = v23 * v85
+    v88 = T13 * s4_p
+    v89 = T13 * v8
+    v90 = s4_p * v80
+    v91 = v8 * v80
+    v92 = s5_p * (c4_p * v85)
+    v93 = s5_m * (c4_m * v85)
+    v94 = v22 * (c4_p * v80)
+    v95 = v23 * (c4_m * v80)
+    v96 = v22 * (T13 * c4_p)
+    v97 = v23 * (T13 * c4_m)
+    s1_pp = (
+        v66 * (v92 + factor6_pp * (C6_pp * (v88 - v94) - -v31 * (v90 + v96))) - c3_pp * (v86 +
+        factor6_pp * (C6_pp * v81 + -v31 * v83))
+    )
+    s1_pm = (
+        v67 * (v92 + factor6_pm * (C6_pm * (v88 + v94) + v32 * (v90 - v96))) - c3_pm * (factor6_pm *
+        (C6_pm * v81 - v32 * v83) - v86)
+    )
+    s1_mp = (
+        v68 * (v93 - factor6_mp * (C6_mp * (v89 + v95) + -v34 * (v97 - v91))) - c3_mp * (v87 +
+        factor6_mp * (C6_mp * v82 + -v34 * v84))
+    )
+    s1_mm = (
+        v69 * (v93 + factor6_mm * (C6_mm * (v95 - v89) - v35 * (v91 + v97))) - c3_mm * (factor6_mm *
+        (C6_mm * v82 - v35 * v84) - v87)
+    )
+    v98 = c7 * T21 - s7 * T22
+    v99 = s5_p * v98
+    v100 = s5_m * v98
+    v101 = T23 * s5_p
+    v102 = T23 * s5_m
+    v103 = c7 * T22 + s7 * T21
+    v104 = v22 * v103
+    v105 = v23 * v103
+    v106 = T23 * s4_p
+    v107 = T23 * v8
+    v108 = s4_p * v98
+    v109 = v8 * v98
+    v110 = s5_p * (c4_p * v103)
+    v111 = s5_m * (c4_m * v103)
+    v112 = v22 * (c4_p * v98)
+    v113 = v23 * (c4_m * v98)
+    v114 = v22 * (T23 * c4_p)
+    v115 = v23 * (T23 * c4_m)
 
     # joint values
-    v169 = q_free[0] + (w4 - w4)
-    q7_ppp = v18 + v169
-    q7_mpp = v19 + v169
+    v132 = q_free[0] + (w4 - w4)
+    q7_ppp = v18 + v132
+    q7_mpp = v19 + v132
     doubt1 = (
-        q_free[0] < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v76 <= m9 or
-        v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or v40 <= m8 or
+        q_free[0] < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v73 <= m9 or
+        v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or v40 <= m8 or
         abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or high7 < q_free[0] or
         N5_p <= doubt_limit_squared2
     )
@@ -1337,30 +1266,18 @@ def _regular(pose, q_free, q, status):
     room[4] = -v32
     room[5] = -v34
     room[6] = -v35
-    room[7] = -v69
-    room[8] = -v70
-    room[9] = -v71
-    room[10] = v72
-    room[11] = v117
-    room[12] = v118
-    room[13] = v119
-    room[14] = v120
-    room[15] = (
-        w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 * (v126 + v145))) + w1_pp
-        * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149))
-    )
-    room[16] = (
-        w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 * (v126 - v145))) + w1_pm *
-        v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151)
-    )
-    room[17] = (
-        w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 * (v146 - v127))) + w1_mp
-        * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150))
-    )
-    room[18] = (
-        w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 * (v127 + v146))) + w1_mm *
-        v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152)
-    )
+    room[7] = -v66
+    room[8] = -v67
+    room[9] = -v68
+    room[10] = -v69
+    room[11] = -math.sqrt(v70)
+    room[12] = -math.sqrt(v71)
+    room[13] = -math.sqrt(v72)
+    room[14] = -math.sqrt(v73)
+    room[15] = s1_pp
+    room[16] = s1_pm
+    room[17] = s1_mp
+    room[18] = s1_mm
     room[24] = Z4
     room[25] = -v20
     room[26] = -v21
@@ -1368,18 +1285,30 @@ def _regular(pose, q_free, q, status):
     room[28] = C6_pm
     room[29] = C6_mp
     room[30] = C6_mm
-    room[31] = -X1_pp
-    room[32] = -X1_pm
-    room[33] = -X1_mp
-    room[34] = v56
-    room[35] = -v121
-    room[36] = -v122
-    room[37] = -v123
-    room[38] = -v124
-    room[39] = v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))
-    room[40] = v135 - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))
-    room[41] = factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136
-    room[42] = -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138)))
+    room[31] = c3_pp
+    room[32] = c3_pm
+    room[33] = c3_mp
+    room[34] = c3_mm
+    room[35] = v74 + factor6_pp * (-v31 * (v45 - v78) - C6_pp * (v49 + v76))
+    room[36] = v74 - factor6_pm * (v32 * (v45 + v78) + C6_pm * (v49 - v76))
+    room[37] = factor6_mp * (-v34 * (v46 + v79) - C6_mp * (v50 - v77)) - v75
+    room[38] = -(v75 + factor6_mm * (v35 * (v46 - v79) + C6_mm * (v50 + v77)))
+    room[39] = (
+        c3_pp * (v104 + factor6_pp * (C6_pp * v99 + -v31 * v101)) - v66 * (v110 + factor6_pp *
+        (C6_pp * (v106 - v112) - -v31 * (v108 + v114)))
+    )
+    room[40] = (
+        c3_pm * (factor6_pm * (C6_pm * v99 - v32 * v101) - v104) - v67 * (v110 + factor6_pm * (C6_pm
+        * (v106 + v112) + v32 * (v108 - v114)))
+    )
+    room[41] = (
+        c3_mp * (v105 + factor6_mp * (C6_mp * v100 + -v34 * v102)) - v68 * (v111 - factor6_mp *
+        (C6_mp * (v107 + v113) + -v34 * (v115 - v109)))
+    )
+    room[42] = (
+        c3_mm * (factor6_mm * (C6_mm * v100 - v35 * v102) - v105) - v69 * (v111 + factor6_mm *
+        (C6_mm * (v113 - v107) - v35 * (v109 + v115)))
+    )
     for k in range(19, 24):
         room[k] = room[k + 24] = 1.0
     for k in range(24):
@@ -1412,135 +1341,135 @@ def _regular(pose, q_free, q, status):
     q5_pmp = math.copysign(half_turn, v24) - angle2
     q5_mmp = math.copysign(half_turn, v25) - angle3
 
-    # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    q1_ppm = angle8 - math.copysign(half_turn, -v69)
-    q1_pmm = angle9 - math.copysign(half_turn, -v70)
-    q1_mpm = angle10 - math.copysign(half_turn, -v71)
-    q1_mmm = angle11 - math.copysign(half_turn, v72)
+    # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
+    q3_ppm = angle8 - math.copysign(half_turn, -v66)
+    q3_pmm = angle9 - math.copysign(half_turn, -v67)
+    q3_mpm = angle10 - math.copysign(half_turn, -v68)
+    q3_mmm = angle11 - math.copysign(half_turn, -v69)
 
-    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    q3_ppm = angle12 - math.copysign(half_turn, v117)
-    q3_pmm = angle13 - math.copysign(half_turn, v118)
-    q3_mpm = angle14 - math.copysign(half_turn, v119)
-    q3_mmm = angle15 - math.copysign(half_turn, v120)
+    # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
+    q1_ppm = angle16 - math.copysign(half_turn, s1_pp)
+    q1_pmm = angle17 - math.copysign(half_turn, s1_pm)
+    q1_mpm = angle18 - math.copysign(half_turn, s1_mp)
+    q1_mmm = angle19 - math.copysign(half_turn, s1_mm)
 
     # joint values
-    v153 = q4__p + (turn if q4__p <= -half_turn else 0.0)
-    v154 = (turn if -v9 <= -half_turn else 0.0) - v9
-    v155 = v153 < low4 or high4 < v153
-    v156 = v154 < low4 or high4 < v154
-    v157 = angle2 < low5 or high5 < angle2
-    v158 = q5_pmp < low5 or high5 < q5_pmp
-    v159 = angle3 < low5 or high5 < angle3
-    v160 = q5_mmp < low5 or high5 < q5_mmp
-    v161 = angle4 + (turn if angle4 < low6 else 0.0)
-    v162 = angle5 + (turn if angle5 < low6 else 0.0)
-    v163 = angle6 + (turn if angle6 < low6 else 0.0)
-    v164 = angle7 + (turn if angle7 < low6 else 0.0)
-    v165 = v161 < low6 or high6 < v161
-    v166 = v162 < low6 or high6 < v162
-    v167 = v163 < low6 or high6 < v163
-    v168 = v164 < low6 or high6 < v164
-    q6_ppp = angle4 if v165 else v161
-    q6_pmp = angle5 if v166 else v162
-    q6_mpp = angle6 if v167 else v163
-    q6_mmp = angle7 if v168 else v164
-    q4_ppp = v18 + v153
-    q4_mpp = v19 + v154
+    v116 = q4__p + (turn if q4__p <= -half_turn else 0.0)
+    v117 = (turn if -v9 <= -half_turn else 0.0) - v9
+    v118 = v116 < low4 or high4 < v116
+    v119 = v117 < low4 or high4 < v117
+    v120 = angle2 < low5 or high5 < angle2
+    v121 = q5_pmp < low5 or high5 < q5_pmp
+    v122 = angle3 < low5 or high5 < angle3
+    v123 = q5_mmp < low5 or high5 < q5_mmp
+    v124 = angle4 + (turn if angle4 < low6 else 0.0)
+    v125 = angle5 + (turn if angle5 < low6 else 0.0)
+    v126 = angle6 + (turn if angle6 < low6 else 0.0)
+    v127 = angle7 + (turn if angle7 < low6 else 0.0)
+    v128 = v124 < low6 or high6 < v124
+    v129 = v125 < low6 or high6 < v125
+    v130 = v126 < low6 or high6 < v126
+    v131 = v127 < low6 or high6 < v127
+    q6_ppp = angle4 if v128 else v124
+    q6_pmp = angle5 if v129 else v125
+    q6_mpp = angle6 if v130 else v126
+    q6_mmp = angle7 if v131 else v127
+    q4_ppp = v18 + v116
+    q4_mpp = v19 + v117
     outside_ppp = (
-        v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1 < angle8
-        or angle16 < low2 or high2 < angle16
+        v128 or v120 or v118 or angle8 < low3 or high3 < angle8 or angle16 < low1 or high1 < angle16
+        or angle12 < low2 or high2 < angle12
     )
     outside_ppm = (
-        v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 < q1_ppm
-        or -angle16 < low2 or high2 < -angle16
+        v128 or v120 or v118 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 < q1_ppm
+        or -angle12 < low2 or high2 < -angle12
     )
     outside_pmp = (
-        v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1 < angle9
-        or angle17 < low2 or high2 < angle17
+        v129 or v121 or v118 or angle9 < low3 or high3 < angle9 or angle17 < low1 or high1 < angle17
+        or angle13 < low2 or high2 < angle13
     )
     outside_pmm = (
-        v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 < q1_pmm
-        or -angle17 < low2 or high2 < -angle17
+        v129 or v121 or v118 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 < q1_pmm
+        or -angle13 < low2 or high2 < -angle13
     )
     outside_mpp = (
-        v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1 <
-        angle10 or angle18 < low2 or high2 < angle18
+        v130 or v122 or v119 or angle10 < low3 or high3 < angle10 or angle18 < low1 or high1 <
+        angle18 or angle14 < low2 or high2 < angle14
     )
     outside_mpm = (
-        v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 < q1_mpm
-        or -angle18 < low2 or high2 < -angle18
+        v130 or v122 or v119 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 < q1_mpm
+        or -angle14 < low2 or high2 < -angle14
     )
     outside_mmp = (
-        v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1 <
-        angle11 or angle19 < low2 or high2 < angle19
+        v131 or v123 or v119 or angle11 < low3 or high3 < angle11 or angle19 < low1 or high1 <
+        angle19 or angle15 < low2 or high2 < angle15
     )
     outside_mmm = (
-        v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 < q1_mmm
-        or -angle19 < low2 or high2 < -angle19
+        v131 or v123 or v119 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 < q1_mmm
+        or -angle15 < low2 or high2 < -angle15
     )
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = angle8
-    q[0, 1] = angle16
-    q[0, 2] = angle12
+    q[0, 0] = angle16
+    q[0, 1] = angle12
+    q[0, 2] = angle8
     q[0, 3] = q4_ppp
     q[0, 4] = angle2
     q[0, 5] = q6_ppp
     q[0, 6] = q7_ppp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppm
-    q[1, 1] = -angle16
+    q[1, 1] = -angle12
     q[1, 2] = q3_ppm
     q[1, 3] = q4_ppp
     q[1, 4] = angle2
     q[1, 5] = q6_ppp
     q[1, 6] = q7_ppp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
-    q[2, 0] = angle9
-    q[2, 1] = angle17
-    q[2, 2] = angle13
+    q[2, 0] = angle17
+    q[2, 1] = angle13
+    q[2, 2] = angle9
     q[2, 3] = q4_ppp
     q[2, 4] = q5_pmp
     q[2, 5] = q6_pmp
     q[2, 6] = q7_ppp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_pmm
-    q[3, 1] = -angle17
+    q[3, 1] = -angle13
     q[3, 2] = q3_pmm
     q[3, 3] = q4_ppp
     q[3, 4] = q5_pmp
     q[3, 5] = q6_pmp
     q[3, 6] = q7_ppp
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
-    q[4, 0] = angle10
-    q[4, 1] = angle18
-    q[4, 2] = angle14
+    q[4, 0] = angle18
+    q[4, 1] = angle14
+    q[4, 2] = angle10
     q[4, 3] = q4_mpp
     q[4, 4] = angle3
     q[4, 5] = q6_mpp
     q[4, 6] = q7_mpp
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpm
-    q[5, 1] = -angle18
+    q[5, 1] = -angle14
     q[5, 2] = q3_mpm
     q[5, 3] = q4_mpp
     q[5, 4] = angle3
     q[5, 5] = q6_mpp
     q[5, 6] = q7_mpp
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
-    q[6, 0] = angle11
-    q[6, 1] = angle19
-    q[6, 2] = angle15
+    q[6, 0] = angle19
+    q[6, 1] = angle15
+    q[6, 2] = angle11
     q[6, 3] = q4_mpp
     q[6, 4] = q5_mmp
     q[6, 5] = q6_mmp
     q[6, 6] = q7_mpp
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mmm
-    q[7, 1] = -angle19
+    q[7, 1] = -angle15
     q[7, 2] = q3_mmm
     q[7, 3] = q4_mpp
     q[7, 4] = q5_mmp
@@ -1719,16 +1648,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1312, 1328, 1344, 1360, 1376, 1392, 1408],
-    [1424, 1440, 1456, 1360, 1376, 1392, 1408],
-    [1472, 1488, 1504, 1360, 1520, 1536, 1408],
-    [1552, 1568, 1584, 1360, 1520, 1536, 1408],
-    [1600, 1616, 1632, 1648, 1664, 1680, 1696],
-    [1712, 1728, 1744, 1648, 1664, 1680, 1696],
-    [1760, 1776, 1792, 1648, 1808, 1824, 1696],
-    [1840, 1856, 1872, 1648, 1808, 1824, 1696],
+    [1216, 1232, 1248, 1264, 1280, 1296, 1312],
+    [1328, 1344, 1360, 1264, 1280, 1296, 1312],
+    [1376, 1392, 1408, 1264, 1424, 1440, 1312],
+    [1456, 1472, 1488, 1264, 1424, 1440, 1312],
+    [1504, 1520, 1536, 1552, 1568, 1584, 1600],
+    [1616, 1632, 1648, 1552, 1568, 1584, 1600],
+    [1664, 1680, 1696, 1552, 1712, 1728, 1600],
+    [1744, 1760, 1776, 1552, 1712, 1728, 1600],
 ])
-_KINDS = np.array([1888, 1904, 1920, 1936, 1952, 1968, 1984, 2000])
+_KINDS = np.array([1792, 1808, 1824, 1840, 1856, 1872, 1888, 1904])
 
 
 @intrinsic(prefer_literal=True)
@@ -1755,7 +1684,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(2016), 2016)
+    work = carray(_tile(1920), 1920)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1800,24 +1729,14 @@ def _in_tiles(T, q_free, q, status):
             w2x = v1 * T11 + v2 * T21 + v3 * T31
             w2y = v1 * T12 + v2 * T22 + v3 * T32
             w2z = T13 * v1 + T23 * v2 + T33 * v3
-            v82 = d5 * T23
-            v83 = a4 * T23
-            v94 = d5 * T13
-            v95 = a4 * T13
-            work[288 + k] = v1
-            work[304 + k] = v2
-            work[320 + k] = w2x
-            work[336 + k] = w2y
-            work[352 + k] = w2z
-            work[368 + k] = v82
-            work[384 + k] = v83
-            work[400 + k] = v94
-            work[416 + k] = v95
-            work[432 + k] = given1
-            work[448 + k] = given1
-        for k in range(432, 448):
+            work[288 + k] = w2x
+            work[304 + k] = w2y
+            work[320 + k] = w2z
+            work[336 + k] = given1
+            work[352 + k] = given1
+        for k in range(336, 352):
             work[k] = math.sin(work[k])
-        for k in range(448, 464):
+        for k in range(352, 368):
             work[k] = math.cos(work[k])
         for k in range(0, 16):
             T11 = work[0 + k]
@@ -1830,17 +1749,11 @@ def _in_tiles(T, q_free, q, status):
             T32 = work[144 + k]
             T33 = work[160 + k]
             given1 = work[256 + k]
-            v1 = work[288 + k]
-            v2 = work[304 + k]
-            w2x = work[320 + k]
-            w2y = work[336 + k]
-            w2z = work[352 + k]
-            v82 = work[368 + k]
-            v83 = work[384 + k]
-            v94 = work[400 + k]
-            v95 = work[416 + k]
-            s7 = work[432 + k]
-            c7 = work[448 + k]
+            w2x = work[288 + k]
+            w2y = work[304 + k]
+            w2z = work[320 + k]
+            s7 = work[336 + k]
+            c7 = work[352 + k]
             Z4 = (
                 c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
                 w2z - k4)))
@@ -1911,414 +1824,370 @@ def _in_tiles(T, q_free, q, status):
             factor6_pm = math.sqrt(v41) * (1.0 / v41)
             factor6_mp = math.sqrt(v42) * (1.0 / v42)
             factor6_mm = math.sqrt(v43) * (1.0 / v43)
-            v44 = c7 * T11 - s7 * T12
-            v45 = T13 * c4_p
-            v46 = T13 * c4_m
-            v47 = c4_p * v44
-            v48 = c4_m * v44
-            v49 = c7 * T12 + s7 * T11
-            v50 = s5_p * (s4_p * v49)
-            v51 = s5_m * (v8 * v49)
-            v52 = v22 * (s4_p * v44)
-            v53 = v23 * (v8 * v44)
-            v54 = v22 * (T13 * s4_p)
-            v55 = v23 * (T13 * v8)
-            X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52))
-            X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52))
-            X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51
-            v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53))
-            v57 = c7 * T21 - s7 * T22
-            v58 = T23 * c4_p
-            v59 = T23 * c4_m
-            v60 = c4_p * v57
-            v61 = c4_m * v57
-            v62 = c7 * T22 + s7 * T21
-            v63 = s5_p * (s4_p * v62)
-            v64 = s5_m * (v8 * v62)
-            v65 = v22 * (s4_p * v57)
-            v66 = v23 * (v8 * v57)
-            v67 = v22 * (T23 * s4_p)
-            v68 = v23 * (T23 * v8)
-            v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65))
-            v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65))
-            v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64
-            v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66))
-            v73 = X1_pp * X1_pp + v69 * v69
-            v74 = X1_pm * X1_pm + v70 * v70
-            v75 = X1_mp * X1_mp + v71 * v71
-            v76 = v56 * v56 + v72 * v72
-            w1_pp = math.sqrt(v73)
-            w1_pm = math.sqrt(v74)
-            w1_mp = math.sqrt(v75)
-            w1_mm = math.sqrt(v76)
-            v77 = 1.0 / v73
-            v78 = 1.0 / v74
-            v79 = 1.0 / v75
-            v80 = 1.0 / v76
-            v81 = a4 * v57
-            v84 = d5 * v57
-            v85 = a4 * v62
-            v86 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-            v87 = s5_p * v85 - v86
-            v88 = s5_m * v85 - v86
-            v89 = v22 * v81
-            v90 = v23 * v81
-            v91 = v22 * v83
-            v92 = v23 * v83
-            v93 = a4 * v44
-            v96 = d5 * v44
-            v97 = a4 * v49
-            v98 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-            v99 = s5_p * v97 - v98
-            v100 = s5_m * v97 - v98
-            v101 = v22 * v93
-            v102 = v23 * v93
-            v103 = v22 * v95
-            v104 = v23 * v95
-            v105 = s5_p * v57
-            v106 = s5_m * v57
-            v107 = T23 * s5_p
-            v108 = T23 * s5_m
-            v109 = v22 * v62
-            v110 = v23 * v62
-            v111 = s5_p * v44
-            v112 = s5_m * v44
-            v113 = T13 * s5_p
-            v114 = T13 * s5_m
-            v115 = v22 * v49
-            v116 = v23 * v49
-            v117 = (
-                m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) - -v31 * (v96 +
-                v103))) - X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) - -v31 * (v84 + v91)))))
+            v44 = c7 * T31 - s7 * T32
+            v45 = c4_p * v44
+            v46 = c4_m * v44
+            v47 = T33 * s4_p
+            v48 = T33 * v8
+            v49 = T33 * c4_p
+            v50 = T33 * c4_m
+            v51 = s4_p * v44
+            v52 = v8 * v44
+            v53 = c7 * T32 + s7 * T31
+            v54 = s5_p * (c4_p * v53)
+            v55 = s5_m * (c4_m * v53)
+            v56 = v22 * v45
+            v57 = v23 * v46
+            v58 = v22 * v49
+            v59 = v23 * v50
+            c3_pp = v54 + factor6_pp * (C6_pp * (v47 - v56) - -v31 * (v51 + v58))
+            c3_pm = v54 + factor6_pm * (C6_pm * (v47 + v56) + v32 * (v51 - v58))
+            c3_mp = v55 - factor6_mp * (C6_mp * (v48 + v57) + -v34 * (v59 - v52))
+            c3_mm = v55 + factor6_mm * (C6_mm * (v57 - v48) - v35 * (v52 + v59))
+            v60 = s5_p * v44
+            v61 = s5_m * v44
+            v62 = T33 * s5_p
+            v63 = T33 * s5_m
+            v64 = v22 * v53
+            v65 = v23 * v53
+            v66 = v64 + factor6_pp * (C6_pp * v60 + -v31 * v62)
+            v67 = factor6_pm * (C6_pm * v60 - v32 * v62) - v64
+            v68 = v65 + factor6_mp * (C6_mp * v61 + -v34 * v63)
+            v69 = factor6_mm * (C6_mm * v61 - v35 * v63) - v65
+            v70 = c3_pp * c3_pp + v66 * v66
+            v71 = c3_pm * c3_pm + v67 * v67
+            v72 = c3_mp * c3_mp + v68 * v68
+            v73 = c3_mm * c3_mm + v69 * v69
+            v74 = s5_p * (s4_p * v53)
+            v75 = s5_m * (v8 * v53)
+            v76 = v22 * v51
+            v77 = v23 * v52
+            v78 = v22 * v47
+            v79 = v23 * v48
+            v80 = c7 * T11 - s7 * T12
+            v81 = s5_p * v80
+            v82 = s5_m * v80
+            v83 = T13 * s5_p
+            v84 = T13 * s5_m
+            v85 = c7 * T12 + s7 * T11
+            v86 = v22 * v85
+            v87 = v23 * v85
+            v88 = T13 * s4_p
+            v89 = T13 * v8
+            v90 = s4_p * v80
+            v91 = v8 * v80
+            v92 = s5_p * (c4_p * v85)
+            v93 = s5_m * (c4_m * v85)
+            v94 = v22 * (c4_p * v80)
+            v95 = v23 * (c4_m * v80)
+            v96 = v22 * (T13 * c4_p)
+            v97 = v23 * (T13 * c4_m)
+            s1_pp = (
+                v66 * (v92 + factor6_pp * (C6_pp * (v88 - v94) - -v31 * (v90 + v96))) - c3_pp * (v86
+                + factor6_pp * (C6_pp * v81 + -v31 * v83))
             )
-            v118 = (
-                m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103)))
-                - X1_pm * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91)))))
+            s1_pm = (
+                v67 * (v92 + factor6_pm * (C6_pm * (v88 + v94) + v32 * (v90 - v96))) - c3_pm *
+                (factor6_pm * (C6_pm * v81 - v32 * v83) - v86)
             )
-            v119 = (
-                m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) - -v34 * (v96 +
-                v104))) - X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) - -v34 * (v84 + v92)))))
+            s1_mp = (
+                v68 * (v93 - factor6_mp * (C6_mp * (v89 + v95) + -v34 * (v97 - v91))) - c3_mp * (v87
+                + factor6_mp * (C6_mp * v82 + -v34 * v84))
             )
-            v120 = (
-                m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) -
-                v72 * (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104)))))
+            s1_mm = (
+                v69 * (v93 + factor6_mm * (C6_mm * (v95 - v89) - v35 * (v91 + v97))) - c3_mm *
+                (factor6_mm * (C6_mm * v82 - v35 * v84) - v87)
             )
-            v121 = (
-                v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 + -v31 * v107)) - v69 * (v115 +
-                factor6_pp * (C6_pp * v111 + -v31 * v113)))
-            )
-            v122 = (
-                v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm
-                * (C6_pm * v111 - v32 * v113) - v115))
-            )
-            v123 = (
-                v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 + -v34 * v108)) - v71 * (v116 +
-                factor6_mp * (C6_mp * v112 + -v34 * v114)))
-            )
-            v124 = (
-                v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm *
-                (C6_mm * v106 - v35 * v108) - v110))
-            )
-            v125 = c7 * T31 - s7 * T32
-            v126 = s4_p * v125
-            v127 = v8 * v125
-            v128 = T33 * c4_p
-            v129 = T33 * c4_m
-            v130 = T33 * s4_p
-            v131 = T33 * v8
-            v132 = c4_p * v125
-            v133 = c4_m * v125
-            v134 = c7 * T32 + s7 * T31
-            v135 = s5_p * (s4_p * v134)
-            v136 = s5_m * (v8 * v134)
-            v137 = v22 * v126
-            v138 = v23 * v127
-            v139 = v22 * v130
-            v140 = v23 * v131
-            v141 = s5_p * (c4_p * v134)
-            v142 = s5_m * (c4_m * v134)
-            v143 = v22 * v132
-            v144 = v23 * v133
-            v145 = v22 * v128
-            v146 = v23 * v129
-            v147 = s5_p * v125
-            v148 = s5_m * v125
-            v149 = T33 * s5_p
-            v150 = T33 * s5_m
-            v151 = v22 * v134
-            v152 = v23 * v134
-            v169 = given1 + (w4 - w4)
-            q7_ppp = v18 + v169
-            q7_mpp = v19 + v169
+            v98 = c7 * T21 - s7 * T22
+            v99 = s5_p * v98
+            v100 = s5_m * v98
+            v101 = T23 * s5_p
+            v102 = T23 * s5_m
+            v103 = c7 * T22 + s7 * T21
+            v104 = v22 * v103
+            v105 = v23 * v103
+            v106 = T23 * s4_p
+            v107 = T23 * v8
+            v108 = s4_p * v98
+            v109 = v8 * v98
+            v110 = s5_p * (c4_p * v103)
+            v111 = s5_m * (c4_m * v103)
+            v112 = v22 * (c4_p * v98)
+            v113 = v23 * (c4_m * v98)
+            v114 = v22 * (T23 * c4_p)
+            v115 = v23 * (T23 * c4_m)
+            v132 = given1 + (w4 - w4)
+            q7_ppp = v18 + v132
+            q7_mpp = v19 + v132
             doubt1 = (
-                given1 < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v76 <=
-                m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or
+                given1 < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v73 <=
+                m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or
                 v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or
                 high7 < given1 or N5_p <= doubt_limit_squared2
             )
-            work[464 + k] = v18
-            work[480 + k] = v19
-            work[496 + k] = v24
-            work[512 + k] = v25
-            work[528 + k] = v69
-            work[544 + k] = v70
-            work[560 + k] = v71
-            work[576 + k] = v72
-            work[592 + k] = v117
-            work[608 + k] = v118
-            work[624 + k] = v119
-            work[640 + k] = v120
-            work[656 + k] = q7_ppp
-            work[672 + k] = q7_mpp
-            work[688 + k] = doubt1
-            work[704 + k] = w4
-            work[720 + k] = v24
-            work[736 + k] = v25
-            work[752 + k] = -v31
-            work[768 + k] = -v32
-            work[784 + k] = -v34
-            work[800 + k] = -v35
-            work[816 + k] = -v69
-            work[832 + k] = -v70
-            work[848 + k] = -v71
-            work[864 + k] = v72
-            work[880 + k] = v117
-            work[896 + k] = v118
-            work[912 + k] = v119
-            work[928 + k] = v120
-            work[944 + k] = (
-                w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 * (v126 + v145)))
-                + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149))
+            work[368 + k] = v18
+            work[384 + k] = v19
+            work[400 + k] = v24
+            work[416 + k] = v25
+            work[432 + k] = v66
+            work[448 + k] = v67
+            work[464 + k] = v68
+            work[480 + k] = v69
+            work[496 + k] = s1_pp
+            work[512 + k] = s1_pm
+            work[528 + k] = s1_mp
+            work[544 + k] = s1_mm
+            work[560 + k] = q7_ppp
+            work[576 + k] = q7_mpp
+            work[592 + k] = doubt1
+            work[608 + k] = w4
+            work[624 + k] = v24
+            work[640 + k] = v25
+            work[656 + k] = -v31
+            work[672 + k] = -v32
+            work[688 + k] = -v34
+            work[704 + k] = -v35
+            work[720 + k] = -v66
+            work[736 + k] = -v67
+            work[752 + k] = -v68
+            work[768 + k] = -v69
+            work[784 + k] = -math.sqrt(v70)
+            work[800 + k] = -math.sqrt(v71)
+            work[816 + k] = -math.sqrt(v72)
+            work[832 + k] = -math.sqrt(v73)
+            work[848 + k] = s1_pp
+            work[864 + k] = s1_pm
+            work[880 + k] = s1_mp
+            work[896 + k] = s1_mm
+            work[912 + k] = Z4
+            work[928 + k] = -v20
+            work[944 + k] = -v21
+            work[960 + k] = C6_pp
+            work[976 + k] = C6_pm
+            work[992 + k] = C6_mp
+            work[1008 + k] = C6_mm
+            work[1024 + k] = c3_pp
+            work[1040 + k] = c3_pm
+            work[1056 + k] = c3_mp
+            work[1072 + k] = c3_mm
+            work[1088 + k] = v74 + factor6_pp * (-v31 * (v45 - v78) - C6_pp * (v49 + v76))
+            work[1104 + k] = v74 - factor6_pm * (v32 * (v45 + v78) + C6_pm * (v49 - v76))
+            work[1120 + k] = factor6_mp * (-v34 * (v46 + v79) - C6_mp * (v50 - v77)) - v75
+            work[1136 + k] = -(v75 + factor6_mm * (v35 * (v46 - v79) + C6_mm * (v50 + v77)))
+            work[1152 + k] = (
+                c3_pp * (v104 + factor6_pp * (C6_pp * v99 + -v31 * v101)) - v66 * (v110 + factor6_pp
+                * (C6_pp * (v106 - v112) - -v31 * (v108 + v114)))
             )
-            work[960 + k] = (
-                w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 * (v126 - v145))) +
-                w1_pm * v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151)
+            work[1168 + k] = (
+                c3_pm * (factor6_pm * (C6_pm * v99 - v32 * v101) - v104) - v67 * (v110 + factor6_pm
+                * (C6_pm * (v106 + v112) + v32 * (v108 - v114)))
             )
-            work[976 + k] = (
-                w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 * (v146 - v127)))
-                + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150))
+            work[1184 + k] = (
+                c3_mp * (v105 + factor6_mp * (C6_mp * v100 + -v34 * v102)) - v68 * (v111 -
+                factor6_mp * (C6_mp * (v107 + v113) + -v34 * (v115 - v109)))
             )
-            work[992 + k] = (
-                w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 * (v127 + v146))) +
-                w1_mm * v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152)
+            work[1200 + k] = (
+                c3_mm * (factor6_mm * (C6_mm * v100 - v35 * v102) - v105) - v69 * (v111 + factor6_mm
+                * (C6_mm * (v113 - v107) - v35 * (v109 + v115)))
             )
-            work[1008 + k] = Z4
-            work[1024 + k] = -v20
-            work[1040 + k] = -v21
-            work[1056 + k] = C6_pp
-            work[1072 + k] = C6_pm
-            work[1088 + k] = C6_mp
-            work[1104 + k] = C6_mm
-            work[1120 + k] = -X1_pp
-            work[1136 + k] = -X1_pm
-            work[1152 + k] = -X1_mp
-            work[1168 + k] = v56
-            work[1184 + k] = -v121
-            work[1200 + k] = -v122
-            work[1216 + k] = -v123
-            work[1232 + k] = -v124
-            work[1248 + k] = v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))
-            work[1264 + k] = v135 - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))
-            work[1280 + k] = factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136
-            work[1296 + k] = -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138)))
-        for k in range(704, 1008):
+        for k in range(608, 912):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v18 = work[464 + k]
-            v19 = work[480 + k]
-            v24 = work[496 + k]
-            v25 = work[512 + k]
-            v69 = work[528 + k]
-            v70 = work[544 + k]
-            v71 = work[560 + k]
-            v72 = work[576 + k]
-            v117 = work[592 + k]
-            v118 = work[608 + k]
-            v119 = work[624 + k]
-            v120 = work[640 + k]
-            q7_ppp = work[656 + k]
-            q7_mpp = work[672 + k]
-            doubt1 = work[688 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[720 + k]
-            angle3 = work[736 + k]
-            angle4 = work[752 + k]
-            angle5 = work[768 + k]
-            angle6 = work[784 + k]
-            angle7 = work[800 + k]
-            angle8 = work[816 + k]
-            angle9 = work[832 + k]
-            angle10 = work[848 + k]
-            angle11 = work[864 + k]
-            angle12 = work[880 + k]
-            angle13 = work[896 + k]
-            angle14 = work[912 + k]
-            angle15 = work[928 + k]
-            angle16 = work[944 + k]
-            angle17 = work[960 + k]
-            angle18 = work[976 + k]
-            angle19 = work[992 + k]
+            v18 = work[368 + k]
+            v19 = work[384 + k]
+            v24 = work[400 + k]
+            v25 = work[416 + k]
+            v66 = work[432 + k]
+            v67 = work[448 + k]
+            v68 = work[464 + k]
+            v69 = work[480 + k]
+            s1_pp = work[496 + k]
+            s1_pm = work[512 + k]
+            s1_mp = work[528 + k]
+            s1_mm = work[544 + k]
+            q7_ppp = work[560 + k]
+            q7_mpp = work[576 + k]
+            doubt1 = work[592 + k] != 0.0
+            angle1 = work[608 + k]
+            angle2 = work[624 + k]
+            angle3 = work[640 + k]
+            angle4 = work[656 + k]
+            angle5 = work[672 + k]
+            angle6 = work[688 + k]
+            angle7 = work[704 + k]
+            angle8 = work[720 + k]
+            angle9 = work[736 + k]
+            angle10 = work[752 + k]
+            angle11 = work[768 + k]
+            angle12 = work[784 + k]
+            angle13 = work[800 + k]
+            angle14 = work[816 + k]
+            angle15 = work[832 + k]
+            angle16 = work[848 + k]
+            angle17 = work[864 + k]
+            angle18 = work[880 + k]
+            angle19 = work[896 + k]
             q4__p = angle1 - turn1
             v9 = turn1 + angle1
             q5_pmp = math.copysign(half_turn, v24) - angle2
             q5_mmp = math.copysign(half_turn, v25) - angle3
-            q1_ppm = angle8 - math.copysign(half_turn, -v69)
-            q1_pmm = angle9 - math.copysign(half_turn, -v70)
-            q1_mpm = angle10 - math.copysign(half_turn, -v71)
-            q1_mmm = angle11 - math.copysign(half_turn, v72)
-            q3_ppm = angle12 - math.copysign(half_turn, v117)
-            q3_pmm = angle13 - math.copysign(half_turn, v118)
-            q3_mpm = angle14 - math.copysign(half_turn, v119)
-            q3_mmm = angle15 - math.copysign(half_turn, v120)
-            v153 = q4__p + (turn if q4__p <= -half_turn else 0.0)
-            v154 = (turn if -v9 <= -half_turn else 0.0) - v9
-            v155 = v153 < low4 or high4 < v153
-            v156 = v154 < low4 or high4 < v154
-            v157 = angle2 < low5 or high5 < angle2
-            v158 = q5_pmp < low5 or high5 < q5_pmp
-            v159 = angle3 < low5 or high5 < angle3
-            v160 = q5_mmp < low5 or high5 < q5_mmp
-            v161 = angle4 + (turn if angle4 < low6 else 0.0)
-            v162 = angle5 + (turn if angle5 < low6 else 0.0)
-            v163 = angle6 + (turn if angle6 < low6 else 0.0)
-            v164 = angle7 + (turn if angle7 < low6 else 0.0)
-            v165 = v161 < low6 or high6 < v161
-            v166 = v162 < low6 or high6 < v162
-            v167 = v163 < low6 or high6 < v163
-            v168 = v164 < low6 or high6 < v164
-            q6_ppp = angle4 if v165 else v161
-            q6_pmp = angle5 if v166 else v162
-            q6_mpp = angle6 if v167 else v163
-            q6_mmp = angle7 if v168 else v164
-            q4_ppp = v18 + v153
-            q4_mpp = v19 + v154
+            q3_ppm = angle8 - math.copysign(half_turn, -v66)
+            q3_pmm = angle9 - math.copysign(half_turn, -v67)
+            q3_mpm = angle10 - math.copysign(half_turn, -v68)
+            q3_mmm = angle11 - math.copysign(half_turn, -v69)
+            q1_ppm = angle16 - math.copysign(half_turn, s1_pp)
+            q1_pmm = angle17 - math.copysign(half_turn, s1_pm)
+            q1_mpm = angle18 - math.copysign(half_turn, s1_mp)
+            q1_mmm = angle19 - math.copysign(half_turn, s1_mm)
+            v116 = q4__p + (turn if q4__p <= -half_turn else 0.0)
+            v117 = (turn if -v9 <= -half_turn else 0.0) - v9
+            v118 = v116 < low4 or high4 < v116
+            v119 = v117 < low4 or high4 < v117
+            v120 = angle2 < low5 or high5 < angle2
+            v121 = q5_pmp < low5 or high5 < q5_pmp
+            v122 = angle3 < low5 or high5 < angle3
+            v123 = q5_mmp < low5 or high5 < q5_mmp
+            v124 = angle4 + (turn if angle4 < low6 else 0.0)
+            v125 = angle5 + (turn if angle5 < low6 else 0.0)
+            v126 = angle6 + (turn if angle6 < low6 else 0.0)
+            v127 = angle7 + (turn if angle7 < low6 else 0.0)
+            v128 = v124 < low6 or high6 < v124
+            v129 = v125 < low6 or high6 < v125
+            v130 = v126 < low6 or high6 < v126
+            v131 = v127 < low6 or high6 < v127
+            q6_ppp = angle4 if v128 else v124
+            q6_pmp = angle5 if v129 else v125
+            q6_mpp = angle6 if v130 else v126
+            q6_mmp = angle7 if v131 else v127
+            q4_ppp = v18 + v116
+            q4_mpp = v19 + v117
             outside_ppp = (
-                v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
-                < angle8 or angle16 < low2 or high2 < angle16
+                v128 or v120 or v118 or angle8 < low3 or high3 < angle8 or angle16 < low1 or high1 <
+                angle16 or angle12 < low2 or high2 < angle12
             )
             outside_ppm = (
-                v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
-                q1_ppm or -angle16 < low2 or high2 < -angle16
+                v128 or v120 or v118 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
+                q1_ppm or -angle12 < low2 or high2 < -angle12
             )
             outside_pmp = (
-                v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1
-                < angle9 or angle17 < low2 or high2 < angle17
+                v129 or v121 or v118 or angle9 < low3 or high3 < angle9 or angle17 < low1 or high1 <
+                angle17 or angle13 < low2 or high2 < angle13
             )
             outside_pmm = (
-                v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
-                q1_pmm or -angle17 < low2 or high2 < -angle17
+                v129 or v121 or v118 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
+                q1_pmm or -angle13 < low2 or high2 < -angle13
             )
             outside_mpp = (
-                v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1
-                < angle10 or angle18 < low2 or high2 < angle18
+                v130 or v122 or v119 or angle10 < low3 or high3 < angle10 or angle18 < low1 or high1
+                < angle18 or angle14 < low2 or high2 < angle14
             )
             outside_mpm = (
-                v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
-                q1_mpm or -angle18 < low2 or high2 < -angle18
+                v130 or v122 or v119 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
+                q1_mpm or -angle14 < low2 or high2 < -angle14
             )
             outside_mmp = (
-                v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1
-                < angle11 or angle19 < low2 or high2 < angle19
+                v131 or v123 or v119 or angle11 < low3 or high3 < angle11 or angle19 < low1 or high1
+                < angle19 or angle15 < low2 or high2 < angle15
             )
             outside_mmm = (
-                v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
-                q1_mmm or -angle19 < low2 or high2 < -angle19
+                v131 or v123 or v119 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
+                q1_mmm or -angle15 < low2 or high2 < -angle15
             )
-            _1312 = angle8
+            _1216 = angle16
+            work[1216 + k] = _1216
+            _1232 = angle12
+            work[1232 + k] = _1232
+            _1248 = angle8
+            work[1248 + k] = _1248
+            _1264 = q4_ppp
+            work[1264 + k] = _1264
+            _1280 = angle2
+            work[1280 + k] = _1280
+            _1296 = q6_ppp
+            work[1296 + k] = _1296
+            _1312 = q7_ppp
             work[1312 + k] = _1312
-            _1328 = angle16
+            _1328 = q1_ppm
             work[1328 + k] = _1328
-            _1344 = angle12
+            _1344 = -angle12
             work[1344 + k] = _1344
-            _1360 = q4_ppp
+            _1360 = q3_ppm
             work[1360 + k] = _1360
-            _1376 = angle2
+            _1376 = angle17
             work[1376 + k] = _1376
-            _1392 = q6_ppp
+            _1392 = angle13
             work[1392 + k] = _1392
-            _1408 = q7_ppp
+            _1408 = angle9
             work[1408 + k] = _1408
-            _1424 = q1_ppm
+            _1424 = q5_pmp
             work[1424 + k] = _1424
-            _1440 = -angle16
+            _1440 = q6_pmp
             work[1440 + k] = _1440
-            _1456 = q3_ppm
+            _1456 = q1_pmm
             work[1456 + k] = _1456
-            _1472 = angle9
+            _1472 = -angle13
             work[1472 + k] = _1472
-            _1488 = angle17
+            _1488 = q3_pmm
             work[1488 + k] = _1488
-            _1504 = angle13
+            _1504 = angle18
             work[1504 + k] = _1504
-            _1520 = q5_pmp
+            _1520 = angle14
             work[1520 + k] = _1520
-            _1536 = q6_pmp
+            _1536 = angle10
             work[1536 + k] = _1536
-            _1552 = q1_pmm
+            _1552 = q4_mpp
             work[1552 + k] = _1552
-            _1568 = -angle17
+            _1568 = angle3
             work[1568 + k] = _1568
-            _1584 = q3_pmm
+            _1584 = q6_mpp
             work[1584 + k] = _1584
-            _1600 = angle10
+            _1600 = q7_mpp
             work[1600 + k] = _1600
-            _1616 = angle18
+            _1616 = q1_mpm
             work[1616 + k] = _1616
-            _1632 = angle14
+            _1632 = -angle14
             work[1632 + k] = _1632
-            _1648 = q4_mpp
+            _1648 = q3_mpm
             work[1648 + k] = _1648
-            _1664 = angle3
+            _1664 = angle19
             work[1664 + k] = _1664
-            _1680 = q6_mpp
+            _1680 = angle15
             work[1680 + k] = _1680
-            _1696 = q7_mpp
+            _1696 = angle11
             work[1696 + k] = _1696
-            _1712 = q1_mpm
+            _1712 = q5_mmp
             work[1712 + k] = _1712
-            _1728 = -angle18
+            _1728 = q6_mmp
             work[1728 + k] = _1728
-            _1744 = q3_mpm
+            _1744 = q1_mmm
             work[1744 + k] = _1744
-            _1760 = angle11
+            _1760 = -angle15
             work[1760 + k] = _1760
-            _1776 = angle19
+            _1776 = q3_mmm
             work[1776 + k] = _1776
-            _1792 = angle15
-            work[1792 + k] = _1792
-            _1808 = q5_mmp
-            work[1808 + k] = _1808
-            _1824 = q6_mmp
-            work[1824 + k] = _1824
-            _1840 = q1_mmm
-            work[1840 + k] = _1840
-            _1856 = -angle19
-            work[1856 + k] = _1856
-            _1872 = q3_mmm
-            work[1872 + k] = _1872
+            work[1792 + k] = (
+                UNREACHABLE if _1216 != _1216 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[1808 + k] = (
+                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[1824 + k] = (
+                UNREACHABLE if _1376 != _1376 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1840 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[1856 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1872 + k] = (
+                UNREACHABLE if _1616 != _1616 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
             work[1888 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_ppp else OK)
+                UNREACHABLE if _1664 != _1664 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[1904 + k] = (
-                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1920 + k] = (
-                UNREACHABLE if _1472 != _1472 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1936 + k] = (
-                UNREACHABLE if _1552 != _1552 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1952 + k] = (
-                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1968 + k] = (
-                UNREACHABLE if _1712 != _1712 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
-            work[1984 + k] = (
-                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[2000 + k] = (
-                UNREACHABLE if _1840 != _1840 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1744 != _1744 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(first, first + count):

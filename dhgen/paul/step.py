@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.equation import common_origins
-from dhgen.paul.witness import RANDOM_LENGTHS
+from dhgen.paul.witness import OWN_LENGTHS, RANDOM_LENGTHS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -27,6 +27,7 @@ POINT_FORM = 3
 # costs more than a second root: what a calibration alone makes known is not known.
 NEARLY_NOTHING = 12_000
 NOTHING = 1e-2
+SHORT = 0.06  # of the arm's size: an angle that is divided by it is good to a digit less
 FEW_SIZES = 4  # so many lengths of an arm make its size, more or less
 
 
@@ -146,6 +147,16 @@ class View:
         unit = (algebra.chain.size / FEW_SIZES) ** algebra.degree(*factors)
         sizes = [abs(self.witnesses.evaluate(each)[RANDOM_LENGTHS]).max() for each in factors]
         return float(max(sizes)) < NOTHING * unit
+
+    def is_short(self, *factors: Polynomial) -> bool:
+        """Whether factors of one equation are small together, with the arm's own lengths.
+
+        What is computed from it is good to as many digits fewer.
+        """
+        algebra = self.knowledge.runs.algebra
+        unit = algebra.chain.size ** algebra.degree(*factors)
+        sizes = [abs(self.witnesses.evaluate(each)[OWN_LENGTHS]).max() for each in factors]
+        return float(max(sizes)) < SHORT * unit
 
     def normal(self, polynomial: Polynomial) -> Polynomial:
         """The normal form."""

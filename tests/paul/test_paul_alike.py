@@ -12,6 +12,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
+from dhgen.paul.step import Kind
 from dhgen.robot.load import load
 
 if TYPE_CHECKING:
@@ -53,6 +54,15 @@ PUMA_FROM_ITS_TOOL = """\
   - {direction: [0, 1, 0], point: [-0.0203, 0, -0.4318]}
   - {direction: [0, 1, 0], point: [-0.4521, 0, -0.4318]}
   - {direction: [0, 0, 1], point: [-0.4521, 0.15005, 0]}
+"""
+PUMA_TABLE_FROM_ITS_TOOL = """\
+  - {theta: q, d: 0, a: 0, alpha: 0}
+  - {theta: q, d: 0, a: 0, alpha: pi/2}
+  - {theta: q, d: 0.4318, a: 0, alpha: pi/2}
+  - {theta: q, d: 0, a: -0.0203, alpha: pi/2}
+  - {theta: q, d: 0.15005, a: 0.4318, alpha: 0}
+  - {theta: q, d: 0, a: 0, alpha: pi/2}
+tool: {xyz: [0, 0, 0.67183]}
 """
 # axes 2, 3 and 4 meet at y = 0.3 and z = 0.2, which no point says
 SLANTING = """\
@@ -97,6 +107,15 @@ def test_a_rail_is_found_as_well_at_the_tool_as_at_the_base(tmp_path: Path) -> N
 
 def test_a_puma_seen_from_its_tool_has_eight_rows(tmp_path: Path) -> None:
     assert derived(tmp_path, turning(PUMA_FROM_ITS_TOOL), "axes").branches == 8
+
+
+def test_angles_are_not_read_from_20_mm_where_directions_tell_them(tmp_path: Path) -> None:
+    derivation = derived(tmp_path, PUMA_TABLE_FROM_ITS_TOOL, MODIFIED)
+    pairs = [step for step in derivation.steps if step.kind is Kind.ANGLE_PAIR]
+    assert len(pairs) == 3
+    for step in pairs:
+        factors = {str(step.coefficient(letter)) for letter in ("X1", "Y1", "X2", "Y2")}
+        assert not factors & {"a4", "-a4"}, step.unknowns
 
 
 @pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3, 1e6])

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 CONSTANT_FACTORS = 10
 CONSTANT_DETERMINANT = 20
 TRIANGLE = 30  # the determinant is a distance that only an arm with equal links can fold to zero
+SHORT_LENGTHS = 20  # an equation of directions is longer, and good to more digits
 MIRRORED = 1  # Cramer's rule reads best with a positive determinant
 MAY_VANISH = 300  # both equations may vanish although a third one would decide
 
@@ -127,6 +128,7 @@ def _read(forms: Sequence[Form]) -> _Factors | str:
 def _conditioning(factors: _Factors, view: View) -> int:
     rows = (factors.x1, factors.y1), (factors.x2, factors.y2)
     little = NEARLY_NOTHING if any(view.is_nearly_nothing(*row) for row in rows) else 0
+    little += SHORT_LENGTHS * sum(view.is_short(*row) for row in rows)
     if not view.is_constant_sum(factors.determinant(view)):  # it is a sum of two squares then
         apart = view.witnesses.stay_apart(factors.x1, factors.y1)
         mirrored = MIRRORED if factors.x2 == factors.y1 else 0
