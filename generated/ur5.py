@@ -370,7 +370,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5 47c8f7d19dcac642"
+_KEY = "ur5 c44cb0abb925541e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -749,18 +749,18 @@ def _serving_digits(pose, seed, search, q, status):
     before, past = np.full(2, -math.inf), np.zeros(2)
     moved = 1e-15
     while moved < 0.1:
-        for side in range(2):
-            there = -moved if side else moved
+        for way in range(2):
+            there = -moved if way else moved
             here = _attempt(pose, seed, search, there, q, status)
             if here == 0.0:
                 return there
-            if here < 2.0 * before[side] and past[side] == 0.0:
-                past[side] = 1.0
+            if here < 2.0 * before[way] and past[way] == 0.0:
+                past[way] = 1.0
                 low = 0.25 * there
                 top = _summit(pose, seed, search, low, there, q, status)
                 if not math.isnan(top):
                     return top
-            before[side] = here
+            before[way] = here
         moved *= 2.0
     return math.nan
 

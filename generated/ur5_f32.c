@@ -643,16 +643,16 @@ static float serving_digits(struct search *s)
     float before[2] = { -HUGE_VALF, -HUGE_VALF };
     int past[2] = { 0 };
     for (float moved = 1e-15f; moved < 0.1f; moved *= 2.0f)
-        for (int side = 0; side < 2; side++) {
-            const float there = side ? -moved : moved, here = attempt(s, there);
+        for (int way = 0; way < 2; way++) {
+            const float there = way ? -moved : moved, here = attempt(s, there);
             if (here == 0.0f)
                 return there;
-            if (here < 2.0f * before[side] && !past[side]++) {
+            if (here < 2.0f * before[way] && !past[way]++) {
                 const float top = summit(s, 0.25f * there, there);
                 if (!isnan(top))
                     return top;
             }
-            before[side] = here;
+            before[way] = here;
         }
     return NAN;
 }

@@ -833,16 +833,16 @@ static double serving_digits(struct search *s)
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
     int past[2] = { 0 };
     for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
-        for (int side = 0; side < 2; side++) {
-            const double there = side ? -moved : moved, here = attempt(s, there);
+        for (int way = 0; way < 2; way++) {
+            const double there = way ? -moved : moved, here = attempt(s, there);
             if (here == 0.0)
                 return there;
-            if (here < 2.0 * before[side] && !past[side]++) {
+            if (here < 2.0 * before[way] && !past[way]++) {
                 const double top = summit(s, 0.25 * there, there);
                 if (!isnan(top))
                     return top;
             }
-            before[side] = here;
+            before[way] = here;
         }
     return NAN;
 }
