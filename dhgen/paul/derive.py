@@ -57,33 +57,30 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     if chain.arm_angle:
         pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
-    route = best_route(closed, pool)
-    if route is not None and route.rows <= _usual_rows(chain):
-        return Derivation(pool, route.steps, route.alternatives)
-    found = _from_both_ends(with_inverse_forms(pool), chain, most=route.rows - 1 if route else None)
+    found = _by_steps(closed, pool)
+    if found is None:
+        found = _from_both_ends(with_inverse_forms(pool), chain)
+    elif found.branches > _usual_rows(chain):
+        both = with_inverse_forms(pool)
+        other = _by_steps(Search(both, CLOSED), both)
+        found = other if other is not None and other.branches < found.branches else found
     if found is not None:
         return found
-    if route is not None:
-        return Derivation(pool, route.steps, route.alternatives)
     if numerical:
         return Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     raise UnsolvedError(refusal(closed, chain))
 
 
-def _from_both_ends(pool: Pool, chain: Chain, most: int | None) -> Derivation | None:
-    """With the view from the tool back to the base, by steps or by a general algorithm.
+def _by_steps(search: Search, pool: Pool) -> Derivation | None:
+    """By the best order of steps, if there is one."""
+    route = best_route(search, pool)
+    return None if route is None else Derivation(pool, route.steps, route.alternatives)
 
-    Args:
-        pool: All equations.
-        chain: The arm.
-        most: So many rows are an improvement on steps without that view, where there are any; a
-            quartic or a general algorithm is none.
-    """
-    closed_only = most is not None or is_better_polished(chain)
-    route = best_route(Search(pool, CLOSED if closed_only else QUARTIC), pool)
-    found = None if route is None else Derivation(pool, route.steps, route.alternatives)
-    if most is not None:
-        return found if found is not None and found.branches <= most else None
+
+def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:
+    """With the view from the tool back to the base, by steps or by a general algorithm."""
+    kinds = CLOSED if is_better_polished(chain) else QUARTIC
+    found = _by_steps(Search(pool, kinds), pool)
     if found is not None and not _is_frail(found):
         return found
     kernel = general_kernel(chain)

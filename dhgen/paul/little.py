@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.paul.step import FEW_SIZES, Kind
 from dhgen.paul.witness import OWN_LENGTHS, build_witnesses
 
@@ -37,12 +35,10 @@ def hangs_on_little(pool: Pool, steps: Sequence[Step]) -> bool:
         steps: All steps of an arm.
     """
     witnesses = build_witnesses(pool)
-    algebra = pool.problem.algebra
-    for step in steps:
-        for letters in FACTORS.get(step.kind, ()):
-            factors = [step.coefficient(letter) for letter in letters]
-            unit = (algebra.chain.size / FEW_SIZES) ** algebra.degree(*factors)
-            values = [witnesses.evaluate(factor)[OWN_LENGTHS] for factor in factors]
-            if np.abs(values).max() < LITTLE * unit:
-                return True
-    return False
+    unit = pool.problem.algebra.chain.size / FEW_SIZES
+    return any(
+        witnesses.largest([step.coefficient(letter) for letter in letters], OWN_LENGTHS, unit)
+        < LITTLE
+        for step in steps
+        for letters in FACTORS.get(step.kind, ())
+    )

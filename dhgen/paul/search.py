@@ -8,7 +8,6 @@ how well conditioned and how short its steps are.
 from __future__ import annotations
 
 import heapq
-import math
 from dataclasses import dataclass
 from itertools import combinations, count
 from typing import TYPE_CHECKING
@@ -44,11 +43,6 @@ class Route:
 
     steps: tuple[Step, ...]
     alternatives: tuple[tuple[Step, ...], ...]
-
-    @property
-    def rows(self) -> int:
-        """The product of the steps' roots."""
-        return math.prod(step.roots for step in self.steps)
 
 
 class Search:

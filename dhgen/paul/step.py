@@ -143,20 +143,16 @@ class View:
 
         Whatever its lengths are: so are the products of the cosines of nearly right twists.
         """
-        algebra = self.knowledge.runs.algebra
-        unit = (algebra.chain.size / FEW_SIZES) ** algebra.degree(*factors)
-        sizes = [abs(self.witnesses.evaluate(each)[RANDOM_LENGTHS]).max() for each in factors]
-        return float(max(sizes)) < NOTHING * unit
+        unit = self.knowledge.runs.algebra.chain.size / FEW_SIZES
+        return self.witnesses.largest(factors, RANDOM_LENGTHS, unit) < NOTHING
 
     def is_short(self, *factors: Polynomial) -> bool:
         """Whether factors of one equation are small together, with the arm's own lengths.
 
         What is computed from it is good to as many digits fewer.
         """
-        algebra = self.knowledge.runs.algebra
-        unit = algebra.chain.size ** algebra.degree(*factors)
-        sizes = [abs(self.witnesses.evaluate(each)[OWN_LENGTHS]).max() for each in factors]
-        return float(max(sizes)) < SHORT * unit
+        size = self.knowledge.runs.algebra.chain.size
+        return self.witnesses.largest(factors, OWN_LENGTHS, size) < SHORT
 
     def normal(self, polynomial: Polynomial) -> Polynomial:
         """The normal form."""

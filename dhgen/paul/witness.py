@@ -18,7 +18,7 @@ from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, POSE_PLACES, SHOUL
 from dhgen.paul.samples import Samples, terms_on
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
 
@@ -55,6 +55,11 @@ class Witnesses:
     def evaluate(self, polynomial: Polynomial) -> Values:
         """The polynomial on every witness, shape (COUNT,)."""
         return self.samples.value(polynomial)
+
+    def largest(self, factors: Sequence[Polynomial], among: slice, unit: float) -> float:
+        """The largest that the factors of one equation are on some witnesses, lengths in a unit."""
+        values = [np.abs(self.evaluate(factor)[among]).max() for factor in factors]
+        return float(max(values)) / unit ** self.algebra.degree(*factors)
 
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial is zero on any witness."""

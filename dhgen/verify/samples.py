@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.mobility import units
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.verify.measures import task_rates
@@ -69,7 +70,7 @@ def _singular(chain: Chain, source: np.random.Generator, count: int) -> tuple[Sa
     """
     arm = numeric_arm(chain)
     turns = np.array(chain.turning)
-    unit = np.where(turns, 1.0, chain.size)
+    unit = units(chain)
     moving = [joint.number - 1 for joint in chain.solved]
     low, high = _strokes(chain)
     tried = TRIED * count

@@ -9,28 +9,15 @@ import pytest
 
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.count import count_operations
-from dhgen.program.interpret import outputs
 from dhgen.program.regular.regular import regular
 from dhgen.program.role import Tolerance
 from tests.derivation.stories import story
+from tests.program.doubts import doubtful
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = 200
-
-
-def doubtful(name: str, q: FloatArray) -> NDArray[np.bool_]:
-    """Whether the poses (N,) of joint values (N, n) are left to the whole program."""
-    of = story(name)
-    solver = regular(of.program)
-    assert solver is not None
-    arm = numeric_arm(of.derivation.problem.algebra.chain)
-    found = outputs(solver.program, arm.pose(q), None, np.zeros((len(q), 0)))
-    doubts = found[len(found) - len(solver.doubts) :]
-    return np.asarray(np.any(doubts, axis=(0, -1)), dtype=np.bool_)
 
 
 def joints(name: str) -> FloatArray:

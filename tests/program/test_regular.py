@@ -24,6 +24,7 @@ from dhgen.program.regular.regular import inverses_kept, regular
 from dhgen.tolerances import SINGLE, TOLERANCES
 from tests.derivation.stories import story
 from tests.kinematics.values import table
+from tests.program.doubts import doubtful
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -117,14 +118,9 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_few_random_poses_are_doubtful(name: str) -> None:
     """They take the careful solver's time, which is fifty times as long: one in a thousand."""
-    of = story(name)
-    arm = numeric_arm(of.derivation.problem.algebra.chain)
-    solver = regular(of.program)
-    assert solver is not None
-    q = np.random.default_rng(8).uniform(-np.pi, np.pi, (MANY, arm.chain.dof))
-    found = outputs(solver.program, arm.pose(q), None, given_values(arm, q))
-    doubts = found[len(found) - len(solver.doubts) :]
-    assert np.count_nonzero(np.any([np.zeros_like(found[0]), *doubts], axis=(0, -1))) < MANY / 1000
+    dof = story(name).derivation.problem.algebra.chain.dof
+    q = np.random.default_rng(8).uniform(-np.pi, np.pi, (MANY, dof))
+    assert np.count_nonzero(doubtful(name, q)) < MANY / 1000
 
 
 def nearly_fitting(name: str, factors: list[float]) -> tuple[NDArray[np.bool_], FloatArray]:

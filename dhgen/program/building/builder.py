@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import reduce
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from dhgen.program.building.graph import Graph
 from dhgen.program.building.schedule import Mark, Names, scheduled
@@ -116,13 +116,13 @@ class Builder(Graph):
         """yes where the condition holds, else no."""
         return yes if yes == no else self.apply("select", condition, yes, no)
 
-    def alternatives(self, truths: Iterable[Node]) -> list[Node]:
-        """What any of these holds for, without "or"."""
+    def joined(self, truths: Iterable[Node], operator: Literal["and", "or"]) -> list[Node]:
+        """What truth values join by an operator, however deep, each once."""
         pending, found = list(truths), []
         while pending:
             node = pending.pop(0)
             entry = self.entries[node]
-            if entry.operator == "or":
+            if entry.operator == operator:
                 pending += entry.operands
             else:
                 found.append(node)
@@ -131,7 +131,7 @@ class Builder(Graph):
     def disjunctions(self, truths: Iterable[Node]) -> list[Node]:
         """Whether any of these holds: one truth value for each type, the narrow ones first."""
         merged: dict[tuple[int, ...], list[Node]] = {}
-        for node in self.alternatives(truths):
+        for node in self.joined(truths, "or"):
             merged.setdefault(self.entries[node].axes, []).append(node)
         types = sorted(merged, key=lambda axes: (len(axes), axes))
         return [reduce(lambda a, b: self.apply("or", a, b), merged[axes]) for axes in types]

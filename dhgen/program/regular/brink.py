@@ -43,10 +43,10 @@ class Brink:
             self._is_above(miss, None if most is None else -most)
 
     def _is_above(self, value: Node, least: Fraction | None) -> None:
-        entry = self._builder.entries[value]
         if least is None:
             return
         self._least[value] = least
+        entry = self._builder.entries[value]
         if entry.operator == "sub" and (off := self._number(entry.operands[1])) is not None:
             self._least[entry.operands[0]] = least + off
 
@@ -90,12 +90,8 @@ class Brink:
 
     def _at_most(self, condition: Node) -> Iterator[tuple[Node, Node]]:
         """What is less than what, or at most."""
-        entry = self._builder.entries[condition]
-        if entry.operator == "and":
-            for operand in entry.operands:
-                yield from self._at_most(operand)
-        else:
-            low, high = entry.operands
+        for part in self._builder.joined([condition], "and"):
+            low, high = self._builder.entries[part].operands
             yield low, high
 
     def _width(self, value: Node, condition: Node) -> Node:

@@ -106,7 +106,7 @@ class Unguarded:
         outside = limiting.outside()
         results |= {} if outside is None else {"outside": outside}
         count = len(results)
-        doubts = builder.alternatives(self._doubts)
+        doubts = builder.joined(self._doubts, "or")
         doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(self._program.name, results, [])

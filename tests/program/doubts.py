@@ -1,0 +1,29 @@
+"""Which poses the program of regular poses leaves to the whole one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.given import given_values
+from dhgen.program.interpret import outputs
+from dhgen.program.regular.regular import regular
+from tests.derivation.stories import story
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.survey.oracle.arm import FloatArray
+
+
+def doubtful(name: str, q: FloatArray) -> NDArray[np.bool_]:
+    """Whether the poses (N,) of joint values (N, n) are left to the whole program."""
+    of = story(name)
+    solver = regular(of.program)
+    assert solver is not None
+    arm = numeric_arm(of.derivation.problem.algebra.chain)
+    found = outputs(solver.program, arm.pose(q), None, given_values(arm, q))
+    doubts = found[len(found) - len(solver.doubts) :]
+    return np.asarray(np.any([np.zeros_like(found[0]), *doubts], axis=(0, -1)), dtype=np.bool_)
