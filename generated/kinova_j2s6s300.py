@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 39f77b69948e0adb"
+_KEY = "kinova_j2s6s300 9000c6e27fc5c710"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -651,13 +651,16 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
+
+
 @_inner
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count.
     """
-    row, joint, _ = search
+    row, joint = search[0], search[1]
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
@@ -716,9 +719,6 @@ def _serving(pose, seed, search, q, status):
         if not abs(outer) >= abs(nearest) - 1e-09:
             nearest = outer
     return nearest
-
-
-_CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
 
 
 @_inner

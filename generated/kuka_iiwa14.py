@@ -408,7 +408,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 73d1ef4aa4ad3778"
+_KEY = "kuka_iiwa14 275ad055d8d87cfb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -731,13 +731,16 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (4, 1, 0,)  # joints, from 0, that may be free
+
+
 @_inner
 def _attempt(pose, q_free, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count.
     """
-    row, joint, _ = search
+    row, joint = search[0], search[1]
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
@@ -796,9 +799,6 @@ def _serving(pose, q_free, seed, search, q, status):
         if not abs(outer) >= abs(nearest) - 1e-09:
             nearest = outer
     return nearest
-
-
-_CHOOSABLE = (4, 1, 0,)  # joints, from 0, that may be free
 
 
 @_inner

@@ -317,7 +317,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa af05e932b13acfa8"
+_KEY = "kuka_kr40pa e16b5717dee50d64"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -848,6 +848,9 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (3, 2, 1, 0,)  # joints, from 0, that may be free
+
+
 @_inner
 def _serves(search, q, status):
     """Whether a row was solved, as exactly as poses may be rounded."""
@@ -867,9 +870,9 @@ def _shortfall(pose, row, q, status):
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count.
     """
-    row, joint, _ = search
+    row, joint = search[0], search[1]
     for i in range(2):
         status[i] = UNREACHABLE
     kept = seed[joint]

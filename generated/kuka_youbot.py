@@ -348,7 +348,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 0e7d81ca58af949a"
+_KEY = "kuka_youbot 77f2a6bdad2cce05"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -607,6 +607,9 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (4, 3, 2, 1, 0,)  # joints, from 0, that may be free
+
+
 @_inner
 def _serves(search, q, status):
     """Whether a row was solved, as exactly as poses may be rounded."""
@@ -626,9 +629,9 @@ def _shortfall(pose, row, q, status):
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count.
     """
-    row, joint, _ = search
+    row, joint = search[0], search[1]
     for i in range(4):
         status[i] = UNREACHABLE
     kept = seed[joint]

@@ -305,7 +305,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 1c2618b9a4e5a6fd"
+_KEY = "olson_pprrrr e3f062ef51bca6d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -539,6 +539,9 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (4, 2,)  # joints, from 0, that may be free
+
+
 @_inner
 def _serves(search, q, status):
     """Whether a row was solved, as exactly as poses may be rounded."""
@@ -558,9 +561,9 @@ def _shortfall(pose, row, q, status):
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count.
     """
-    row, joint, _ = search
+    row, joint = search[0], search[1]
     for i in range(4):
         status[i] = UNREACHABLE
     kept = seed[joint]

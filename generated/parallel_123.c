@@ -805,6 +805,7 @@ struct search {
     double seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
+    double by; /* how far roots are moved */
 };
 
 /* How far a row is from a solution: 0 if it is solved. */
@@ -821,7 +822,7 @@ static double attempt(struct search *s, double moved)
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
         s->status[i] = PARALLEL_123_UNREACHABLE;
-    solve(s->T, s->seed, 0.0, s->q, s->status);
+    solve(s->T, s->seed, s->by, s->q, s->status);
     return shortfall(s);
 }
 

@@ -521,7 +521,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 18983337a1d2d8e0"
+_KEY = "parallel_123 1ea9b6449189da7b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1233,6 +1233,9 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (5, 2, 1, 0,)  # joints, from 0, that may be free
+
+
 @_inner
 def _serves(search, q, status):
     """Whether a row was solved, as exactly as poses may be rounded."""
@@ -1252,14 +1255,15 @@ def _shortfall(pose, row, q, status):
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count, and by how much roots
+    are moved.
     """
-    row, joint, _ = search
+    row, joint = search[0], search[1]
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
-    _solve(pose, seed, 0.0, q, status)
+    _solve(pose, seed, search[3], q, status)
     seed[joint] = kept
     return _shortfall(pose, row, q, status)
 
@@ -1353,7 +1357,7 @@ def _choose_again(pose, given, row, q, status):
     The joint takes the nearest value that serves.
     """
     nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False
+    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False, 0.0
     seed, trial, result = given.copy(), q.copy(), status.copy()
     if nearly:
         seed[search[1]] = q[row, 1]

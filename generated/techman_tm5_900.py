@@ -380,7 +380,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 092e770c0277ad54"
+_KEY = "techman_tm5_900 c41ef27224e6c6f7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -666,6 +666,9 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
+_CHOOSABLE = (5, 1, 0,)  # joints, from 0, that may be free
+
+
 @_inner
 def _serves(search, q, status):
     """Whether a row was solved, as exactly as poses may be rounded."""
@@ -687,9 +690,9 @@ def _shortfall(pose, row, q, status):
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
-    A search is a row, the joint that had been chosen, and whether limits count.
+    A search is a row, the joint that had been chosen, whether limits count.
     """
-    row, joint, within = search
+    row, joint = search[0], search[1]
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
@@ -697,7 +700,7 @@ def _attempt(pose, seed, search, moved, q, status):
     _solve(pose, seed, q, status)
     seed[joint] = kept
     result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if within and result == 0.0 else result
+    return -_beyond_limits(q[row]) if search[2] and result == 0.0 else result
 
 
 @_inner
@@ -802,9 +805,6 @@ def _choose_again(pose, given, row, q, status):
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):
         q[row, i] = trial[row, i] if served else math.nan
-
-
-_CHOOSABLE = (5, 1, 0,)  # joints, from 0, that may be free
 
 
 @_inner

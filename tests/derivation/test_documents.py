@@ -197,6 +197,20 @@ def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
     assert "this equation holds for every" not in document("spherical")
 
 
+def test_what_the_pose_leaves_of_a_slide_is_said() -> None:
+    """Where cos theta_4 is zero the slide's equation says nothing, and two lengths work."""
+    rows = (
+        "theta: q, a: 0.25, alpha: 60 deg",
+        "theta: q, d: 0.25, alpha: 90 deg",
+        "theta: -90 deg, d: 0.25 - q, alpha: 45 deg",
+        "theta: q, d: 0.25, a: 0.25, alpha: 90 deg",
+        "theta: q, d: 0.25, a: 0.25",
+    )
+    text = made_of(*rows)
+    assert "every $r_3$ works" not in text
+    assert "this equation holds for every $r_3$ if $Y = 0$, the others for all, a few" in text
+
+
 def test_numbers_of_a_frame_are_not_called_its_entries() -> None:
     rows = "theta: q, a: 0.4", "theta: q, a: 0.3*cos(0.2)"
     text = made_of(*rows, base="{rpy: [0, 0, 15 deg]}", tool="{rpy: [0, 0, 0.3]}", task="[x, y]")

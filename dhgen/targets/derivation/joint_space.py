@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 LONGEST = 3  # terms of a condition in joint angles
 SAME = 1e-9  # how near two values on the witnesses are when they are equal
 OTHERS_DECIDE = "the others for all, a few or none of them; the row holds one"
+THE_REST = " and, of a few, rows that are left the rest"
 
 
 def other_combination(context: StepContext) -> Polynomial | None:
@@ -109,8 +110,8 @@ def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
     if parallel is not None and not context.step.silent:
         return _sum_that_is_left(context.story.algebra, *parallel)
     works = "every {} works"
-    if context.step.silent or _is_left_to_the_pose(context):
-        works = f"this equation holds for every {{}}, {OTHERS_DECIDE}"
+    if context.step.silent or is_left_to_the_pose(context):
+        works = f"this equation holds for every {{}}, {others_decide(context)}"
     if _is_about_first_axis(context):
         text = "{} lies on axis 1, and " + works
         return say(text, point_name(context), theta(context.angle))
@@ -141,7 +142,12 @@ def meaning_of_root(context: StepContext) -> Prose:
     return say("the arm is at the edge of its reach")
 
 
-def _is_left_to_the_pose(context: StepContext) -> bool:
+def others_decide(context: StepContext) -> str:
+    """What the rows hold where the other equations decide."""
+    return OTHERS_DECIDE + THE_REST if is_left_to_the_pose(context) else OTHERS_DECIDE
+
+
+def is_left_to_the_pose(context: StepContext) -> bool:
     """Whether rows are compared with the whole pose, which tells a value of this angle from others.
 
     An arm of fewer joints than the pose has numbers may take it by some values only.
@@ -223,9 +229,11 @@ def _parallel_around(algebra: Algebra, joints: Polynomial | None) -> tuple[int, 
 __all__ = [
     "Symbol",
     "condition_in_joints",
+    "is_left_to_the_pose",
     "meaning_of_free",
     "meaning_of_root",
     "other_combination",
+    "others_decide",
     "point_name",
     "unsigned",
     "without_lengths",

@@ -54,18 +54,32 @@ def python_tightening(kernel: NumericalKernel, module: Module) -> str:
     return _filled("python/tighten.py.jinja", kernel, module, arrays=arrays, looked=INSIDE)
 
 
-def c_both_sides(kernel: NumericalKernel, turning: Turning, module: Module, calls: Calls) -> str:
+def c_both_sides(kernel: NumericalKernel, turning: Turning, common: Common, calls: Calls) -> str:
     """The static function `both_sides` in C99; it needs `solve` and what tightens."""
     places = turning_places(turning)
-    return _filled("c/both_sides.c.jinja", kernel, module, calls=calls, turning=places)
+    return _filled(
+        "c/both_sides.c.jinja",
+        kernel,
+        common.module,
+        searches=common.searches,
+        calls=calls,
+        turning=places,
+    )
 
 
 def python_both_sides(
-    kernel: NumericalKernel, turning: Turning, module: Module, calls: Calls
+    kernel: NumericalKernel, turning: Turning, common: Common, calls: Calls
 ) -> str:
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
     places = turning_places(turning)
-    return _filled("python/both_sides.py.jinja", kernel, module, calls=calls, turning=places)
+    return _filled(
+        "python/both_sides.py.jinja",
+        kernel,
+        common.module,
+        searches=common.searches,
+        calls=calls,
+        turning=places,
+    )
 
 
 def c_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:

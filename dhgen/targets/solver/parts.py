@@ -56,7 +56,7 @@ class Writers:
     general: Callable[[GeneralKernel, str], str]
     general_rows: Callable[[GeneralKernel, Chain, str], str]
     tightening: Callable[[NumericalKernel, Module], str]
-    both_sides: Callable[[NumericalKernel, Turning, Module], str]
+    both_sides: Callable[[NumericalKernel, Turning, Common], str]
     seeking: Callable[[NumericalKernel, Common], str]
     between: str
 
@@ -68,7 +68,7 @@ def parts_of(module: SolverModule, common: Common, write: Writers) -> Parts:
     return Parts(
         all_joints=_all_joints(module, of, write),
         tightening="" if tightened is None else write.tightening(tightened, of),
-        both_sides="" if roots is None else write.both_sides(roots, solver.turning, of),
+        both_sides="" if roots is None else write.both_sides(roots, solver.turning, common),
         seeking="" if tightened is None else write.seeking(tightened, common),
     )
 

@@ -6,13 +6,17 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.numerical.kernel import TIGHTENINGS, TOGETHER
 from dhgen.targets.solver.standing import stands_on_limits, winds
-from dhgen.targets.walk import checks_again, choosable, chooses_again
+from dhgen.targets.walk import checks_again, choosable, chooses_again, finds_roots
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 FAN = 64  # values of a free joint that are tried first
+# Beside one that serves each is farther from it by the root of 2: what is missed between it and
+# another one that serves shows both, however near they are.
+CLOSE_FAN = 20
 LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
@@ -29,6 +33,8 @@ class Searches:
         chooses_again: Whether they are where the seed's leads to no solution.
         keeps_limits: Whether they are where it leads beyond limits.
         both: Whether they are for both reasons.
+        others: Whether a joint may have one of a few values: then all of them are looked for.
+        ascend: Whether rows are the roots of a polynomial, in their order.
         slides: Whether slides are among these joints.
         measures_limits: Whether it is asked how far a joint is beyond its limits.
         sums_limits: Whether it is asked of a row; where limits are wide only searches do.
@@ -43,6 +49,10 @@ class Searches:
         rounding: What it does to joint values [rad or length]: how near branches that meet end a
             search, and what has not moved.
         met: Two distances from the seed that differ by less are told apart by it alone.
+        together: Joint values that differ by less are one solution [rad, arm sizes].
+        steps: To one at most.
+        close_fan: Values that are tried beside one that serves, to each side.
+        whole_fan: All that are tried then, to each side.
         elsewhere: How far a joint is moved to see which others move with it [rad or length].
     """
 
@@ -50,6 +60,8 @@ class Searches:
     chooses_again: bool
     keeps_limits: bool
     both: bool
+    others: bool
+    ascend: bool
     slides: bool
     measures_limits: bool
     sums_limits: bool
@@ -63,6 +75,10 @@ class Searches:
     least_move: float = LEAST_MOVE
     most_move: float = MOST_MOVE
     halvings: int = HALVINGS
+    together: str = repr(TOGETHER)
+    steps: int = TIGHTENINGS
+    close_fan: int = CLOSE_FAN
+    whole_fan: int = CLOSE_FAN + FAN // 2
     elsewhere: float = ELSEWHERE
 
 
@@ -77,6 +93,8 @@ def searches_of(module: SolverModule) -> Searches:
         chooses_again=again,
         keeps_limits=within,
         both=again and within,
+        others=tightens and checks_again(module.solver) and module.solver.rows > 1,
+        ascend=finds_roots(module.solver) and len(module.solver.axes) == 1,
         slides=(again or within) and "P" in module.joint_types,
         measures_limits=within or stands_on_limits(module),
         sums_limits=within or not winds(module) or tightens or tolerances.blur_limits,

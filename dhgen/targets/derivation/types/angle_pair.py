@@ -9,7 +9,7 @@ from dhgen.kinematics.ring import constant_value
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
 from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.joint_space import OTHERS_DECIDE, point_name
+from dhgen.targets.derivation.joint_space import others_decide, point_name
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
@@ -142,7 +142,7 @@ def _free(context: StepContext, *, together: bool) -> Singularity:
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
     works = "every {} works"
     if context.step.silent:
-        works = f"these equations hold for every {{}}, {OTHERS_DECIDE}"
+        works = f"these equations hold for every {{}}, {others_decide(context)}"
     meaning = say(works, theta(context.angle))
     if about is not None and together and all(o.column == 4 for o in context.step.origins):
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
