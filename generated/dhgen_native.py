@@ -168,8 +168,8 @@ class _Solver:
         names = {
             "fk": self.fk,
             "jacobian": self.jacobian,
-            "ik_into": _into_given(self.into) if self._given else _into_plain(self.into),
             "_unseeded": lambda *arguments: self.into(*arguments, None),
+            "_seeded": self.into,
             "_in_tiles": self.batch,
             "_one_by_one": self.batch,
             "warm_up": self.warm_up,
@@ -233,22 +233,6 @@ class _Solver:
         if not np.isfinite(values).all():
             raise ValueError("q_seed must be finite")
         return values
-
-
-def _into_plain(into: Callable[..., int]) -> Callable[..., int]:
-    def ik_into(T: Any, q: Any, status: Any, q_seed: Any = None) -> int:  # noqa: ANN401
-        """All solutions into the caller's arrays; how many rows are OK or FREE_JOINT."""
-        return into(T, q, status, q_seed)
-
-    return ik_into
-
-
-def _into_given(into: Callable[..., int]) -> Callable[..., int]:
-    def ik_into(T: Any, q_free: Any, q: Any, status: Any, q_seed: Any = None) -> int:  # noqa: ANN401
-        """All solutions into the caller's arrays; how many rows are OK or FREE_JOINT."""
-        return into(T, q_free, q, status, q_seed)
-
-    return ik_into
 
 
 def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:

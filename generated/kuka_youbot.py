@@ -32,13 +32,13 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
     def intrinsic(**_):
-        return lambda function: np.zeros
+        return lambda function: lambda given: given
 
     def overload(*_, **__):
         return lambda function: function
 
-    def carray(numbers, _):
-        return numbers
+    def carray(_, size):
+        return np.zeros(size)
 
 
 # What is not said to be inlined by force would be, in those that are.
@@ -70,6 +70,22 @@ def _room(_, size):
         return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
+
+
+@intrinsic(prefer_literal=False)
+def _lent(_, array):
+    """The array without a hold on its memory, which its owner keeps until the call is over.
+
+    Counting who holds an array takes processors longer than solving a pose.
+    """
+
+    def code(context, builder, signature, args):
+        lent = context.make_array(signature.return_type)(context, builder, args[0])
+        lent.meminfo = lent.meminfo.type(None)
+        return lent._getvalue()
+
+    return array(array), code
+
 
 NAME = "kuka_youbot"
 METHOD = "closed form"
@@ -141,6 +157,8 @@ _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
 _NONE = type(None)
+# Names of modules take their time in a call that is over in half a microsecond.
+_empty, _contiguous = np.empty, np.ascontiguousarray
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -348,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 77f2a6bdad2cce05"
+_KEY = "kuka_youbot a4808ffb979bdb93"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1215,12 +1233,20 @@ def _zeros(seed):
 
 @_jit
 def _unseeded(T, q, status):
-    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
     seed = _zeros(carray(_room(5), 5))
-    return _into(T, seed, q, status)
+    return _into(_lent(T), seed, _lent(q), _lent(status))
 
 
 @_jit
+def _seeded(T, q, status, seed):
+    if seed.shape != (5,):
+        raise ValueError("q_seed must have shape (5,)")
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    return _into(_lent(T), _lent(seed), _lent(q), _lent(status))
+
+
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
@@ -1240,13 +1266,20 @@ def ik_into(T, q, status, q_seed=None):
         ValueError: An array has the wrong shape, q or status has the wrong type, or the seed is
             not finite.
     """
-    seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
-    if seed.shape != (5,):
-        raise ValueError("q_seed must have shape (5,)")
-    for value in seed:
-        if not math.isfinite(value):
-            raise ValueError("q_seed must be finite")
-    return _into(T, seed, q, status)
+    # From Python numba takes its time for an argument that is left out.
+    if q_seed is None:
+        return _unseeded(T, q, status)
+    return _seeded(T, q, status, q_seed)
+
+
+@overload(ik_into)
+def _ik_into(T, q, status, q_seed=None):
+    def solve(T, q, status, q_seed=None):
+        if q_seed is None:
+            return _unseeded(_lent(T), _lent(q), _lent(status))
+        return _seeded(_lent(T), _lent(q), _lent(status), _lent(q_seed))
+
+    return solve
 
 
 def ik_all(T, q_seed=None):
@@ -1261,14 +1294,17 @@ def ik_all(T, q_seed=None):
     Raises:
         ValueError: An argument has the wrong shape, or the seed is not finite.
     """
-    q, status = np.empty((4, 5)), np.empty(4, _BYTE)
-    given, T = T, _numbers(T, (4, 4), "T")
+    q, status = _empty((4, 5)), _empty(4, _BYTE)
+    given = T
     try:
+        T = _contiguous(T)
+        if T.dtype is not _FLOAT:
+            T = _numbers(T, (4, 4), "T")
         if q_seed is None:
             _unseeded(T, q, status)
         else:
             seed = _array(q_seed, (5,), "q_seed")
-            ik_into(T, q, status, seed)
+            _seeded(T, q, status, seed)
     except Exception:
         # Shapes are looked at in there: only who fails is asked again, and told which one it is.
         _array(given, (4, 4), "T")
@@ -1715,7 +1751,6 @@ def warm_up():
     jacobian(_ZEROS)
     ik_into(T, q, status)
     ik_into(T, q, status, _ZEROS)
-    _unseeded(T, q, status)
     _nearest(q, status, _ZEROS, True, np.empty(5))
     ik_batch(T[np.newaxis])
     for number in range(len(_APART)):

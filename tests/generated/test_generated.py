@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import re
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any
@@ -265,6 +266,23 @@ def test_control_loops_allocate_nothing(name: str) -> None:
     one, all_poses = allocations(module(name), T)
     assert all_poses == one < 10
     assert "allocated only where a pose is singular" in str(module(name).ik_into.__doc__)
+
+
+def test_nobody_counts_holders_of_arrays_while_solving() -> None:
+    """Each count is an atomic instruction: ten of them took longer than solving the pose."""
+    solve = module("scara").ik_into
+
+    @njit
+    def loop(T, rows, status):  # type: ignore[no-untyped-def]
+        for k in range(len(T)):
+            solve(T[k], rows, status)
+
+    loop(np.tile(np.eye(4), (2, 1, 1)), np.empty((2, 4)), np.empty(2, np.uint8))
+    functions = loop.inspect_llvm(loop.signatures[0]).split("\ndefine ")[1:]
+    inner = re.compile(r"@_ZN5scara\d+(_unseeded|ik_into)")
+    (solver,) = (each for each in functions if inner.search(each.split("\n")[0]))
+    assert "fsub" in solver
+    assert "NRT_incref" not in solver.split("\n}")[0]
 
 
 def test_polynomials_allocate_and_say_so() -> None:
