@@ -1020,8 +1020,7 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
- * */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
 static double half_way(const double x[7], const double q[7], double half[7])
 {
     double most = 0.0;
@@ -1036,7 +1035,7 @@ static double half_way(const double x[7], const double q[7], double half[7])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where it is given. */
+/* What a step of one means for joints; none if given. */
 static const double pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
@@ -1057,9 +1056,8 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
- * the
- * damping's root, are made orthogonal one after another, twice for singular places. */
+/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
+ * places. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -1136,8 +1134,26 @@ static void stand(const double T[16], double q[7])
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
- * told from by nothing, one left, or any. */
+/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+static void tell_once(const double T[16], double q[8][7], unsigned char status[8])
+{
+    const int held[7] = { 0 };
+    for (int n = 0; n < 8 * 8; n++) {
+        double half[7], e[6], *row = q[n / 8];
+        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
+            continue;
+        double miss = off_pose(T, half, e);
+        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
+            add_step(held, 1e-13, e, half);
+        for (int i = 0; i < 7 && miss <= 1e-14; i++) {
+            status[n / 8] = KUKA_IIWA14_UNREACHABLE;
+            row[i] = NAN;
+        }
+    }
+}
+
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
+ * is as good, one left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
@@ -1194,6 +1210,7 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++)
         if (status[row] == KUKA_IIWA14_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, free_joints, seed, row, q, status);
+    tell_once(pose, q, status);
     stay(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == KUKA_IIWA14_UNREACHABLE)

@@ -1133,8 +1133,7 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
- * */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
 static double half_way(const double x[4], const double q[4], double half[4])
 {
     double most = 0.0;
@@ -1149,7 +1148,7 @@ static double half_way(const double x[4], const double q[4], double half[4])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where it is given. */
+/* What a step of one means for joints; none if given. */
 static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
@@ -1170,9 +1169,8 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
- * the
- * damping's root, are made orthogonal one after another, twice for singular places. */
+/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
+ * places. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
@@ -1227,8 +1225,8 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
- * told from by nothing, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
+ * is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])

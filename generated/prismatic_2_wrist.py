@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 145af63447840ea4"
+_KEY = "prismatic_2_wrist 21dbde3d18b28534"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -756,6 +756,36 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _are_one(T, half):
+    """Whether rounding alone tells two solutions that lie to both sides of joint values.
+
+    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
+    the pose is from one at which both meet.
+    """
+    held = np.zeros(6, np.bool_)
+    for _ in range(3):
+        _add_step(held, 1e-13, _miss(T, half)[0], half)
+    return _miss(T, half)[1] <= 1e-14
+
+
+@_inner
+def _tell_once(pose, q, status):
+    """Ends rows that rounding alone tells from earlier ones.
+
+    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
+    """
+    half = np.empty(6)
+    for row in range(1, 8):
+        for k in range(row):
+            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
+                continue
+            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
+                status[row] = UNREACHABLE
+                for i in range(6):
+                    q[row, i] = math.nan
+
+
 @_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
@@ -790,6 +820,7 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
     for row in range(8):

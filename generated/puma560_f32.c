@@ -618,8 +618,7 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
- * */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
 static float half_way(const float x[6], const float q[6], float half[6])
 {
     float most = 0.0f;
@@ -634,7 +633,7 @@ static float half_way(const float x[6], const float q[6], float half[6])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const float weights[6] = { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f };
-/* What a step of one means for each joint; none where it is given. */
+/* What a step of one means for joints; none if given. */
 static const float pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
@@ -655,9 +654,8 @@ static float off_pose(const float T[16], const float x[6], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
- * the
- * damping's root, are made orthogonal one after another, twice for singular places. */
+/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
+ * places. */
 static void add_step(const int held[6], float damping, float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
@@ -766,8 +764,26 @@ static void stand(const float T[16], float q[6])
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
- * told from by nothing, one left, or any. */
+/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
+{
+    const int held[6] = { 0 };
+    for (int n = 0; n < 8 * 8; n++) {
+        float half[6], e[6], *row = q[n / 8];
+        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.03f || isnan(half[0]))
+            continue;
+        float miss = off_pose(T, half, e);
+        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
+            add_step(held, 1e-13f, e, half);
+        for (int i = 0; i < 6 && miss <= 1e-07f; i++) {
+            status[n / 8] = PUMA560_F32_UNREACHABLE;
+            row[i] = NAN;
+        }
+    }
+}
+
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
+ * is as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
@@ -827,6 +843,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     for (int row = 0; row < 8; row++)
         if (status[row] == PUMA560_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
             keep_limits(pose, seed, row, q, status);
+    tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA560_F32_UNREACHABLE)

@@ -504,8 +504,7 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
- * */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
 static double half_way(const double x[3], const double q[3], double half[3])
 {
     double most = 0.0;
@@ -520,7 +519,7 @@ static double half_way(const double x[3], const double q[3], double half[3])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0 };
-/* What a step of one means for each joint; none where it is given. */
+/* What a step of one means for joints; none if given. */
 static const double pace[3] = { 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
@@ -536,9 +535,8 @@ static double off_pose(const double T[16], const double x[3], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
- * the
- * damping's root, are made orthogonal one after another, twice for singular places. */
+/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
+ * places. */
 static void add_step(const int held[3], double damping, double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
@@ -593,8 +591,26 @@ static int settle(const double T[16], double enough, double most, double q[3])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
- * told from by nothing, one left, or any. */
+/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+static void tell_once(const double T[16], double q[4][3], unsigned char status[4])
+{
+    const int held[3] = { 0 };
+    for (int n = 0; n < 4 * 4; n++) {
+        double half[3], e[6], *row = q[n / 4];
+        if (n % 4 >= n / 4 || half_way(q[n % 4], row, half) >= 0.001 || isnan(half[0]))
+            continue;
+        double miss = off_pose(T, half, e);
+        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
+            add_step(held, 1e-13, e, half);
+        for (int i = 0; i < 3 && miss <= 1e-14; i++) {
+            status[n / 4] = PUMA_ARM_UNREACHABLE;
+            row[i] = NAN;
+        }
+    }
+}
+
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
+ * is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])
@@ -637,6 +653,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3],
     if (!valid)
         return -PUMA_ARM_INVALID_POSE;
     solve(pose, seed, q, status);
+    tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
         if (status[row] == PUMA_ARM_UNREACHABLE)

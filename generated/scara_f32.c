@@ -511,8 +511,7 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
- * */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
 static float half_way(const float x[4], const float q[4], float half[4])
 {
     float most = 0.0f;
@@ -527,7 +526,7 @@ static float half_way(const float x[4], const float q[4], float half[4])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
-/* What a step of one means for each joint; none where it is given. */
+/* What a step of one means for joints; none if given. */
 static const float pace[4] = { 1.0f, 1.0f, 0.8f, 1.0f };
 
 /* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
@@ -548,9 +547,8 @@ static float off_pose(const float T[16], const float x[4], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
- * the
- * damping's root, are made orthogonal one after another, twice for singular places. */
+/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
+ * places. */
 static void add_step(const int held[4], float damping, float e[6], float x[4])
 {
     float A[6][10] = { { 0.0f } }, square[6] = { 0.0f }, J[24];
@@ -661,8 +659,8 @@ static void stand(const float T[16], float q[4])
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one it is
- * told from by nothing, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
+ * is as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[4], float q[2][4],
     unsigned char status[2])

@@ -3810,8 +3810,7 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; into half the middle.
- * */
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
 static double half_way(const double x[5], const double q[5], double half[5])
 {
     double most = 0.0;
@@ -3826,7 +3825,7 @@ static double half_way(const double x[5], const double q[5], double half[5])
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-/* What a step of one means for each joint; none where it is given. */
+/* What a step of one means for joints; none if given. */
 static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
@@ -3847,9 +3846,8 @@ static double off_pose(const double T[16], const double x[5], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: rows of the Jacobian, each with its share of
- * the
- * damping's root, are made orthogonal one after another, twice for singular places. */
+/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
+ * places. */
 static void add_step(const int held[5], double damping, double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];

@@ -32,6 +32,15 @@ def finds_roots(program: Program) -> bool:
     return any(isinstance(statement, Roots) for statement in program.body)
 
 
+def roots_in_a_row(program: Program) -> int:
+    """How many roots, of squares or of polynomials, may meet."""
+    return sum(
+        isinstance(each, Roots)
+        or (isinstance(each, Guard) and each.failure is Failure.REACH and each.margin is not None)
+        for each in program.body
+    )
+
+
 def parted(program: Program) -> NumericalKernel | None:
     """What takes rows to their solutions where roots nearly meet; None where there are no roots."""
     return program.tightened if finds_roots(program) else None

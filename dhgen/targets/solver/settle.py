@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.kernel import BESIDE_SEED, DAMPING, TOGETHER
+from dhgen.numerical.kernel import BESIDE_SEED, DAMPING, FLOOR, TOGETHER
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -55,6 +55,8 @@ class Settle:
         far: Times what is enough: nearer rounding decides what a step leaves.
         most_moved: From a seed [rad, arm sizes].
         led_by_limit: The same, times what a joint is beyond its limit.
+        singular: The damping of steps that leave singular directions alone.
+        steps_aside: So many of them are made.
         aside: Times the whole way: how far steps lead from half way.
         alike: Two misses within so many times are the same.
         told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
@@ -77,6 +79,8 @@ class Settle:
     far: float = FAR
     most_moved: float = MOVED
     led_by_limit: float = LED
+    singular: str = repr(FLOOR)
+    steps_aside: int = 3
     aside: float = ASIDE
     alike: float = ALIKE
 

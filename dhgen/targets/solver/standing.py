@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.robot import JointKind
-from dhgen.targets.walk import whole_arm
+from dhgen.targets.walk import roots_in_a_row, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -28,6 +28,7 @@ class Standing:
         on_limits: Whether they are put on limits.
         stays: Whether they follow the seed.
         settles: Whether they do either, and are taken to a solution next to them.
+        tells_once: Whether branches that meet may come out apart: one root follows another.
         winds: Whether a joint that is put on a limit could be turned.
         least_whole: Limits so far apart leave no gap [rad].
         beyond_an_end: The function that says how far a joint is beyond the end of its range.
@@ -38,6 +39,7 @@ class Standing:
     on_limits: bool
     stays: bool
     settles: bool
+    tells_once: bool
     winds: bool
     beyond_an_end: str
     beyond_ends: str
@@ -52,6 +54,7 @@ def standing_of(module: SolverModule) -> Standing:
         on_limits=limited,
         stays=stay,
         settles=limited or stay,
+        tells_once=stay and roots_in_a_row(module.solver) > 1,
         winds=winding,
         beyond_an_end="past_an_end" if winding else "overshoot",
         beyond_ends="past_ends" if winding else "beyond_limits",
