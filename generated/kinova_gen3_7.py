@@ -393,7 +393,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 a00f5342aacac65f"
+_KEY = "kinova_gen3_7 5b169e70e76f5ab3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2437,7 +2437,9 @@ def _stand(pose, q):
     if not 0.0 < off < 0.01:
         return
     x, half = q.copy(), np.empty(7)
-    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+    most = max(10.0 * off, 0.001)
+    stands = _settle(pose, math.nan, most, x)
+    if not stands:
         return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):

@@ -1164,7 +1164,7 @@ static void stay(
         x[i] = seed[i] - overshoot(i, seed[i]);
     x[2] = free_joints[0];
     if (!settle(T, 1e-12, 0.15, x)
-        || (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x)))
+        || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;

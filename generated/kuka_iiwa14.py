@@ -426,7 +426,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 6445a45e688c7b3c"
+_KEY = "kuka_iiwa14 5c553122fe20d557"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1017,7 +1017,9 @@ def _stand(pose, q):
     if not 0.0 < off < 0.01:
         return
     x, half = q.copy(), np.empty(7)
-    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+    most = max(10.0 * off, 0.001)
+    stands = _settle(pose, math.nan, most, x)
+    if not stands:
         return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1067,7 +1069,7 @@ def _stay(pose, q_free, seed, q, status):
     x[2] = q_free[0]
     if not _settle(pose, 1e-12, 0.15, x):
         return
-    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
+    if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
         between = 1e-06

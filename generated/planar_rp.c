@@ -664,7 +664,7 @@ static void stay(
     for (int i = 0; i < 2; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
     if (!settle(T, 1e-12, 0.15, x)
-        || (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x)))
+        || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;

@@ -757,7 +757,17 @@ static void stand(const float T[16], float q[6])
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+    const float most = fmaxf(10.0f * off, 0.03f);
+    int stands = settle(T, NAN, most, x);
+    /* two of them may not be able to stand on their ends at once, and yet to stay inside */
+    static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
+    for (int k = 0; k < (int)(sizeof farther / sizeof *farther) && !stands; k++) {
+        float e[6];
+        for (int i = 0; i < 6; i++)
+            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+        stands = settle(T, off_pose(T, q, e) + 1e-06f, most, x) && past_ends(x) <= 0.0f;
+    }
+    if (!stands)
         return;
     off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
@@ -796,7 +806,7 @@ static void stay(
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 5e-05f, 0.15f, x)
-        || (past_ends(x) > 0.0f && !settle(T, NAN, 0.15f, x)))
+        || (past_ends(x) > 2e-06f && !settle(T, NAN, 0.15f, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;

@@ -328,7 +328,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 3fba20b6dbb39e19"
+_KEY = "stanford 5b768b3f745d75e4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -842,7 +842,9 @@ def _stand(pose, q):
     if not 0.0 < off < 0.01:
         return
     x, half = q.copy(), np.empty(6)
-    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+    most = max(10.0 * off, 0.001)
+    stands = _settle(pose, math.nan, most, x)
+    if not stands:
         return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -861,7 +863,7 @@ def _stay(pose, seed, q, status):
         x[i] = seed[i] - _overshoot(i, seed[i])
     if not _settle(pose, 1e-12, 0.15, x):
         return
-    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
+    if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
         between = 1e-06

@@ -399,7 +399,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 c688ea835fdda7b7"
+_KEY = "staubli_tx2_90 cd502bc5bd817ef5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -971,7 +971,16 @@ def _stand(pose, q):
     if not 0.0 < off < 0.01:
         return
     x, half = q.copy(), np.empty(6)
-    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+    most = max(10.0 * off, 0.001)
+    stands = _settle(pose, math.nan, most, x)
+    # two of them may not be able to stand on their ends at once, and yet to stay inside
+    for farther in (2.0, 4.0, 8.0, 16.0):
+        if not stands:
+            for i in range(6):
+                x[i] = q[i] - farther * _past_an_end(i, q[i])
+            enough = _miss(pose, q)[1] + 1e-14
+            stands = _settle(pose, enough, most, x) and _past_ends(x) == 0.0
+    if not stands:
         return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1023,7 +1032,7 @@ def _stay(pose, seed, q, status):
         x[i] = here - _past_an_end(i, here)
     if not _settle(pose, 1e-12, 0.15, x):
         return
-    if _past_ends(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
+    if _past_ends(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
         between = 1e-06

@@ -327,7 +327,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 5eba131732b6512c"
+_KEY = "welding_5r f61d686b6228095d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2341,7 +2341,9 @@ def _stand(pose, q):
     if not 0.0 < off < 0.01:
         return
     x, half = q.copy(), np.empty(5)
-    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+    most = max(10.0 * off, 0.001)
+    stands = _settle(pose, math.nan, most, x)
+    if not stands:
         return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):

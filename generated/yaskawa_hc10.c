@@ -4134,7 +4134,17 @@ static void stand(const double T[16], double q[6])
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    const double most = fmax(10.0 * off, 0.001);
+    int stands = settle(T, NAN, most, x);
+    /* two of them may not be able to stand on their ends at once, and yet to stay inside */
+    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
+    for (int k = 0; k < (int)(sizeof farther / sizeof *farther) && !stands; k++) {
+        double e[6];
+        for (int i = 0; i < 6; i++)
+            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+        stands = settle(T, off_pose(T, q, e) + 1e-14, most, x) && past_ends(x) <= 0.0;
+    }
+    if (!stands)
         return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

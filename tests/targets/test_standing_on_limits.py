@@ -231,3 +231,32 @@ def test_the_seed_is_a_solution_with_several_joints_on_limits(
         T = poses_of("walker", q[None])[0]
         for nearest in (solver.nearest(T, q, q[:1]), python.ik(T, q[:1], q)):
             assert np.abs(nearest - q).max() < 1e-2, q.tolist()
+
+
+def asked_near(name: str, near: FloatArray) -> list[tuple[FloatArray, FloatArray, FloatArray]]:
+    """Joint values of 40 poses, some next to these; their poses; and a seed next to each."""
+    source = np.random.default_rng(21)
+    q = np.where(np.isnan(near), source.uniform(-2.0, 2.0, (40, len(near))), near)
+    q += np.where(np.isnan(near), 0.0, source.uniform(-0.95e-9, 0.95e-9, q.shape))
+    low, high = limits(name)
+    seeds = np.clip(q + source.uniform(-1e-3, 1e-3, q.shape), low, high)
+    return list(zip(q, poses_of(name, q), seeds, strict=True))
+
+
+@pytest.mark.parametrize("name", ["kawasaki_rs007n", "staubli_tx2_90"])
+def test_what_rounding_leaves_beyond_a_limit_is_stayed_at(name: str) -> None:
+    """The arm is level, its elbow and its wrist are straight, and joint 1 is on the end at pi."""
+    solver = Solver(name, "C")
+    near = np.array([np.pi, -np.pi / 2, 0.0, np.nan, 0.0, np.nan])
+    for q, T, seed in asked_near(name, near):
+        row = solver.nearest(T, seed)[1]
+        assert np.abs(row - seed).max() < 0.02, (q, row)
+
+
+def test_two_joints_beyond_their_ends_are_led_inside() -> None:
+    """Axes 1 and 5 are parallel there, and with both joints on their ends the pose is missed."""
+    solver, name = Solver("yaskawa_hc10", "C"), "yaskawa_hc10"
+    near = np.array([np.pi - 1e-9, np.nan, 0.0, -np.pi / 2, np.pi - 1e-9, np.nan])
+    for q, T, seed in asked_near(name, near):
+        row = solver.nearest(T, seed)[1]
+        assert np.abs(row - seed).max() < 0.02, (q, row)

@@ -31,6 +31,9 @@ NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm 
 # Half way to two rows as much is missed if by no more than so many times: then rounding says which
 # is least, and not alike in both languages. The first row is taken.
 ALIKE = 2.0
+# Where two joints are beyond the ends of their ranges both can be led inside, though perhaps not
+# onto the ends: so far are they put first, times what they are beyond.
+FARTHER_INSIDE = (2.0, 4.0, 8.0, 16.0)
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
@@ -55,6 +58,7 @@ class Settle:
         far: Times what is enough: nearer rounding decides what a step leaves.
         most_moved: From a seed [rad, arm sizes].
         led_by_limit: The same, times what a joint is beyond its limit.
+        farther_inside: How far joints are put inside their ends, times what they are beyond.
         singular: The damping of steps that leave singular directions alone.
         steps_aside: So many of them are made.
         aside: Times the whole way: how far steps lead from half way.
@@ -79,6 +83,7 @@ class Settle:
     far: float = FAR
     most_moved: float = MOVED
     led_by_limit: float = LED
+    farther_inside: str = ", ".join(map(repr, FARTHER_INSIDE))
     singular: str = repr(FLOOR)
     steps_aside: int = 3
     aside: float = ASIDE
