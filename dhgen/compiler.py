@@ -27,6 +27,7 @@ from dhgen.paul.derive import derive
 from dhgen.program.lowering.arm_angle import arm_angle_program, plane_miss_program
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import lower
+from dhgen.program.reuse import reusing
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
@@ -104,6 +105,8 @@ def _module(
     solver = lower(derivation, precision.tolerances, RESERVED)
     tight = solver.tightened is not None
     plane = plane_miss_program(derivation, precision.tolerances, RESERVED) if tight else None
+    forward = reusing(forward_program(chain, RESERVED), solver)
+    jacobian = reusing(jacobian_program(chain, RESERVED), solver, forward)
     return SolverModule(
         name=name,
         title=robot.title,
@@ -111,8 +114,8 @@ def _module(
         chain=chain,
         method=derivation.method,
         solver=replace(solver, name=name),
-        forward=replace(forward_program(chain, RESERVED), name=name),
-        jacobian=replace(jacobian_program(chain, RESERVED), name=name),
+        forward=replace(forward, name=name),
+        jacobian=replace(jacobian, name=name),
         length_unit=robot.length_unit,
         arm_angle=None if angle is None else replace(angle, name=name),
         plane_miss=None if plane is None else replace(plane, name=name),
