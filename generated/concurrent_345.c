@@ -530,13 +530,7 @@ static const double
     f5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f6 = 0.12940952255126037, /* 1 / 2 * f1 */
     f7 = 0.22414386804201336, /* 1 / 2 * sqrt3 * f1 */
-    g1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
-    g2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-    g3 = 0.025881904510252077, /* d2 * f1 [m] */
-    g4 = 0.5, /* 1 / 2 */
-    g5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    g6 = 0.12940952255126037, /* 1 / 2 * f1 */
-    g7 = 0.22414386804201336; /* 1 / 2 * sqrt3 * f1 */
+    g4 = 0.5; /* 1 / 2 */
 
 const char *const concurrent_345_branches[8] = {
     "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
@@ -583,14 +577,14 @@ void concurrent_345_fk(const double q[6], double T[16])
 
 void concurrent_345_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * g1,
-        y1_y = c1 * g1, z1_x = s1 * g2, v2 = c1 * g2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * f1,
+        y1_y = c1 * f1, z1_x = s1 * f2, v2 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
-        x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2, v3 = v1 * c2 + c1 * s2,
-        v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
-        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + g3, y2_x = z1_x * g4 - v3 * g5,
-        y2_y = v4 * g5 - v2 * g4, y2_z = v5 * g5 + g6, z2_x = v3 * g4 + z1_x * g5,
-        v6 = v4 * g4 + v2 * g5, z2_z = g7 - v5 * g4;
+        x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + f3, y2_x = z1_x * g4 - v3 * f5,
+        y2_y = v4 * f5 - v2 * g4, y2_z = v5 * f5 + f6, z2_x = v3 * g4 + z1_x * f5,
+        v6 = v4 * g4 + v2 * f5, z2_z = f7 - v5 * g4;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
         x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3,
         y4_y = y2_y * c3 - x2_y * s3, y4_z = y2_z * c3 - x2_z * s3, p3_x = p2_x + z2_x * d3,
@@ -602,19 +596,19 @@ void concurrent_345_jacobian(const double q[6], double J[36])
         x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5,
         v9 = y4_y * c5 - x4_y * s5, v10 = y4_z * c5 - x4_z * s5,
         p5_x = p3_x + x5_x * a5 + z4_x * d5, p5_y = p3_y + x5_y * a5 - v7 * d5,
-        p5_z = p3_z + x5_z * a5 + z4_z * d5, z5_x = g4 * z4_x - g5 * v8, v11 = g5 * v9 + g4 * v7,
-        z5_z = g4 * z4_z - g5 * v10;
+        p5_z = p3_z + x5_z * a5 + z4_z * d5, z5_x = g4 * z4_x - f5 * v8, v11 = f5 * v9 + g4 * v7,
+        z5_z = g4 * z4_z - f5 * v10;
     const double c6 = cos(q[5]), s6 = sin(q[5]),
-        p6_x = p5_x + (x5_x * c6 + (g4 * v8 + g5 * z4_x) * s6) * a6 + z5_x * d6,
-        p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6,
-        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * z4_z) * s6) * a6 + z5_z * d6, v12 = p6_x - p1_x,
+        p6_x = p5_x + (x5_x * c6 + (g4 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6,
+        p6_y = p5_y + (x5_y * c6 + (g4 * v9 - f5 * v7) * s6) * a6 - v11 * d6,
+        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6, v12 = p6_x - p1_x,
         v13 = p6_y - p1_y, v14 = p6_z - d1, v15 = p6_x - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z,
         v18 = p6_x - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z, v21 = p6_x - p5_x,
         v22 = p6_y - p5_y, v23 = p6_z - p5_z;
-    J[0] = -p6_y; J[1] = -(v2 * v14 + g1 * v13); J[2] = -(v6 * v17 + z2_z * v16);
+    J[0] = -p6_y; J[1] = -(v2 * v14 + f1 * v13); J[2] = -(v6 * v17 + z2_z * v16);
     J[3] = -y4_y * v20 - -y4_z * v19; J[4] = -(v7 * v20 + z4_z * v19);
     J[5] = -(v11 * v23 + z5_z * v22);
-    J[6] = p6_x; J[7] = g1 * v12 - z1_x * v14; J[8] = z2_z * v15 - z2_x * v17;
+    J[6] = p6_x; J[7] = f1 * v12 - z1_x * v14; J[8] = z2_z * v15 - z2_x * v17;
     J[9] = -y4_z * v18 - -y4_x * v20; J[10] = z4_z * v18 - z4_x * v20;
     J[11] = z5_z * v21 - z5_x * v23;
     J[12] = 0.0; J[13] = z1_x * v13 + v2 * v12; J[14] = z2_x * v16 + v6 * v15;
@@ -622,7 +616,7 @@ void concurrent_345_jacobian(const double q[6], double J[36])
     J[17] = z5_x * v22 + v11 * v21;
     J[18] = 0.0; J[19] = z1_x; J[20] = z2_x; J[21] = -y4_x; J[22] = z4_x; J[23] = z5_x;
     J[24] = 0.0; J[25] = -v2; J[26] = -v6; J[27] = -y4_y; J[28] = -v7; J[29] = -v11;
-    J[30] = 1.0; J[31] = g1; J[32] = z2_z; J[33] = -y4_z; J[34] = z4_z; J[35] = z5_z;
+    J[30] = 1.0; J[31] = f1; J[32] = z2_z; J[33] = -y4_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

@@ -185,13 +185,7 @@ f4 = 0.5  # 1 / 2
 f5 = 0.8660254037844386  # 1 / 2 * sqrt3
 f6 = 0.12940952255126037  # 1 / 2 * f1
 f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
-g1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
-g2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
-g3 = 0.025881904510252077  # d2 * f1 [m]
 g4 = 0.5  # 1 / 2
-g5 = 0.8660254037844386  # 1 / 2 * sqrt3
-g6 = 0.12940952255126037  # 1 / 2 * f1
-g7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -466,27 +460,27 @@ def jacobian(q):
     s1 = math.sin(q[0])
     p1_x = c1 * a1
     p1_y = s1 * a1
-    v1 = s1 * g1
-    y1_y = c1 * g1
-    z1_x = s1 * g2
-    v2 = c1 * g2
+    v1 = s1 * f1
+    y1_y = c1 * f1
+    z1_x = s1 * f2
+    v2 = c1 * f2
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     x2_x = c1 * c2 - v1 * s2
     x2_y = s1 * c2 + y1_y * s2
-    x2_z = g2 * s2
+    x2_z = f2 * s2
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
-    v5 = g2 * c2
+    v5 = f2 * c2
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
-    p2_z = d1 + x2_z * a2 + g3
-    y2_x = z1_x * g4 - v3 * g5
-    y2_y = v4 * g5 - v2 * g4
-    y2_z = v5 * g5 + g6
-    z2_x = v3 * g4 + z1_x * g5
-    v6 = v4 * g4 + v2 * g5
-    z2_z = g7 - v5 * g4
+    p2_z = d1 + x2_z * a2 + f3
+    y2_x = z1_x * g4 - v3 * f5
+    y2_y = v4 * f5 - v2 * g4
+    y2_z = v5 * f5 + f6
+    z2_x = v3 * g4 + z1_x * f5
+    v6 = v4 * g4 + v2 * f5
+    z2_z = f7 - v5 * g4
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -517,14 +511,14 @@ def jacobian(q):
     p5_x = p3_x + x5_x * a5 + z4_x * d5
     p5_y = p3_y + x5_y * a5 - v7 * d5
     p5_z = p3_z + x5_z * a5 + z4_z * d5
-    z5_x = g4 * z4_x - g5 * v8
-    v11 = g5 * v9 + g4 * v7
-    z5_z = g4 * z4_z - g5 * v10
+    z5_x = g4 * z4_x - f5 * v8
+    v11 = f5 * v9 + g4 * v7
+    z5_z = g4 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    p6_x = p5_x + (x5_x * c6 + (g4 * v8 + g5 * z4_x) * s6) * a6 + z5_x * d6
-    p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6
-    p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * z4_z) * s6) * a6 + z5_z * d6
+    p6_x = p5_x + (x5_x * c6 + (g4 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6
+    p6_y = p5_y + (x5_y * c6 + (g4 * v9 - f5 * v7) * s6) * a6 - v11 * d6
+    p6_z = p5_z + (x5_z * c6 + (g4 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6
     v12 = p6_x - p1_x
     v13 = p6_y - p1_y
     v14 = p6_z - d1
@@ -538,13 +532,13 @@ def jacobian(q):
     v22 = p6_y - p5_y
     v23 = p6_z - p5_z
     J[0, 0] = -p6_y
-    J[0, 1] = -(v2 * v14 + g1 * v13)
+    J[0, 1] = -(v2 * v14 + f1 * v13)
     J[0, 2] = -(v6 * v17 + z2_z * v16)
     J[0, 3] = -y4_y * v20 - -y4_z * v19
     J[0, 4] = -(v7 * v20 + z4_z * v19)
     J[0, 5] = -(v11 * v23 + z5_z * v22)
     J[1, 0] = p6_x
-    J[1, 1] = g1 * v12 - z1_x * v14
+    J[1, 1] = f1 * v12 - z1_x * v14
     J[1, 2] = z2_z * v15 - z2_x * v17
     J[1, 3] = -y4_z * v18 - -y4_x * v20
     J[1, 4] = z4_z * v18 - z4_x * v20
@@ -565,7 +559,7 @@ def jacobian(q):
     J[4, 4] = -v7
     J[4, 5] = -v11
     J[5, 0] = 1.0
-    J[5, 1] = g1
+    J[5, 1] = f1
     J[5, 2] = z2_z
     J[5, 3] = -y4_z
     J[5, 4] = z4_z
@@ -588,7 +582,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 43734d50d760ba50"
+_KEY = "concurrent_345 745076617ae0b512"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -242,8 +242,6 @@ static const double
     k5 = 1.4142135623731051e-14, /* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
     k6 = 2.0, /* d3 + d4 [m] */
     k7 = 2.8284271247461903, /* sqrt2 * k6 [m] */
-    f1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
-    g1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     m5 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
@@ -270,8 +268,8 @@ static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 void craig_417_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2 * f1,
-        v2 = s1 * s2 * f1, z3_z = c2 * f1, v3 = s1 * f1, z3_x = v1 - v3, v4 = c1 * f1,
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2 * k2,
+        v2 = s1 * s2 * k2, z3_z = c2 * k2, v3 = s1 * k2, z3_x = v1 - v3, v4 = c1 * k2,
         z3_y = v2 + v4, v5 = v1 + v3, v6 = v4 - v2;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v5 * s3,
         x3_y = x2_y * c3 + v6 * s3, v7 = s2 * c3 + z3_z * s3, v8 = v5 * c3 + x2_x * s3,
@@ -290,8 +288,8 @@ void craig_417_fk(const double q[4], double T[16])
 void craig_417_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]), v1 = c1 * s2 * g1, v2 = s1 * s2 * g1,
-        z3_z = c2 * g1, v3 = s1 * g1, z3_x = v1 - v3, v4 = c1 * g1, z3_y = v2 + v4;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), v1 = c1 * s2 * k2, v2 = s1 * s2 * k2,
+        z3_z = c2 * k2, v3 = s1 * k2, z3_x = v1 - v3, v4 = c1 * k2, z3_y = v2 + v4;
     const double c3 = cos(q[2]), s3 = sin(q[2]),
         p4_x = z3_x + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + z3_x * d4,
         p4_y = z3_y + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + z3_y * d4,

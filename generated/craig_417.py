@@ -123,8 +123,6 @@ k4 = 1.4142135623731953e-13  # reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack)
 k5 = 1.4142135623731051e-14  # merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack)
 k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * k6 [m]
-f1 = 0.7071067811865476  # 1 / 2 * sqrt2
-g1 = 0.7071067811865476  # 1 / 2 * sqrt2
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 0.7071067811865476  # a coefficient of v6
@@ -232,12 +230,12 @@ def fk(q):
     s2 = math.sin(q[1])
     x2_x = c1 * c2
     x2_y = s1 * c2
-    v1 = c1 * s2 * f1
-    v2 = s1 * s2 * f1
-    z3_z = c2 * f1
-    v3 = s1 * f1
+    v1 = c1 * s2 * k2
+    v2 = s1 * s2 * k2
+    z3_z = c2 * k2
+    v3 = s1 * k2
     z3_x = v1 - v3
-    v4 = c1 * f1
+    v4 = c1 * k2
     z3_y = v2 + v4
     v5 = v1 + v3
     v6 = v4 - v2
@@ -277,12 +275,12 @@ def jacobian(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v1 = c1 * s2 * g1
-    v2 = s1 * s2 * g1
-    z3_z = c2 * g1
-    v3 = s1 * g1
+    v1 = c1 * s2 * k2
+    v2 = s1 * s2 * k2
+    z3_z = c2 * k2
+    v3 = s1 * k2
     z3_x = v1 - v3
-    v4 = c1 * g1
+    v4 = c1 * k2
     z3_y = v2 + v4
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
@@ -324,7 +322,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 9bbef489f16738eb"
+_KEY = "craig_417 ddcdae2deabf0e29"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

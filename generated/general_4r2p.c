@@ -3338,10 +3338,7 @@ static const double
     sa6 = 0.5646424733950354, /* sine of twist 6 */
     f1 = -0.05073008562673431, /* d2 * ca1 [m] */
     f2 = 0.2599395422585156, /* sa2 * ca1 */
-    f3 = 0.2524570787278714, /* ca2 * ca1 */
-    g1 = -0.05073008562673431, /* d2 * ca1 [m] */
-    g2 = 0.2599395422585156, /* sa2 * ca1 */
-    g3 = 0.2524570787278714; /* ca2 * ca1 */
+    f3 = 0.2524570787278714; /* ca2 * ca1 */
 
 const char *const general_4r2p_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
@@ -3400,14 +3397,14 @@ void general_4r2p_jacobian(const double q[6], double J[36])
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
         x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
         v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + z1_x * sa2,
-        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - g2, z2_x = z1_x * ca2 - v3 * sa2,
-        z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + g3, x3_x = x2_x * cat3 - v6 * sat3,
+        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f2, z2_x = z1_x * ca2 - v3 * sa2,
+        z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + f3, x3_x = x2_x * cat3 - v6 * sat3,
         x3_y = x2_y * cat3 + y2_y * sat3, x3_z = x2_z * cat3 + y2_z * sat3,
         v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
         v9 = y2_z * cat3 - x2_z * sat3,
         p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3,
         p3_y = p1_y + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3,
-        p3_z = d1 + x2_z * a2 + g1 + z2_z * q[2] + x3_z * a3, y3_x = v7 * ca3 + z2_x * sa3,
+        p3_z = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3, y3_x = v7 * ca3 + z2_x * sa3,
         y3_y = z2_y * sa3 - v8 * ca3, y3_z = z2_z * sa3 - v9 * ca3, z3_x = v7 * sa3 - z2_x * ca3,
         v10 = v8 * sa3 + z2_y * ca3, v11 = v9 * sa3 + z2_z * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,

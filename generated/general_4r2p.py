@@ -147,9 +147,6 @@ sa6 = 0.5646424733950354  # sine of twist 6
 f1 = -0.05073008562673431  # d2 * ca1 [m]
 f2 = 0.2599395422585156  # sa2 * ca1
 f3 = 0.2524570787278714  # ca2 * ca1
-g1 = -0.05073008562673431  # d2 * ca1 [m]
-g2 = 0.2599395422585156  # sa2 * ca1
-g3 = 0.2524570787278714  # ca2 * ca1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -315,10 +312,10 @@ def jacobian(q):
     v5 = sa1 * c2
     v6 = v3 * ca2 + z1_x * sa2
     y2_y = v4 * ca2 + v2 * sa2
-    y2_z = v5 * ca2 - g2
+    y2_z = v5 * ca2 - f2
     z2_x = z1_x * ca2 - v3 * sa2
     z2_y = v4 * sa2 - v2 * ca2
-    z2_z = v5 * sa2 + g3
+    z2_z = v5 * sa2 + f3
     x3_x = x2_x * cat3 - v6 * sat3
     x3_y = x2_y * cat3 + y2_y * sat3
     x3_z = x2_z * cat3 + y2_z * sat3
@@ -327,7 +324,7 @@ def jacobian(q):
     v9 = y2_z * cat3 - x2_z * sat3
     p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3
     p3_y = p1_y + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3
-    p3_z = d1 + x2_z * a2 + g1 + z2_z * q[2] + x3_z * a3
+    p3_z = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3
     y3_x = v7 * ca3 + z2_x * sa3
     y3_y = z2_y * sa3 - v8 * ca3
     y3_z = z2_z * sa3 - v9 * ca3
@@ -416,7 +413,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 5615c1c4dd685d8d"
+_KEY = "general_4r2p c93b2e9dc33adda2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -3571,10 +3571,7 @@ static const double
     ez = 0.14, /* z of the tool frame [m] */
     f1 = 0.03762221576582357, /* d2 * ca1 [m] */
     f2 = 0.14454395845259904, /* sa2 * ca1 */
-    f3 = 0.3099755192194448, /* ca2 * ca1 */
-    g1 = 0.03762221576582357, /* d2 * ca1 [m] */
-    g2 = 0.14454395845259904, /* sa2 * ca1 */
-    g3 = 0.3099755192194448; /* ca2 * ca1 */
+    f3 = 0.3099755192194448; /* ca2 * ca1 */
 
 const char *const general_5r_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -3635,9 +3632,9 @@ void general_5r_jacobian(const double q[5], double J[30])
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
         x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
         v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
-        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + g1, y2_x = z1_x * sa2 - v3 * ca2,
-        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g2, z2_x = v3 * sa2 + z1_x * ca2,
-        v6 = v4 * sa2 + v2 * ca2, z2_z = g3 - v5 * sa2;
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + f1, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2, z2_x = v3 * sa2 + z1_x * ca2,
+        v6 = v4 * sa2 + v2 * ca2, z2_z = f3 - v5 * sa2;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
         x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3,
         v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,

@@ -151,9 +151,6 @@ ez = 0.14  # z of the tool frame [m]
 f1 = 0.03762221576582357  # d2 * ca1 [m]
 f2 = 0.14454395845259904  # sa2 * ca1
 f3 = 0.3099755192194448  # ca2 * ca1
-g1 = 0.03762221576582357  # d2 * ca1 [m]
-g2 = 0.14454395845259904  # sa2 * ca1
-g3 = 0.3099755192194448  # ca2 * ca1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -311,13 +308,13 @@ def jacobian(q):
     v5 = sa1 * c2
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
-    p2_z = d1 + x2_z * a2 + g1
+    p2_z = d1 + x2_z * a2 + f1
     y2_x = z1_x * sa2 - v3 * ca2
     y2_y = v4 * ca2 - v2 * sa2
-    y2_z = v5 * ca2 + g2
+    y2_z = v5 * ca2 + f2
     z2_x = v3 * sa2 + z1_x * ca2
     v6 = v4 * sa2 + v2 * ca2
-    z2_z = g3 - v5 * sa2
+    z2_z = f3 - v5 * sa2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -420,7 +417,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 184f4a08b12a832a"
+_KEY = "general_5r ca828a2239e7cd7f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

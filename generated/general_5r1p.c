@@ -3736,10 +3736,7 @@ static const double
     sa6 = 0.6695424790443845, /* sine of twist 6 */
     f1 = -0.002391860577346374, /* ca1 * d2 [m] */
     f2 = 0.003641301204630023, /* ca1 * sa2 */
-    f3 = 0.011647453457089682, /* ca1 * ca2 */
-    g1 = -0.002391860577346374, /* ca1 * d2 [m] */
-    g2 = 0.003641301204630023, /* ca1 * sa2 */
-    g3 = 0.011647453457089682; /* ca1 * ca2 */
+    f3 = 0.011647453457089682; /* ca1 * ca2 */
 
 const char *const general_5r1p_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -3798,13 +3795,13 @@ void general_5r1p_jacobian(const double q[6], double J[36])
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 + y1_x * s2,
         x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2, v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2,
         v5 = sa1 * c2, y2_x = v3 * ca2 - z1_x * sa2, y2_y = v2 * sa2 - v4 * ca2,
-        y2_z = v5 * ca2 + g2, z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2,
-        z2_z = v5 * sa2 - g3, x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+        y2_z = v5 * ca2 + f2, z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2,
+        z2_z = v5 * sa2 - f3, x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
         x3_z = x2_z * cat3 + y2_z * sat3, v7 = y2_x * cat3 - x2_x * sat3,
         v8 = y2_y * cat3 - x2_y * sat3, v9 = y2_z * cat3 - x2_z * sat3,
         p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3,
         p3_y = p1_y + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3,
-        p3_z = d1 + x2_z * a2 - g1 + z2_z * q[2] + x3_z * a3, v10 = v7 * ca3 + z2_x * sa3,
+        p3_z = d1 + x2_z * a2 - f1 + z2_z * q[2] + x3_z * a3, v10 = v7 * ca3 + z2_x * sa3,
         y3_y = v6 * sa3 - v8 * ca3, v11 = v9 * ca3 + z2_z * sa3, z3_x = v7 * sa3 - z2_x * ca3,
         z3_y = v8 * sa3 + v6 * ca3, z3_z = v9 * sa3 - z2_z * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - v10 * s4,

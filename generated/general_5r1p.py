@@ -154,9 +154,6 @@ sa6 = 0.6695424790443845  # sine of twist 6
 f1 = -0.002391860577346374  # ca1 * d2 [m]
 f2 = 0.003641301204630023  # ca1 * sa2
 f3 = 0.011647453457089682  # ca1 * ca2
-g1 = -0.002391860577346374  # ca1 * d2 [m]
-g2 = 0.003641301204630023  # ca1 * sa2
-g3 = 0.011647453457089682  # ca1 * ca2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -324,10 +321,10 @@ def jacobian(q):
     v5 = sa1 * c2
     y2_x = v3 * ca2 - z1_x * sa2
     y2_y = v2 * sa2 - v4 * ca2
-    y2_z = v5 * ca2 + g2
+    y2_z = v5 * ca2 + f2
     z2_x = v3 * sa2 + z1_x * ca2
     v6 = v4 * sa2 + v2 * ca2
-    z2_z = v5 * sa2 - g3
+    z2_z = v5 * sa2 - f3
     x3_x = x2_x * cat3 + y2_x * sat3
     x3_y = x2_y * cat3 + y2_y * sat3
     x3_z = x2_z * cat3 + y2_z * sat3
@@ -336,7 +333,7 @@ def jacobian(q):
     v9 = y2_z * cat3 - x2_z * sat3
     p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3
     p3_y = p1_y + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3
-    p3_z = d1 + x2_z * a2 - g1 + z2_z * q[2] + x3_z * a3
+    p3_z = d1 + x2_z * a2 - f1 + z2_z * q[2] + x3_z * a3
     v10 = v7 * ca3 + z2_x * sa3
     y3_y = v6 * sa3 - v8 * ca3
     v11 = v9 * ca3 + z2_z * sa3
@@ -436,7 +433,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p 2c5d15577adb2463"
+_KEY = "general_5r1p 69459a7aa3ce2583"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -3806,10 +3806,7 @@ static const double
     f3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
     f4 = 0.45466333698683026, /* d4 * 1 / 2 * sqrt3 [m] */
     f5 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
-    g1 = 0.5, /* 1 / 2 */
-    g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    g3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
-    g4 = 0.45466333698683026; /* d4 * 1 / 2 * sqrt3 [m] */
+    g1 = 0.5; /* 1 / 2 */
 
 const char *const general_5r1p_pair_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -3851,34 +3848,34 @@ void general_5r1p_pair_fk(const double q[6], double T[16])
 
 void general_5r1p_pair_jacobian(const double q[6], double J[36])
 {
-    const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * g2, y2_z = c2 * g2, z2_x = s2 * g1,
+    const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * g1,
         z3_z = c2 * g1;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3 - v1 * s3, v2 = g1 * s3,
         x3_z = s2 * c3 + y2_z * s3, y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3,
-        p3_x = a1 + x3_x * a3 + z2_x * d3, v3 = d2 + v2 * a3 + g3,
+        p3_x = a1 + x3_x * a3 + z2_x * d3, v3 = d2 + v2 * a3 + f3,
         p3_z = q[0] + x3_z * a3 - z3_z * d3, y3_z = s2 * s3 - y2_z * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
         x4_y = y3_y * s4 - v2 * c4, x4_z = x3_z * c4 + y3_z * s4, z4_x = y3_x * c4 - x3_x * s4,
         z4_y = y3_y * c4 + v2 * s4, z4_z = y3_z * c4 - x3_z * s4, p4_x = p3_x - z2_x * d4,
-        p4_y = g4 - v3, p4_z = p3_z + z3_z * d4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]), z5_y = g2 * c5 + x4_y * s5,
+        p4_y = f4 - v3, p4_z = p3_z + z3_z * d4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), z5_y = f2 * c5 + x4_y * s5,
         z5_z = z3_z * c5 + x4_z * s5, p5_x = p4_x + z4_x * d5, p5_y = p4_y + z4_y * d5,
         p5_z = p4_z + z4_z * d5, z5_x = x4_x * s5 - z2_x * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]),
         p6_x = p5_x + ((x4_x * c5 + z2_x * s5) * c6 + z4_x * s6) * a6,
-        p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + z4_y * s6) * a6,
+        p6_y = p5_y + ((x4_y * c5 - f2 * s5) * c6 + z4_y * s6) * a6,
         p6_z = p5_z + ((x4_z * c5 - z3_z * s5) * c6 + z4_z * s6) * a6, v4 = p6_x - a1,
         J12 = p6_z - q[0], v5 = d2 + p6_y, v6 = p6_x - p3_x, v7 = v3 + p6_y, v8 = p6_z - p3_z,
         v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z, v12 = p6_x - p5_x,
         v13 = p6_y - p5_y, v14 = p6_z - p5_z;
-    J[0] = 0.0; J[1] = J12; J[2] = z3_z * v5 - g2 * J12; J[3] = g2 * v8 - z3_z * v7;
+    J[0] = 0.0; J[1] = J12; J[2] = z3_z * v5 - f2 * J12; J[3] = f2 * v8 - z3_z * v7;
     J[4] = z4_y * v11 - z4_z * v10; J[5] = z5_y * v14 - z5_z * v13;
     J[6] = 0.0; J[7] = 0.0; J[8] = -(z3_z * v4 + z2_x * J12); J[9] = z3_z * v6 + z2_x * v8;
     J[10] = z4_z * v9 - z4_x * v11; J[11] = z5_z * v12 - z5_x * v14;
-    J[12] = 1.0; J[13] = -v4; J[14] = z2_x * v5 + g2 * v4; J[15] = -(z2_x * v7 + g2 * v6);
+    J[12] = 1.0; J[13] = -v4; J[14] = z2_x * v5 + f2 * v4; J[15] = -(z2_x * v7 + f2 * v6);
     J[16] = z4_x * v10 - z4_y * v9; J[17] = z5_x * v13 - z5_y * v12;
     J[18] = 0.0; J[19] = 0.0; J[20] = z2_x; J[21] = -z2_x; J[22] = z4_x; J[23] = z5_x;
-    J[24] = 0.0; J[25] = 1.0; J[26] = -g2; J[27] = g2; J[28] = z4_y; J[29] = z5_y;
+    J[24] = 0.0; J[25] = 1.0; J[26] = -f2; J[27] = f2; J[28] = z4_y; J[29] = z5_y;
     J[30] = 0.0; J[31] = 0.0; J[32] = -z3_z; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 

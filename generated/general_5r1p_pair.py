@@ -140,9 +140,6 @@ f3 = -0.2260326303877385  # 1 / 2 * sqrt3 * d3 [m]
 f4 = 0.45466333698683026  # d4 * 1 / 2 * sqrt3 [m]
 f5 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.5  # 1 / 2
-g2 = 0.8660254037844386  # 1 / 2 * sqrt3
-g3 = -0.2260326303877385  # 1 / 2 * sqrt3 * d3 [m]
-g4 = 0.45466333698683026  # d4 * 1 / 2 * sqrt3 [m]
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -264,8 +261,8 @@ def jacobian(q):
     J = np.zeros((6, 6))
     c2 = math.cos(-q[1])
     s2 = math.sin(-q[1])
-    v1 = s2 * g2
-    y2_z = c2 * g2
+    v1 = s2 * f2
+    y2_z = c2 * f2
     z2_x = s2 * g1
     z3_z = c2 * g1
     c3 = math.cos(q[2])
@@ -276,7 +273,7 @@ def jacobian(q):
     y3_x = v1 * c3 + c2 * s3
     y3_y = g1 * c3
     p3_x = a1 + x3_x * a3 + z2_x * d3
-    v3 = d2 + v2 * a3 + g3
+    v3 = d2 + v2 * a3 + f3
     p3_z = q[0] + x3_z * a3 - z3_z * d3
     y3_z = s2 * s3 - y2_z * c3
     c4 = math.cos(q[3])
@@ -288,11 +285,11 @@ def jacobian(q):
     z4_y = y3_y * c4 + v2 * s4
     z4_z = y3_z * c4 - x3_z * s4
     p4_x = p3_x - z2_x * d4
-    p4_y = g4 - v3
+    p4_y = f4 - v3
     p4_z = p3_z + z3_z * d4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    z5_y = g2 * c5 + x4_y * s5
+    z5_y = f2 * c5 + x4_y * s5
     z5_z = z3_z * c5 + x4_z * s5
     p5_x = p4_x + z4_x * d5
     p5_y = p4_y + z4_y * d5
@@ -301,7 +298,7 @@ def jacobian(q):
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
     p6_x = p5_x + ((x4_x * c5 + z2_x * s5) * c6 + z4_x * s6) * a6
-    p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + z4_y * s6) * a6
+    p6_y = p5_y + ((x4_y * c5 - f2 * s5) * c6 + z4_y * s6) * a6
     p6_z = p5_z + ((x4_z * c5 - z3_z * s5) * c6 + z4_z * s6) * a6
     v4 = p6_x - a1
     J12 = p6_z - q[0]
@@ -316,8 +313,8 @@ def jacobian(q):
     v13 = p6_y - p5_y
     v14 = p6_z - p5_z
     J[0, 1] = J12
-    J[0, 2] = z3_z * v5 - g2 * J12
-    J[0, 3] = g2 * v8 - z3_z * v7
+    J[0, 2] = z3_z * v5 - f2 * J12
+    J[0, 3] = f2 * v8 - z3_z * v7
     J[0, 4] = z4_y * v11 - z4_z * v10
     J[0, 5] = z5_y * v14 - z5_z * v13
     J[1, 2] = -(z3_z * v4 + z2_x * J12)
@@ -326,8 +323,8 @@ def jacobian(q):
     J[1, 5] = z5_z * v12 - z5_x * v14
     J[2, 0] = 1.0
     J[2, 1] = -v4
-    J[2, 2] = z2_x * v5 + g2 * v4
-    J[2, 3] = -(z2_x * v7 + g2 * v6)
+    J[2, 2] = z2_x * v5 + f2 * v4
+    J[2, 3] = -(z2_x * v7 + f2 * v6)
     J[2, 4] = z4_x * v10 - z4_y * v9
     J[2, 5] = z5_x * v13 - z5_y * v12
     J[3, 2] = z2_x
@@ -335,8 +332,8 @@ def jacobian(q):
     J[3, 4] = z4_x
     J[3, 5] = z5_x
     J[4, 1] = 1.0
-    J[4, 2] = -g2
-    J[4, 3] = g2
+    J[4, 2] = -f2
+    J[4, 3] = f2
     J[4, 4] = z4_y
     J[4, 5] = z5_y
     J[5, 2] = -z3_z
@@ -358,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair 995dec7a469758ce"
+_KEY = "general_5r1p_pair abd713db93a56dff"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -3640,12 +3640,7 @@ static const double
     f2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
     f3 = 0.02070552360820166, /* d2 * f1 [m] */
     f4 = 0.08852132690137686, /* sa2 * f1 */
-    f5 = 0.24321034680169396, /* ca2 * f1 */
-    g1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
-    g2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-    g3 = 0.02070552360820166, /* d2 * f1 [m] */
-    g4 = 0.08852132690137686, /* sa2 * f1 */
-    g5 = 0.24321034680169396; /* ca2 * f1 */
+    f5 = 0.24321034680169396; /* ca2 * f1 */
 
 const char *const general_5r_pointing_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -3701,14 +3696,14 @@ void general_5r_pointing_fk(const double q[5], double T[16])
 
 void general_5r_pointing_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * g1,
-        y1_y = c1 * g1, z1_x = s1 * g2, v2 = c1 * g2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * f1,
+        y1_y = c1 * f1, z1_x = s1 * f2, v2 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
-        x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2, v3 = v1 * c2 + c1 * s2,
-        v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
-        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + g3, y2_x = z1_x * sa2 - v3 * ca2,
-        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g4, z2_x = v3 * sa2 + z1_x * ca2,
-        v6 = v4 * sa2 + v2 * ca2, z2_z = g5 - v5 * sa2;
+        x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + f3, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f4, z2_x = v3 * sa2 + z1_x * ca2,
+        v6 = v4 * sa2 + v2 * ca2, z2_z = f5 - v5 * sa2;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
         x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3,
         v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,
@@ -3732,15 +3727,15 @@ void general_5r_pointing_jacobian(const double q[5], double J[30])
             ca5) * ez, v15 = J21 - p1_x, v16 = v13 - p1_y, v17 = v14 - d1, v18 = J21 - p2_x,
         v19 = v13 - p2_y, v20 = v14 - p2_z, v21 = J21 - p3_x, v22 = v13 - p3_y, v23 = v14 - p3_z,
         v24 = J21 - p4_x, v25 = v13 - p4_y, v26 = v14 - p4_z;
-    J[0] = -v13; J[1] = -(v2 * v17 + g1 * v16); J[2] = -(v6 * v20 + z2_z * v19);
+    J[0] = -v13; J[1] = -(v2 * v17 + f1 * v16); J[2] = -(v6 * v20 + z2_z * v19);
     J[3] = z3_y * v23 - z3_z * v22; J[4] = z4_y * v26 - z4_z * v25;
-    J[5] = J21; J[6] = g1 * v15 - z1_x * v17; J[7] = z2_z * v18 - z2_x * v20;
+    J[5] = J21; J[6] = f1 * v15 - z1_x * v17; J[7] = z2_z * v18 - z2_x * v20;
     J[8] = z3_z * v21 - z3_x * v23; J[9] = z4_z * v24 - z4_x * v26;
     J[10] = 0.0; J[11] = z1_x * v16 + v2 * v15; J[12] = z2_x * v19 + v6 * v18;
     J[13] = z3_x * v22 - z3_y * v21; J[14] = z4_x * v25 - z4_y * v24;
     J[15] = 0.0; J[16] = z1_x; J[17] = z2_x; J[18] = z3_x; J[19] = z4_x;
     J[20] = 0.0; J[21] = -v2; J[22] = -v6; J[23] = z3_y; J[24] = z4_y;
-    J[25] = 1.0; J[26] = g1; J[27] = z2_z; J[28] = z3_z; J[29] = z4_z;
+    J[25] = 1.0; J[26] = f1; J[27] = z2_z; J[28] = z3_z; J[29] = z4_z;
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.

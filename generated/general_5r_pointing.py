@@ -153,11 +153,6 @@ f2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
 f3 = 0.02070552360820166  # d2 * f1 [m]
 f4 = 0.08852132690137686  # sa2 * f1
 f5 = 0.24321034680169396  # ca2 * f1
-g1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
-g2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
-g3 = 0.02070552360820166  # d2 * f1 [m]
-g4 = 0.08852132690137686  # sa2 * f1
-g5 = 0.24321034680169396  # ca2 * f1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -301,27 +296,27 @@ def jacobian(q):
     s1 = math.sin(q[0])
     p1_x = c1 * a1
     p1_y = s1 * a1
-    v1 = s1 * g1
-    y1_y = c1 * g1
-    z1_x = s1 * g2
-    v2 = c1 * g2
+    v1 = s1 * f1
+    y1_y = c1 * f1
+    z1_x = s1 * f2
+    v2 = c1 * f2
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     x2_x = c1 * c2 - v1 * s2
     x2_y = s1 * c2 + y1_y * s2
-    x2_z = g2 * s2
+    x2_z = f2 * s2
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
-    v5 = g2 * c2
+    v5 = f2 * c2
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
-    p2_z = d1 + x2_z * a2 + g3
+    p2_z = d1 + x2_z * a2 + f3
     y2_x = z1_x * sa2 - v3 * ca2
     y2_y = v4 * ca2 - v2 * sa2
-    y2_z = v5 * ca2 + g4
+    y2_z = v5 * ca2 + f4
     z2_x = v3 * sa2 + z1_x * ca2
     v6 = v4 * sa2 + v2 * ca2
-    z2_z = g5 - v5 * sa2
+    z2_z = f5 - v5 * sa2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -383,12 +378,12 @@ def jacobian(q):
     v25 = v13 - p4_y
     v26 = v14 - p4_z
     J[0, 0] = -v13
-    J[0, 1] = -(v2 * v17 + g1 * v16)
+    J[0, 1] = -(v2 * v17 + f1 * v16)
     J[0, 2] = -(v6 * v20 + z2_z * v19)
     J[0, 3] = z3_y * v23 - z3_z * v22
     J[0, 4] = z4_y * v26 - z4_z * v25
     J[1, 0] = J21
-    J[1, 1] = g1 * v15 - z1_x * v17
+    J[1, 1] = f1 * v15 - z1_x * v17
     J[1, 2] = z2_z * v18 - z2_x * v20
     J[1, 3] = z3_z * v21 - z3_x * v23
     J[1, 4] = z4_z * v24 - z4_x * v26
@@ -405,7 +400,7 @@ def jacobian(q):
     J[4, 3] = z3_y
     J[4, 4] = z4_y
     J[5, 0] = 1.0
-    J[5, 1] = g1
+    J[5, 1] = f1
     J[5, 2] = z2_z
     J[5, 3] = z3_z
     J[5, 4] = z4_z
@@ -424,7 +419,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 106259cecbe2f916"
+_KEY = "general_5r_pointing 2ea65f9c50df2b14"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -158,9 +158,6 @@ offset6 = 1.904  # offset of joint 6 [rad]
 f1 = -0.05553218372140723  # d2 * ca1 [m]
 f2 = 0.04495762109090063  # sa2 * ca1
 f3 = 0.2113498189597218  # ca2 * ca1
-g1 = -0.05553218372140723  # d2 * ca1 [m]
-g2 = 0.04495762109090063  # sa2 * ca1
-g3 = 0.2113498189597218  # ca2 * ca1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -337,13 +334,13 @@ def jacobian(q):
     v7 = sa1 * c2
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v3 * d2
-    p2_z = d1 + x2_z * a2 + g1
+    p2_z = d1 + x2_z * a2 + f1
     y2_x = v5 * ca2 + z1_x * sa2
     v8 = v6 * ca2 + v3 * sa2
-    y2_z = g2 - v7 * ca2
+    y2_z = f2 - v7 * ca2
     z2_x = v5 * sa2 - z1_x * ca2
     z2_y = v3 * ca2 - v6 * sa2
-    v9 = v7 * sa2 + g3
+    v9 = v7 * sa2 + f3
     v10 = q[2] + offset3
     c3 = math.cos(v10)
     s3 = math.sin(v10)
@@ -464,7 +461,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_6r 5aafc366ad4f14b2"
+_KEY = "general_6r f3bbebe91bc33387"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -3379,39 +3379,9 @@ static const double
     f28 = -0.00467192356820623, /* d5 * ca5 [m] */
     f29 = 0.1224013605751613, /* d6 * sa6 [m] */
     f30 = 0.1453200155840528, /* d6 * ca6 [m] */
-    g1 = 0.28962947762551555, /* sat1 * ca1 */
-    g2 = 0.05871080169382652, /* sat1 * sa1 */
-    g3 = 0.052133305972592796, /* a2 * sat1 * ca1 [m] */
-    g4 = 0.010567944304888773, /* a2 * sat1 * sa1 [m] */
-    g5 = 0.32983280059673464, /* a1 + a2 * cat1 + sat1 * d2 * sa2 [m] */
-    g6 = 0.1833559467502831, /* d2 * sa2 * cat1 * ca1 [m] */
-    g7 = 0.03716809047647615, /* d2 * sa2 * cat1 * sa1 [m] */
-    g8 = 0.030873709102968033, /* sa1 * d2 * ca2 [m] */
-    g9 = 0.1523047885887582, /* d2 * ca2 * ca1 [m] */
-    g10 = 0.18369830628609546, /* sat1 * ca2 */
-    g11 = 0.42638625510015216, /* ca2 * cat1 * ca1 - sa1 * sa2 */
-    g12 = 0.8856916470924222, /* ca2 * cat1 * sa1 + sa2 * ca1 */
     g13 = 0.23148893021650235, /* sat1 * sa2 */
     g14 = 0.8569186234130046, /* sa2 * cat1 * ca1 + sa1 * ca2 */
-    g15 = 0.4605467924491282, /* ca2 * ca1 - sa2 * cat1 * sa1 */
-    g16 = 0.10599140039589122, /* d3 * sa3 [m] */
-    g17 = 0.006811531943972054, /* d3 * ca3 * sat1 * sa2 [m] */
-    g18 = 0.02521472007885299, /* g14 * d3 * ca3 [m] */
-    g19 = 0.013551530025764803, /* d3 * ca3 * g15 [m] */
-    g20 = 0.2230530535435802, /* sa3 * sat1 * sa2 */
-    g21 = 0.8256909538260336, /* g14 * sa3 */
-    g22 = 0.44376363163199056, /* sa3 * g15 */
-    g23 = 0.06192301767247322, /* ca3 * sat1 * sa2 */
-    g24 = 0.22922472798957264, /* g14 * ca3 */
-    g25 = 0.12319572750695275, /* ca3 * g15 */
-    g26 = 0.7384602626041288, /* sat4 * ca4 */
-    g27 = 0.4034226801113349, /* sat4 * sa4 */
-    g28 = 0.4741598817790379, /* cat4 * ca4 */
-    g29 = 0.2590347239999257, /* cat4 * sa4 */
-    g30 = -0.1599317764866408, /* d5 * sa5 [m] */
-    g31 = -0.00467192356820623, /* d5 * ca5 [m] */
-    g32 = 0.1224013605751613, /* d6 * sa6 [m] */
-    g33 = 0.1453200155840528; /* d6 * ca6 [m] */
+    g15 = 0.4605467924491282; /* ca2 * ca1 - sa2 * cat1 * sa1 */
 
 const char *const general_prrprr_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
@@ -3460,32 +3430,32 @@ void general_prrprr_fk(const double q[6], double T[16])
 
 void general_prrprr_jacobian(const double q[6], double J[36])
 {
-    const double p2_y = g3 - sa1 * q[0] - g6 - g8, p2_z = ca1 * q[0] + g4 - g7 + g9;
-    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = cat1 * c2 - g10 * s2,
-        x2_y = g1 * c2 + g11 * s2, x2_z = g2 * c2 + g12 * s2, v1 = g10 * c2 + cat1 * s2,
-        y2_y = g11 * c2 - g1 * s2, y2_z = g12 * c2 - g2 * s2,
-        p3_x = g5 + x2_x * a3 - v1 * g16 + g17, p3_y = p2_y + x2_y * a3 + y2_y * g16 - g18,
-        p3_z = p2_z + x2_z * a3 + y2_z * g16 + g19, v2 = v1 * ca3 + g20, v3 = y2_y * ca3 + g21,
-        v4 = y2_z * ca3 - g22, z3_x = g23 - v1 * sa3, z3_y = y2_y * sa3 - g24,
-        z3_z = y2_z * sa3 + g25;
+    const double p2_y = f3 - sa1 * q[0] - f6 - f8, p2_z = ca1 * q[0] + f4 - f7 + f9;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = cat1 * c2 - f10 * s2,
+        x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2, v1 = f10 * c2 + cat1 * s2,
+        y2_y = f11 * c2 - f1 * s2, y2_z = f12 * c2 - f2 * s2,
+        p3_x = f5 + x2_x * a3 - v1 * f13 + f14, p3_y = p2_y + x2_y * a3 + y2_y * f13 - f15,
+        p3_z = p2_z + x2_z * a3 + y2_z * f13 + f16, v2 = v1 * ca3 + f17, v3 = y2_y * ca3 + f18,
+        v4 = y2_z * ca3 - f19, z3_x = f20 - v1 * sa3, z3_y = y2_y * sa3 - f21,
+        z3_z = y2_z * sa3 + f22;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v2 * s3,
         x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3, v5 = v2 * c3 + x2_x * s3,
         y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
-        x4_x = x3_x * cat4 - v5 * g26 + z3_x * g27, x4_y = x3_y * cat4 + y3_y * g26 + z3_y * g27,
-        x4_z = x3_z * cat4 + y3_z * g26 + z3_z * g27, y4_x = z3_x * g29 - (x3_x * sat4 + v5 * g28),
-        y4_y = y3_y * g28 - x3_y * sat4 + z3_y * g29, y4_z = y3_z * g28 - x3_z * sat4 + z3_z * g29,
+        x4_x = x3_x * cat4 - v5 * f23 + z3_x * f24, x4_y = x3_y * cat4 + y3_y * f23 + z3_y * f24,
+        x4_z = x3_z * cat4 + y3_z * f23 + z3_z * f24, y4_x = z3_x * f26 - (x3_x * sat4 + v5 * f25),
+        y4_y = y3_y * f25 - x3_y * sat4 + z3_y * f26, y4_z = y3_z * f25 - x3_z * sat4 + z3_z * f26,
         z4_x = v5 * sa4 + z3_x * ca4, z4_y = z3_y * ca4 - y3_y * sa4,
         z4_z = z3_z * ca4 - y3_z * sa4,
-        p5_x = p3_x + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * g30 - z4_x * g31,
-        p5_y = p3_y + x3_y * a4 + z4_y * q[3] + x4_y * a5 - y4_y * g30 - z4_y * g31,
-        p5_z = p3_z + x3_z * a4 + z4_z * q[3] + x4_z * a5 - y4_z * g30 - z4_z * g31,
+        p5_x = p3_x + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * f27 - z4_x * f28,
+        p5_y = p3_y + x3_y * a4 + z4_y * q[3] + x4_y * a5 - y4_y * f27 - z4_y * f28,
+        p5_z = p3_z + x3_z * a4 + z4_z * q[3] + x4_z * a5 - y4_z * f27 - z4_z * f28,
         v6 = z4_x * sa5 - y4_x * ca5, v7 = z4_y * sa5 - y4_y * ca5, v8 = z4_z * sa5 - y4_z * ca5,
         v9 = y4_x * sa5 + z4_x * ca5, v10 = y4_y * sa5 + z4_y * ca5, v11 = y4_z * sa5 + z4_z * ca5;
     const double c5 = cos(q[4]), s5 = sin(q[4]), y5_x = v6 * c5 - x4_x * s5,
         y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5,
-        p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33,
-        p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * g32 - v10 * g33,
-        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33, v12 = p6_x - g5,
+        p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * f29 - v9 * f30,
+        p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * f29 - v10 * f30,
+        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * f29 - v11 * f30, v12 = p6_x - f5,
         v13 = p6_y - p2_y, v14 = p6_z - p2_z, v15 = p6_x - p3_x, v16 = p6_y - p3_y,
         v17 = p6_z - p3_z, v18 = p6_x - p5_x, v19 = p6_y - p5_y, v20 = p6_z - p5_z;
     J[0] = 0.0; J[1] = -(g14 * v14 + g15 * v13); J[2] = z3_y * v17 - z3_z * v16; J[3] = z4_x;

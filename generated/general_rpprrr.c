@@ -3363,16 +3363,8 @@ static const double
     f6 = -0.17051348073383996,
     /* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1) */
     f7 = -0.0795117418848544,
-    g1 = -0.7701962384697986, /* ca2 * ca1 - sa2 * cat2 * sa1 */
-    g2 = -0.12623975606886617, /* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
-    g3 = -0.015148770728263941, /* a3 * f2 [m] */
-    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * f1 */
-    g4 = 0.9739951538781595,
     /* sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1 */
-    g5 = -0.18814080952715528,
-    g6 = -0.02633971333380174, /* d4 * g5 [m] */
-    g7 = -0.17051348073383996, /* sa4 * g5 */
-    g8 = -0.0795117418848544; /* ca4 * g5 */
+    g5 = -0.18814080952715528;
 
 const char *const general_rpprrr_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
@@ -3426,15 +3418,15 @@ void general_rpprrr_jacobian(const double q[6], double J[36])
         x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3,
         v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3,
         p3_x = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3,
-        p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3, p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3,
+        p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3, p3_z = d1 + ca1 * q[1] + f1 * q[2] + f3,
         y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3, z3_x = v6 * sa3 + z2_x * ca3,
         z3_y = v7 * sa3 - v5 * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
-        x4_y = x3_y * c4 + y3_y * s4, x4_z = g2 * c4 + g4 * s4, v8 = y3_x * c4 - x3_x * s4,
-        v9 = y3_y * c4 - x3_y * s4, v10 = g4 * c4 - g2 * s4, p4_x = p3_x + x4_x * a4 + z3_x * d4,
-        p4_y = p3_y + x4_y * a4 + z3_y * d4, p4_z = p3_z + x4_z * a4 + g6,
-        y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4, y4_z = v10 * ca4 + g7,
-        z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4, z4_z = g8 - v10 * sa4;
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = f2 * c4 + f4 * s4, v8 = y3_x * c4 - x3_x * s4,
+        v9 = y3_y * c4 - x3_y * s4, v10 = f4 * c4 - f2 * s4, p4_x = p3_x + x4_x * a4 + z3_x * d4,
+        p4_y = p3_y + x4_y * a4 + z3_y * d4, p4_z = p3_z + x4_z * a4 + f5,
+        y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4, y4_z = v10 * ca4 + f6,
+        z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4, z4_z = f7 - v10 * sa4;
     const double c5 = cos(q[4]), s5 = sin(q[4]),
         p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + z4_x * d5,
         p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + z4_y * d5,
@@ -3449,7 +3441,7 @@ void general_rpprrr_jacobian(const double q[6], double J[36])
     J[4] = z4_y * v16 - z4_z * v15; J[5] = z5_y * v19 - z5_z * v18;
     J[6] = p6_x; J[7] = -v2; J[8] = -v5; J[9] = g5 * v11 - z3_x * v13;
     J[10] = z4_z * v14 - z4_x * v16; J[11] = z5_z * v17 - z5_x * v19;
-    J[12] = 0.0; J[13] = ca1; J[14] = g1; J[15] = z3_x * v12 - z3_y * v11;
+    J[12] = 0.0; J[13] = ca1; J[14] = f1; J[15] = z3_x * v12 - z3_y * v11;
     J[16] = z4_x * v15 - z4_y * v14; J[17] = z5_x * v18 - z5_y * v17;
     J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
     J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;

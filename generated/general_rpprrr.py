@@ -151,16 +151,8 @@ f5 = -0.02633971333380174
 f6 = -0.17051348073383996
 # ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1)
 f7 = -0.0795117418848544
-g1 = -0.7701962384697986  # ca2 * ca1 - sa2 * cat2 * sa1
-g2 = -0.12623975606886617  # cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)
-g3 = -0.015148770728263941  # a3 * f2 [m]
-# ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * f1
-g4 = 0.9739951538781595
 # sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1
 g5 = -0.18814080952715528
-g6 = -0.02633971333380174  # d4 * g5 [m]
-g7 = -0.17051348073383996  # sa4 * g5
-g8 = -0.0795117418848544  # ca4 * g5
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -314,7 +306,7 @@ def jacobian(q):
     v7 = x2_y * sat3 + y2_y * cat3
     p3_x = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3
     p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3
-    p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3
+    p3_z = d1 + ca1 * q[1] + f1 * q[2] + f3
     y3_x = v6 * ca3 - z2_x * sa3
     y3_y = v7 * ca3 + v5 * sa3
     z3_x = v6 * sa3 + z2_x * ca3
@@ -323,19 +315,19 @@ def jacobian(q):
     s4 = math.sin(q[3])
     x4_x = x3_x * c4 + y3_x * s4
     x4_y = x3_y * c4 + y3_y * s4
-    x4_z = g2 * c4 + g4 * s4
+    x4_z = f2 * c4 + f4 * s4
     v8 = y3_x * c4 - x3_x * s4
     v9 = y3_y * c4 - x3_y * s4
-    v10 = g4 * c4 - g2 * s4
+    v10 = f4 * c4 - f2 * s4
     p4_x = p3_x + x4_x * a4 + z3_x * d4
     p4_y = p3_y + x4_y * a4 + z3_y * d4
-    p4_z = p3_z + x4_z * a4 + g6
+    p4_z = p3_z + x4_z * a4 + f5
     y4_x = v8 * ca4 + z3_x * sa4
     y4_y = v9 * ca4 + z3_y * sa4
-    y4_z = v10 * ca4 + g7
+    y4_z = v10 * ca4 + f6
     z4_x = z3_x * ca4 - v8 * sa4
     z4_y = z3_y * ca4 - v9 * sa4
-    z4_z = g8 - v10 * sa4
+    z4_z = f7 - v10 * sa4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + z4_x * d5
@@ -369,7 +361,7 @@ def jacobian(q):
     J[1, 4] = z4_z * v14 - z4_x * v16
     J[1, 5] = z5_z * v17 - z5_x * v19
     J[2, 1] = ca1
-    J[2, 2] = g1
+    J[2, 2] = f1
     J[2, 3] = z3_x * v12 - z3_y * v11
     J[2, 4] = z4_x * v15 - z4_y * v14
     J[2, 5] = z5_x * v18 - z5_y * v17
@@ -398,7 +390,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 546801239f7125a9"
+_KEY = "general_rpprrr 1d3a33efcaad532b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

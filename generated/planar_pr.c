@@ -218,9 +218,7 @@ static const double
     f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f3 = 0.9999999999999999, /* f1^2 + f2^2 */
-    g1 = 0.5, /* 1 / 2 */
-    g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    g3 = 0.9999999999999999; /* f1^2 + f2^2 */
+    g1 = 0.5; /* 1 / 2 */
 /* coefficients */
 static const double m1 = 0.15, m2 = 0.25980762113533157;
 
@@ -251,10 +249,10 @@ void planar_pr_fk(const double q[2], double T[16])
 
 void planar_pr_jacobian(const double q[2], double J[12])
 {
-    const double p1_x = g2 * q[0], p1_y = g1 * q[0];
+    const double p1_x = f2 * q[0], p1_y = g1 * q[0];
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    J[0] = g2; J[1] = p1_y - (p1_y + g3 * s2 * a);
-    J[2] = g1; J[3] = p1_x + g3 * c2 * a - p1_x;
+    J[0] = f2; J[1] = p1_y - (p1_y + f3 * s2 * a);
+    J[2] = g1; J[3] = p1_x + f3 * c2 * a - p1_x;
     J[4] = 0.0; J[5] = 0.0;
     J[6] = 0.0; J[7] = 0.0;
     J[8] = 0.0; J[9] = 0.0;

@@ -119,8 +119,6 @@ f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.9999999999999999  # f1^2 + f2^2
 g1 = 0.5  # 1 / 2
-g2 = 0.8660254037844386  # 1 / 2 * sqrt3
-g3 = 0.9999999999999999  # f1^2 + f2^2
 m1 = 0.15  # a coefficient of s2
 m2 = 0.25980762113533157  # a coefficient of c2
 
@@ -230,14 +228,14 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     J = np.zeros((6, 2))
-    p1_x = g2 * q[0]
+    p1_x = f2 * q[0]
     p1_y = g1 * q[0]
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    J[0, 0] = g2
-    J[0, 1] = p1_y - (p1_y + g3 * s2 * a)
+    J[0, 0] = f2
+    J[0, 1] = p1_y - (p1_y + f3 * s2 * a)
     J[1, 0] = g1
-    J[1, 1] = p1_x + g3 * c2 * a - p1_x
+    J[1, 1] = p1_x + f3 * c2 * a - p1_x
     J[5, 1] = 1.0
     return J
 
@@ -254,7 +252,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 901843e35c66502e"
+_KEY = "planar_pr e9224d423437c1fb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

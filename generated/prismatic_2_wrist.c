@@ -261,8 +261,6 @@ static const double
     k6 = 132.4412808495909, /* 1 / k4 [m^-2] */
     f1 = 0.2701996003807408, /* d1 - sat2 * a2 [m] */
     f2 = 0.09800665778412417, /* d3 * cat2 [m] */
-    g1 = 0.2701996003807408, /* d1 - sat2 * a2 [m] */
-    g2 = 0.09800665778412417, /* d3 * cat2 [m] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.5375999999999998e-08,
     half_turn = 3.141592653589793, /* pi [rad] */
@@ -322,7 +320,7 @@ void prismatic_2_wrist_jacobian(const double q[6], double J[36])
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
         x3_y = x2_y * c3 + c1 * s3, v1 = sat2 * c3, v2 = s1 * c3 + x2_x * s3,
         z3_y = c1 * c3 - x2_y * s3, z3_z = sat2 * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,
-        p3_y = p2_y + x3_y * a3 + z2_y * d3, p3_z = g1 - v1 * a3 + g2;
+        p3_y = p2_y + x3_y * a3 + z2_y * d3, p3_z = f1 - v1 * a3 + f2;
     const double c4 = cos(q[3]), s4 = sin(q[3]), z4_x = z2_x * c4 + x3_x * s4,
         z4_y = z2_y * c4 + x3_y * s4, p4_x = p3_x - v2 * d4, p4_y = p3_y + z3_y * d4,
         p4_z = p3_z + z3_z * d4, z4_z = cat2 * c4 - v1 * s4;
@@ -330,7 +328,7 @@ void prismatic_2_wrist_jacobian(const double q[6], double J[36])
         z5_y = z3_y * c5 - (x3_y * c4 - z2_y * s4) * s5,
         z5_z = z3_z * c5 + (v1 * c4 + cat2 * s4) * s5, p6_x = p4_x - v3 * d6,
         p6_y = p4_y + z5_y * d6, p6_z = p4_z + z5_z * d6, v4 = p6_x - p2_x, v5 = p6_y - p2_y,
-        v6 = p6_z - g1, v7 = p6_x - p3_x, v8 = p6_y - p3_y, v9 = p6_z - p3_z, v10 = p6_x - p4_x,
+        v6 = p6_z - f1, v7 = p6_x - p3_x, v8 = p6_y - p3_y, v9 = p6_z - p3_z, v10 = p6_x - p4_x,
         v11 = p6_y - p4_y, v12 = p6_z - p4_z;
     J[0] = -p6_y; J[1] = -s1; J[2] = z2_y * v6 - cat2 * v5; J[3] = z3_y * v9 - z3_z * v8;
     J[4] = z4_y * v12 - z4_z * v11; J[5] = z5_y * v12 - z5_z * v11;

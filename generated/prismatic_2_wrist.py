@@ -144,8 +144,6 @@ k5 = 0.36820625816486496  # d1 + (cat2 * d3 - a2 * sat2) [m]
 k6 = 132.4412808495909  # 1 / k4 [m^-2]
 f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
-g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
-g2 = 0.09800665778412417  # d3 * cat2 [m]
 doubt_limit_squared2 = 1.5375999999999998e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 11.314168873492461  # a coefficient of v12
@@ -311,7 +309,7 @@ def jacobian(q):
     z3_z = sat2 * s3
     p3_x = p2_x + x3_x * a3 + z2_x * d3
     p3_y = p2_y + x3_y * a3 + z2_y * d3
-    p3_z = g1 - v1 * a3 + g2
+    p3_z = f1 - v1 * a3 + f2
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     z4_x = z2_x * c4 + x3_x * s4
@@ -330,7 +328,7 @@ def jacobian(q):
     p6_z = p4_z + z5_z * d6
     v4 = p6_x - p2_x
     v5 = p6_y - p2_y
-    v6 = p6_z - g1
+    v6 = p6_z - f1
     v7 = p6_x - p3_x
     v8 = p6_y - p3_y
     v9 = p6_z - p3_z
@@ -381,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 21dbde3d18b28534"
+_KEY = "prismatic_2_wrist 4185f2a5165d9808"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

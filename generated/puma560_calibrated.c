@@ -3568,10 +3568,7 @@ static const double
     offset6 = -0.0022050175347, /* offset of joint 6 [rad] */
     f1 = -2.3070697884642687e-07, /* d2 * ca1 [m] */
     f2 = 1.7152850204059354e-06, /* sa2 * ca1 */
-    f3 = 0.0016085433446793326, /* ca2 * ca1 */
-    g1 = -2.3070697884642687e-07, /* d2 * ca1 [m] */
-    g2 = 1.7152850204059354e-06, /* sa2 * ca1 */
-    g3 = 0.0016085433446793326; /* ca2 * ca1 */
+    f3 = 0.0016085433446793326; /* ca2 * ca1 */
 
 const char *const puma560_calibrated_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -3632,9 +3629,9 @@ void puma560_calibrated_jacobian(const double q[6], double J[36])
     const double c2 = cos(v4), s2 = sin(v4), x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2,
         x2_z = sa1 * s2, v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
         p2_x = p1_x + x2_x * a2 + z1_x * d2, p2_y = p1_y + x2_y * a2 - v3 * d2,
-        p2_z = d1 + x2_z * a2 + g1, y2_x = z1_x * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2,
-        y2_z = v7 * ca2 + g2, z2_x = v5 * sa2 + z1_x * ca2, v8 = v6 * sa2 + v3 * ca2,
-        z2_z = g3 - v7 * sa2, v9 = q[2] + offset3;
+        p2_z = d1 + x2_z * a2 + f1, y2_x = z1_x * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2,
+        y2_z = v7 * ca2 + f2, z2_x = v5 * sa2 + z1_x * ca2, v8 = v6 * sa2 + v3 * ca2,
+        z2_z = f3 - v7 * sa2, v9 = q[2] + offset3;
     const double c3 = cos(v9), s3 = sin(v9), x3_x = x2_x * c3 + y2_x * s3,
         x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v10 = y2_x * c3 - x2_x * s3,
         v11 = y2_y * c3 - x2_y * s3, v12 = y2_z * c3 - x2_z * s3,

@@ -160,9 +160,6 @@ offset6 = -0.0022050175347  # offset of joint 6 [rad]
 f1 = -2.3070697884642687e-07  # d2 * ca1 [m]
 f2 = 1.7152850204059354e-06  # sa2 * ca1
 f3 = 0.0016085433446793326  # ca2 * ca1
-g1 = -2.3070697884642687e-07  # d2 * ca1 [m]
-g2 = 1.7152850204059354e-06  # sa2 * ca1
-g3 = 0.0016085433446793326  # ca2 * ca1
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -339,13 +336,13 @@ def jacobian(q):
     v7 = sa1 * c2
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v3 * d2
-    p2_z = d1 + x2_z * a2 + g1
+    p2_z = d1 + x2_z * a2 + f1
     y2_x = z1_x * sa2 - v5 * ca2
     y2_y = v6 * ca2 - v3 * sa2
-    y2_z = v7 * ca2 + g2
+    y2_z = v7 * ca2 + f2
     z2_x = v5 * sa2 + z1_x * ca2
     v8 = v6 * sa2 + v3 * ca2
-    z2_z = g3 - v7 * sa2
+    z2_z = f3 - v7 * sa2
     v9 = q[2] + offset3
     c3 = math.cos(v9)
     s3 = math.sin(v9)
@@ -466,7 +463,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560_calibrated cbfd0450f2844314"
+_KEY = "puma560_calibrated 72d95d28b32ff69d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

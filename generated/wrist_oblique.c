@@ -262,8 +262,6 @@ static const double
     f3 = 0.383022221559489, /* sa2 * 1 / 2 */
     f4 = 0.3213938048432697, /* ca2 * 1 / 2 */
     g1 = 0.5, /* 1 / 2 */
-    g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    g3 = 0.3213938048432697, /* ca2 * 1 / 2 */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.0000000000000002e-10,
     m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
@@ -306,9 +304,9 @@ void wrist_oblique_fk(const double q[3], double T[16])
 
 void wrist_oblique_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]), z1_x = s1 * g2, v1 = c1 * g2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), z1_x = s1 * f2, v1 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = z1_x * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2,
-        z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2, z2_z = g2 * c2 * sa2 + g3,
+        z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2, z2_z = f2 * c2 * sa2 + f4,
         p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = z2_z * d3;
     J[0] = -p3_y; J[1] = -(v1 * p3_z + g1 * p3_y); J[2] = z2_y * p3_z - z2_z * p3_y;
     J[3] = p3_x; J[4] = g1 * p3_x - z1_x * p3_z; J[5] = z2_z * p3_x - z2_x * p3_z;

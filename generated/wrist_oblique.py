@@ -129,8 +129,6 @@ f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.383022221559489  # sa2 * 1 / 2
 f4 = 0.3213938048432697  # ca2 * 1 / 2
 g1 = 0.5  # 1 / 2
-g2 = 0.8660254037844386  # 1 / 2 * sqrt3
-g3 = 0.3213938048432697  # ca2 * 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-10  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 9.999999999999997e-17  # doubt_limit_squared^2
@@ -270,13 +268,13 @@ def jacobian(q):
     J = np.zeros((6, 3))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    z1_x = s1 * g2
-    v1 = c1 * g2
+    z1_x = s1 * f2
+    v1 = c1 * f2
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     z2_x = z1_x * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2
     z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2
-    z2_z = g2 * c2 * sa2 + g3
+    z2_z = f2 * c2 * sa2 + f4
     p3_x = z2_x * d3
     p3_y = z2_y * d3
     p3_z = z2_z * d3
@@ -310,7 +308,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 8cf47cf2bd0d4dde"
+_KEY = "wrist_oblique 25c57171850a476b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -30,7 +30,8 @@ own rows tell_once told
 """
 
 _LANES = """
-APART ARCTANGENT EACH ENTRIES HELPER INLINED VECTOR beyond bits_four bits_wide four four_at
+APART ARCTANGENT EACH ENTRIES HELPER INLINED KNOWN SIGNED SIGNED_TWICE UNROLLED VECTOR abs_double
+cos_double sin_double sqrt_double beyond bits_four bits_wide four four_at
 four_mask from irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide
 store_1 store_2 store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_four
 copysign_four cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four

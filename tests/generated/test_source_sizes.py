@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
+import pytest
+
+from tests.compiling import compile_file
 from tests.robots.cases import ROBOTS
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 GENERATED = ROBOTS.parent / "generated"
 MOST = 60_000  # bytes: what is promised for any arm
+BASE = "{xyz: [0.11, -0.23, 0.37], rpy: [0.3, -0.5, 0.7]}"
+TOOL = "{xyz: [0.021, -0.034, 0.127], rpy: [-0.4, 0.6, 0.9]}"
+MOST_ROUNDED = 76_000  # with every twist near a right angle nothing vanishes
 
 
 def test_c_of_closed_forms() -> None:
@@ -17,3 +27,25 @@ def test_c_of_closed_forms() -> None:
             sizes[header.stem] = header.with_suffix(".c").stat().st_size
     assert len(sizes) > 60
     assert {name: size for name, size in sizes.items() if size > MOST} == {}
+
+
+def size_of(text: str, folder: Path, name: str) -> int:
+    """Bytes of C that a robot file leads to."""
+    (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
+    made = compile_file(folder / f"{name}.yaml")
+    assert made.derivation.method.value == "closed form"
+    return len(made.files[f"{name}.c"])
+
+
+@pytest.mark.parametrize("name", ["ur5", "kuka_kr40pa", "franka_panda", "techman_tm5_900"])
+def test_on_any_base_with_any_tool(name: str, tmp_path: Path) -> None:
+    text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^(base|tool):.*\n", "", text)
+    assert size_of(f"{text}\nbase: {BASE}\ntool: {TOOL}\n", tmp_path, name) <= MOST
+
+
+@pytest.mark.parametrize("name", ["doosan_m1013", "stanford"])
+def test_with_rounded_twists(name: str, tmp_path: Path) -> None:
+    text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
+    text = re.sub(r"(alpha: -?)pi/2", r"\g<1>1.5708", text)
+    assert MOST < size_of(text, tmp_path, name) <= MOST_ROUNDED

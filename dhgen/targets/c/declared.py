@@ -45,15 +45,16 @@ def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:
     return _listed(declarations, indent, Declaration.follows)
 
 
-def dense(declarations: Iterable[Declaration], indent: str) -> list[str]:
+def dense(declarations: Iterable[Declaration], indent: str, width: int = WIDTH) -> list[str]:
     """Statements, one for all values of one type that follow each other."""
-    return _listed(declarations, indent, lambda each, before: each.kind == before.kind)
+    return _listed(declarations, indent, lambda each, before: each.kind == before.kind, width)
 
 
 def _listed(
     declarations: Iterable[Declaration],
     indent: str,
     follows: Callable[[Declaration, Declaration], bool],
+    width: int = WIDTH,
 ) -> list[str]:
     statements: list[list[Declaration]] = []
     for each in declarations:
@@ -61,16 +62,16 @@ def _listed(
             statements[-1].append(each)
         else:
             statements.append([each])
-    return [line for statement in statements for line in _statement(statement, indent)]
+    return [line for statement in statements for line in _statement(statement, indent, width)]
 
 
-def _statement(declarations: list[Declaration], indent: str) -> list[str]:
+def _statement(declarations: list[Declaration], indent: str, width: int) -> list[str]:
     """One statement for values of one type, broken between them as far as that will do."""
     first, *others = (f"{each.name} = {each.value}," for each in declarations)
-    lines = wrapped(f"{indent}const {declarations[0].kind} {first}", indent)
+    lines = wrapped(f"{indent}const {declarations[0].kind} {first}", indent, width=width)
     for other in others:
-        if len(lines[-1]) + 1 + len(other) <= WIDTH:
+        if len(lines[-1]) + 1 + len(other) <= width:
             lines[-1] += f" {other}"
         else:
-            lines += wrapped(f"{indent}    {other}", f"{indent}    ")
+            lines += wrapped(f"{indent}    {other}", f"{indent}    ", width=width)
     return [*lines[:-1], f"{lines[-1].removesuffix(',')};"]

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.program.ir import Program
-    from dhgen.program.regular.flatten import Flat
     from dhgen.targets.module import SolverModule
 
 
@@ -24,16 +23,16 @@ class Entries:
     macro: Sequence[str]
 
 
-def entry_texts(module: SolverModule, flats: Sequence[Flat]) -> Entries:
+def entry_texts(module: SolverModule, regular: Sequence[Program]) -> Entries:
     """How a robot's solver names the pose's entries beside its programs for regular poses."""
-    if not flats or not read_alike(module, flats):
+    if not regular or not read_alike(module, regular):
         return Entries(entry_lines(module.solver), ())
-    return Entries(entry_lines(module.solver, alike=True), _entries_macro(flats[0].program))
+    return Entries(entry_lines(module.solver, alike=True), _entries_macro(regular[0]))
 
 
-def read_alike(module: SolverModule, flats: Sequence[Flat]) -> bool:
+def read_alike(module: SolverModule, regular: Sequence[Program]) -> bool:
     """Whether all programs read the same entries."""
-    programs = module.solver, *(flat.program for flat in flats)
+    programs = module.solver, *regular
     return len({tuple(pose_entries(program)) for program in programs}) == 1
 
 

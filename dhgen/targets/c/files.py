@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from dhgen.program.regular.flatten import flatten
 from dhgen.targets.c.arctangent import CArctangent
 from dhgen.targets.c.calls import CCalls, Prototypes, c_calls, c_prototypes
 from dhgen.targets.c.entries import entry_lines, entry_texts
 from dhgen.targets.c.language import C
-from dhgen.targets.c.regular import CRegular, best_lanes, regular_values
+from dhgen.targets.c.regular import CRegular, flats_of, regular_values
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
 from dhgen.targets.general.emit import c_rows, c_source
@@ -27,6 +26,9 @@ from dhgen.tolerances import SINGLE
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
+
+
+LONGEST = 60_000  # of a source whose branches are all written out [bytes]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,9 +59,22 @@ class CSolver:
 
 
 def c_files(module: SolverModule) -> dict[str, str]:
-    """The header and the source by their names."""
+    """The header and the source by their names.
+
+    Branches written out are fast. Where that is long, those in lanes of poses stand in loops, and
+    what they have in common with branches in lanes is written once.
+    """
+    texts = c_texts(module, in_loops=False)
+    long = len(texts[f"{module.name}.c"]) > LONGEST
+    if long and regular_solver(module) is not None:
+        return c_texts(module, in_loops=True)
+    return texts
+
+
+def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
+    """The same by one of the two ways."""
     common = common_of(module)
-    solver = c_solver(module, common)
+    solver = c_solver(module, common, in_loops=in_loops)
     texts = {
         f"{module.name}.h": fitted(render("c/solver.h.jinja", **named(common), **named(solver))),
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **named(common), **named(solver))),
@@ -69,20 +84,27 @@ def c_files(module: SolverModule) -> dict[str, str]:
     return texts
 
 
-def c_solver(module: SolverModule, common: Common) -> CSolver:
-    """What the templates name of a robot."""
+def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver:
+    """What the templates name of a robot.
+
+    Args:
+        module: The robot.
+        common: What every language says of it.
+        in_loops: Whether its regular poses go through branches in loops, which is shorter.
+    """
     regular = regular_solver(module)
-    flats = () if regular is None else (flatten(regular), best_lanes(regular))
+    flats = None if regular is None else flats_of(regular, in_loops=in_loops)
+    programs = () if flats is None else flats.programs
     calls = c_calls(module)
     return CSolver(
         comments=c_comments(module),
-        tables=c_tables(module, flats),
-        pose=c_pose(module, entry_texts(module, flats)),
+        tables=c_tables(module, programs),
+        pose=c_pose(module, entry_texts(module, programs)),
         prototypes=c_prototypes(module),
         calls=calls,
         bodies=bodies_of(module, C(), _assignments, entry_lines),
         parts=parts_of(module, common, _writers(calls)),
-        regular=regular_values(module, *flats) if flats else None,
+        regular=regular_values(module, flats) if flats else None,
         arctangent=CArctangent(),
     )
 

@@ -2,37 +2,38 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.program.arrival import arrivals
-from dhgen.program.ir import Apply, Heading, Let, Variable
+from dhgen.program.ir import Apply, Let
 from dhgen.program.regular.flatten import MINUS, flatten
 from dhgen.program.walk import names_in
 from dhgen.targets.c.declared import dense
 from dhgen.targets.c.entries import entry_lines, read_alike
 from dhgen.targets.c.irregular import irregularities
 from dhgen.targets.c.lanes import LaneText, operators
-from dhgen.targets.c.language import C
 from dhgen.targets.c.packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c.rows import status_lines, store_places, stores, words
-from dhgen.targets.layout import INDENT, call, packed, wrapped
+from dhgen.targets.c.shared import NOTHING_SHARED, shared_values
+from dhgen.targets.c.wide import lets, row_of, wide_lines
+from dhgen.targets.layout import INDENT, call, wrapped
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Sequence
 
-    from dhgen.program.ir import Expression, Statement
+    from dhgen.program.ir import Expression, Program, Statement
     from dhgen.program.regular.flatten import Choice, Flat
     from dhgen.program.regular.unguarded import Regular
-    from dhgen.targets.c.declared import Declaration
     from dhgen.targets.c.irregular import Irregularities
     from dhgen.targets.c.rows import Word
+    from dhgen.targets.c.shared import Shared
     from dhgen.targets.module import SolverModule
 
 MOST_LANES = 8  # of a vector, with AVX-512
+MOST_UNROLLED = 300  # values of unrolled loops: of more, compiling takes long and gains little
 COSTS = {"atan2": 30, "div": 4, "sqrt": 6}  # of an operator in lanes; of any other 1
 
 
@@ -62,6 +63,8 @@ class CRegular:
         row_size: Joint values of all rows.
         fills_lanes: Whether they are as many as a vector's.
         in_lanes: Whether anything but `wide` is used.
+        shared: What both compute in the same words.
+        unrolled: Whether compilers are asked to unroll loops.
     """
 
     functions: Sequence[str]
@@ -76,20 +79,22 @@ class CRegular:
     row_size: int
     fills_lanes: bool
     in_lanes: bool
+    shared: Shared
+    unrolled: bool
 
 
-def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> CRegular:
-    """What serves a robot's regular poses.
-
-    Args:
-        module: The robot.
-        flat: Its program for regular poses, all branches unrolled.
-        lanes: The same, branches in lanes.
-    """
+def regular_values(module: SolverModule, flats: Flats) -> CRegular:
+    """What serves a robot's regular poses, which compute this."""
+    flat, lanes = flats.wide, flats.lanes
     used = set(operators(flat.program))
+    in_lanes = module.precision is not SINGLE
     sizes = {size for _, size in store_places(module.chain.dof)}
-    alike = read_alike(module, (flat, lanes))
-    wide = _wide(module, flat, entry_lines(flat.program, "wide", alike=alike))
+    shared = shared_values(lanes) if flats.in_loops and in_lanes else NOTHING_SHARED
+    alike = read_alike(module, flats.programs)
+    entries = entry_lines(flat.program, "wide", alike=alike)
+    head = "HELPER wide_mask solve_wide"
+    body = wide_lines(module, flat, entries, shared, unrolled=flats.unrolled)
+    wide = LaneFunction(_prototype(module, head, "wide"), body)
     row_size = module.solver.rows * module.chain.dof
     return CRegular(
         functions=sorted(used & {"sin", "cos", "wrap"}),
@@ -98,12 +103,14 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> CRegular:
         irregularity=irregularities(module, _inputs(module, "%")),
         wide=wide,
         spreads_truths=any("where_wide(" in line for line in wide.lines),
-        one=_one(module, lanes, entry_lines(lanes.program, alike=alike)),
+        one=_one(module, lanes, entry_lines(lanes.program, alike=alike), shared),
         tile=_prototype(module, "HELPER unsigned solve_tile", "tile"),
         words=words(module.solver.rows),
         row_size=row_size,
         fills_lanes=row_size >= MOST_LANES,
-        in_lanes=module.precision is not SINGLE,
+        in_lanes=in_lanes,
+        shared=shared,
+        unrolled=flats.unrolled,
     )
 
 
@@ -112,6 +119,40 @@ def _inputs(module: SolverModule, number: str) -> list[str]:
     count = module.chain.given
     free = [f"const {number} free_joints[{count}]"] if count else []
     return [f"const {number} T[16]", *free]
+
+
+@dataclass(frozen=True, slots=True)
+class Flats:
+    """What regular poses compute.
+
+    Attributes:
+        wide: One lane a pose.
+        lanes: Branches in lanes.
+        in_loops: Whether the former goes through branches in loops: the two are then the same.
+        unrolled: Whether compilers are asked to unroll the loops.
+    """
+
+    wide: Flat
+    lanes: Flat
+    in_loops: bool
+    unrolled: bool
+
+    @property
+    def programs(self) -> tuple[Program, Program]:
+        """Both."""
+        return self.wide.program, self.lanes.program
+
+
+def flats_of(solver: Regular, *, in_loops: bool) -> Flats:
+    """What regular poses compute, branches of one lane a pose written out or in loops."""
+    lanes, out = best_lanes(solver), flatten(solver)
+    values = sum(isinstance(each, Let) for each in out.program.body)
+    return Flats(
+        wide=lanes if in_loops else out,
+        lanes=lanes,
+        in_loops=in_loops,
+        unrolled=in_loops and values <= MOST_UNROLLED,
+    )
 
 
 def best_lanes(solver: Regular) -> Flat:
@@ -144,30 +185,13 @@ def _row(module: SolverModule, flat: Flat, choice: Choice, lane: int) -> int:
     for place, axis in enumerate(flat.lanes):
         first = lane < 2 if place == 0 and len(flat.lanes) == 2 else lane % 2 == 0
         signs[axis] = 1 if first else MINUS
-    row = 0
-    for axis in range(len(module.solver.axes)):
-        row = 2 * row + (signs[axis] == MINUS)
-    return row
+    return row_of(module, signs)
 
 
-def _lets(statements: Iterable[Statement], text: LaneText) -> list[str]:
-    """Values under their headings."""
-    sections: list[tuple[str, list[Declaration]]] = [("", [])]
-    for statement in statements:
-        if isinstance(statement, Heading):
-            sections.append((C().comment(statement.text), []))
-        elif isinstance(statement, Let):
-            sections[-1][1].append(text.let(statement))
-    lines: list[str] = []
-    for heading, values in sections:
-        if heading and values:
-            lines += ["", INDENT + heading]
-        lines += dense(values, INDENT)
-    return lines
-
-
-def _with_angles(flat: Flat, text: LaneText) -> list[str]:
+def _with_angles(flat: Flat, text: LaneText, shared: Shared) -> list[str]:
     """Values, first those without angles, then the angles together, then the others."""
+    signs = range(len(flat.lanes) + 1)
+    known = [line for k in signs for line in shared.stated(k, "four" if k else "double")]
     late: set[str] = set()
     first: list[Statement] = []
     angles: list[Let] = []
@@ -175,6 +199,8 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
     for statement in flat.program.body:
         if not isinstance(statement, Let):
             first.append(statement)
+        elif statement.name in shared.names:
+            text.declare(statement.name, lanes=bool(statement.axes))
         elif names_in(statement.expression) & late:
             late.add(statement.name)
             last.append(statement)
@@ -184,54 +210,13 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
         else:
             first.append(statement)
     places = {axis: axis + 2 - len(flat.lanes) for axis in range(len(flat.lanes))}
-    lines = [*_lets(first, text), ""]
+    lines = [*known, *lets(first, text), ""]
     vectors = in_order(packed_angles(angles, places), arrivals(flat.program))
     lines += dense(angle_declarations(vectors, text), INDENT)
-    return [*lines, *_lets(last, text)]
+    return [*lines, *lets(last, text)]
 
 
-def _wide(module: SolverModule, flat: Flat, entries: list[str]) -> LaneFunction:
-    """One lane a pose."""
-    text = LaneText("wide", flat.program, wide=True)
-    at_once = _needed_once(flat)
-    named = [statement for statement in flat.program.body if statement not in at_once.values()]
-    lines = [*entries, *_lets(named, text), ""]
-    dof = module.chain.dof
-    for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
-        row = _row(module, flat, choice, 0)
-        results = (at_once[each].expression if each in at_once else each for each in group)
-        values = enumerate(map(text.vector, results), start=dof * row)
-        lines += packed([f"q[{place}] = {value};" for place, value in values], INDENT)
-        first = f"q[{dof * row}]"
-        beyond = [at_once[each].expression if each in at_once else each for each in flat.outside]
-        outside = text.mask(beyond[place]) if beyond else "0"
-        lines += wrapped(f"{INDENT}kind[{row}] = kind_of({first}, {outside});", INDENT)
-    given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
-    limit = repr(module.precision.tolerances.orthonormal)
-    lines.append(f"{INDENT}const wide_mask exact = irregularity_wide({given}) <= {limit};")
-    doubt = "" if flat.doubt is None else f" | ({text.text(flat.doubt).text})"
-    lines.append(f"{INDENT}return (exact == 0){doubt};")
-    head = "HELPER wide_mask solve_wide"
-    return LaneFunction(_prototype(module, head, "wide"), lines)
-
-
-def _needed_once(flat: Flat) -> dict[Expression, Let]:
-    """What only one row needs: it is written where it belongs as soon as it is known."""
-    lets = [statement for statement in flat.program.body if isinstance(statement, Let)]
-    outputs = flat.program.outputs
-    composed = [output for output in outputs if not isinstance(output, Variable)]
-    elsewhere = names_in(*composed, *(let.expression for let in lets))
-    needed = Counter(outputs)
-    written = [*(each for group in flat.groups for each in group), *flat.outside]
-    joints = {each for each in written if needed[each] == 1}
-    return {
-        Variable(let.name): let
-        for let in lets
-        if Variable(let.name) in joints and let.name not in elsewhere
-    }
-
-
-def _one(module: SolverModule, flat: Flat, entries: list[str]) -> LaneFunction:
+def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -> LaneFunction:
     """Branches in lanes."""
     text = LaneText("four", flat.program, wide=False)
     values = {1: ["1.0, -1.0, 1.0, -1.0"], 2: ["1.0, 1.0, -1.0, -1.0", "1.0, -1.0, 1.0, -1.0"]}
@@ -239,7 +224,7 @@ def _one(module: SolverModule, flat: Flat, entries: list[str]) -> LaneFunction:
         f"{INDENT}const four {axis.name} = {{ {signs} }};"
         for axis, signs in zip(flat.program.axes, values.get(len(flat.lanes), []), strict=True)
     ]
-    lines += [*entries, *_with_angles(flat, text), ""]
+    lines += [*entries, *_with_angles(flat, text, shared), ""]
     given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
     limit = repr(module.precision.tolerances.orthonormal)
     doubts = [text.text(doubt) for doubt in flat.doubts]

@@ -18,7 +18,7 @@ from dhgen.tolerances import SINGLE
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.program.regular.flatten import Flat
+    from dhgen.program.ir import Program
     from dhgen.targets.c.entries import Entries
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
@@ -122,14 +122,14 @@ def _all_finite(values: list[str]) -> str:
     return " && ".join(f"isfinite({each})" for each in values)
 
 
-def c_tables(module: SolverModule, flats: Sequence[Flat]) -> CTables:
+def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     """Constants of a robot, and of its programs for regular poses, that with lanes last."""
     limits = [joint.limits for joint in module.chain.joints]
     low = [repr(pair[0]) if pair else "-INFINITY" for pair in limits]
     high = [repr(pair[1]) if pair else "INFINITY" for pair in limits]
     flags = ["1" if kind == "R" else "0" for kind in module.joint_types]
     dof = module.chain.dof
-    common, only = _constants(module, flats)
+    common, only = _constants(module, regular)
     return CTables(
         branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
         lowest=c_array(f"static const double lowest[{dof}]", low),
@@ -143,10 +143,10 @@ def c_tables(module: SolverModule, flats: Sequence[Flat]) -> CTables:
 
 
 def _constants(
-    module: SolverModule, flats: Sequence[Flat]
+    module: SolverModule, regular: Sequence[Program]
 ) -> tuple[list[ConstantText], list[ConstantText]]:
     """The constants of all builds, and those that only branches in lanes need; limits are told."""
-    programs = tuple(flat.program for flat in flats)
+    programs = tuple(regular)
     common, every = (
         [each for each in constant_texts(module, some) if not isinstance(each.role, LimitEnd)]
         for some in (programs[:1], programs)

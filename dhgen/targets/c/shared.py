@@ -1,0 +1,132 @@
+"""C that one pose with its branches in lanes and one lane a pose have in common, as macros."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Apply, Heading, Let
+from dhgen.program.walk import names_in
+from dhgen.targets.c.declared import Declaration, dense
+from dhgen.targets.c.lanes import LaneText
+from dhgen.targets.c.language import C
+from dhgen.targets.layout import GOES_ON, INDENT, WIDTH
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.program.ir import Statement
+    from dhgen.program.regular.flatten import Flat
+
+_LANES = re.compile(r"\b(\w+)_(four|wide)\(")
+_PLAIN = re.compile(r"\b(sqrt|fabs|sin|cos)\(")
+_CALLED = {"sqrt": "sqrt", "fabs": "abs", "sin": "sin", "cos": "cos"}  # before _four and _double
+MACROS = ("KNOWN", "SIGNED", "SIGNED_TWICE")  # by the number of signs that values need
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function: its name in <math.h>, and how it is called where it is for numbers or lanes."""
+
+    name: str
+    called: str
+
+
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """Values of a program for regular poses that all functions compute in the same words.
+
+    Attributes:
+        names: What they are called.
+        macros: The definition of a macro for each depth, the values that need so many signs.
+        depths: Those that have one.
+        functions: Of <math.h> that they call.
+    """
+
+    names: frozenset[str] = frozenset()
+    macros: Sequence[str] = ()
+    depths: tuple[int, ...] = ()
+    functions: tuple[Function, ...] = ()
+
+    def stated(self, depth: int, number: str, indent: str = INDENT) -> list[str]:
+        """The statement for a depth, where there is one."""
+        return [f"{indent}{MACROS[depth]}({number});"] if depth in self.depths else []
+
+
+NOTHING_SHARED = Shared()
+
+
+def depth_of(let: Let) -> int:
+    """In how many loops over signs a value stands."""
+    return max(let.axes, default=-1) + 1
+
+
+def shared_values(flat: Flat) -> Shared:
+    """What has the same words whether lanes are branches or poses, but for angles."""
+    words = _Words(flat)
+    body = [each for each in flat.program.body if words.has(each)]
+    macros: list[str] = []
+    depths = []
+    for depth in range(len(flat.lanes) + 1):
+        lines = _values([each for each in body if words.stands(each, depth)], words.texts)
+        if lines:
+            depths.append(depth)
+            first, *others = [f"#define {MACROS[depth]}(number)", *lines]
+            macros += [f"{line}{GOES_ON}" for line in [first, *others[:-1]]]
+            macros.append(others[-1].removesuffix(";"))
+    text = "\n".join(macros)
+    called = {name: of for name, of in _CALLED.items() if f"{of}_##" in text}
+    functions = (Function(name, f"{of}_double") for name, of in called.items())
+    return Shared(frozenset(words.texts), macros, tuple(depths), tuple(functions))
+
+
+class _Words:
+    """The values, and how they are written."""
+
+    def __init__(self, flat: Flat) -> None:
+        program = flat.program
+        self.texts: dict[str, str] = {}
+        self._own: set[str] = set()
+        self._one = LaneText("four", program, wide=False)
+        self._wide = LaneText("wide", program, wide=True)
+        for axis in program.axes:
+            self._wide.declare(axis.name, lanes=False)
+        for statement in program.body:
+            if isinstance(statement, Let):
+                self._let(statement)
+
+    def _let(self, let: Let) -> None:
+        told, lanes = (text.let(let) for text in (self._one, self._wide))
+        one, wide = told.value, lanes.value
+        angle = isinstance(let.expression, Apply) and let.expression.operator == "atan2"
+        mixed = depth_of(let) > 0 and _PLAIN.search(one)
+        one = _PLAIN.sub(lambda found: f"{_CALLED[found[1]]}_##number(", one)
+        one, wide = (_LANES.sub(r"\1_##number(", text) for text in (one, wide))
+        own = angle or mixed or lanes.kind != "wide" or (told.kind == "double") == bool(let.axes)
+        if own or one != wide or names_in(let.expression) & self._own:
+            self._own.add(let.name)
+        else:
+            self.texts[let.name] = one
+
+    def has(self, statement: Statement) -> bool:
+        return not isinstance(statement, Let) or statement.name in self.texts
+
+    def stands(self, statement: Statement, depth: int) -> bool:
+        return not isinstance(statement, Let) or depth_of(statement) == depth
+
+
+def _values(body: Sequence[Statement], texts: dict[str, str]) -> list[str]:
+    """Values under their headings."""
+    lines: list[str] = []
+    heading = ""
+    values: list[Declaration] = []
+    for statement in [*body, Heading("")]:
+        if isinstance(statement, Let):
+            values.append(Declaration("number", statement.name, texts[statement.name]))
+        elif isinstance(statement, Heading):
+            if values:
+                lines += [INDENT + C().comment(heading)] if heading else []
+                lines += dense(values, INDENT, WIDTH - len(GOES_ON))
+            heading, values = statement.text, []
+    return lines
