@@ -526,11 +526,9 @@ static const double
     f1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
     f2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
     f3 = 0.025881904510252077, /* d2 * f1 [m] */
-    f4 = 0.5, /* 1 / 2 */
     f5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f6 = 0.12940952255126037, /* 1 / 2 * f1 */
-    f7 = 0.22414386804201336, /* 1 / 2 * sqrt3 * f1 */
-    g4 = 0.5; /* 1 / 2 */
+    f7 = 0.22414386804201336; /* 1 / 2 * sqrt3 * f1 */
 
 const char *const concurrent_345_branches[8] = {
     "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
@@ -548,9 +546,9 @@ void concurrent_345_fk(const double q[6], double T[16])
         v2 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
         x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
-        v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, y2_x = z1_x * f4 - v3 * f5,
-        y2_y = v4 * f5 - v2 * f4, y2_z = v5 * f5 + f6, z2_x = v3 * f4 + z1_x * f5,
-        v6 = v4 * f4 + v2 * f5, z2_z = f7 - v5 * f4;
+        v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, y2_x = z1_x * k12 - v3 * f5,
+        y2_y = v4 * f5 - v2 * k12, y2_z = v5 * f5 + f6, z2_x = v3 * k12 + z1_x * f5,
+        v6 = v4 * k12 + v2 * f5, z2_z = f7 - v5 * k12;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
         x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3,
         y4_y = y2_y * c3 - x2_y * s3, y4_z = y2_z * c3 - x2_z * s3;
@@ -559,9 +557,9 @@ void concurrent_345_fk(const double q[6], double T[16])
         v7 = v6 * c4 + x3_y * s4, z4_z = z2_z * c4 - x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
         x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5,
-        v9 = y4_y * c5 - x4_y * s5, v10 = y4_z * c5 - x4_z * s5, y5_x = f4 * v8 + f5 * z4_x,
-        y5_y = f4 * v9 - f5 * v7, y5_z = f4 * v10 + f5 * z4_z, z5_x = f4 * z4_x - f5 * v8,
-        v11 = f5 * v9 + f4 * v7, z5_z = f4 * z4_z - f5 * v10;
+        v9 = y4_y * c5 - x4_y * s5, v10 = y4_z * c5 - x4_z * s5, y5_x = k12 * v8 + f5 * z4_x,
+        y5_y = k12 * v9 - f5 * v7, y5_z = k12 * v10 + f5 * z4_z, z5_x = k12 * z4_x - f5 * v8,
+        v11 = f5 * v9 + k12 * v7, z5_z = k12 * z4_z - f5 * v10;
     const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + y5_x * s6,
         x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 + y5_z * s6;
     T[0] = x6_x; T[1] = y5_x * c6 - x5_x * s6; T[2] = z5_x;
@@ -582,9 +580,9 @@ void concurrent_345_jacobian(const double q[6], double J[36])
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
         x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
         v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
-        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + f3, y2_x = z1_x * g4 - v3 * f5,
-        y2_y = v4 * f5 - v2 * g4, y2_z = v5 * f5 + f6, z2_x = v3 * g4 + z1_x * f5,
-        v6 = v4 * g4 + v2 * f5, z2_z = f7 - v5 * g4;
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + f3, y2_x = z1_x * k12 - v3 * f5,
+        y2_y = v4 * f5 - v2 * k12, y2_z = v5 * f5 + f6, z2_x = v3 * k12 + z1_x * f5,
+        v6 = v4 * k12 + v2 * f5, z2_z = f7 - v5 * k12;
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
         x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3,
         y4_y = y2_y * c3 - x2_y * s3, y4_z = y2_z * c3 - x2_z * s3, p3_x = p2_x + z2_x * d3,
@@ -596,15 +594,15 @@ void concurrent_345_jacobian(const double q[6], double J[36])
         x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5,
         v9 = y4_y * c5 - x4_y * s5, v10 = y4_z * c5 - x4_z * s5,
         p5_x = p3_x + x5_x * a5 + z4_x * d5, p5_y = p3_y + x5_y * a5 - v7 * d5,
-        p5_z = p3_z + x5_z * a5 + z4_z * d5, z5_x = g4 * z4_x - f5 * v8, v11 = f5 * v9 + g4 * v7,
-        z5_z = g4 * z4_z - f5 * v10;
+        p5_z = p3_z + x5_z * a5 + z4_z * d5, z5_x = k12 * z4_x - f5 * v8, v11 = f5 * v9 + k12 * v7,
+        z5_z = k12 * z4_z - f5 * v10;
     const double c6 = cos(q[5]), s6 = sin(q[5]),
-        p6_x = p5_x + (x5_x * c6 + (g4 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6,
-        p6_y = p5_y + (x5_y * c6 + (g4 * v9 - f5 * v7) * s6) * a6 - v11 * d6,
-        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6, v12 = p6_x - p1_x,
-        v13 = p6_y - p1_y, v14 = p6_z - d1, v15 = p6_x - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z,
-        v18 = p6_x - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z, v21 = p6_x - p5_x,
-        v22 = p6_y - p5_y, v23 = p6_z - p5_z;
+        p6_x = p5_x + (x5_x * c6 + (k12 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6,
+        p6_y = p5_y + (x5_y * c6 + (k12 * v9 - f5 * v7) * s6) * a6 - v11 * d6,
+        p6_z = p5_z + (x5_z * c6 + (k12 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6,
+        v12 = p6_x - p1_x, v13 = p6_y - p1_y, v14 = p6_z - d1, v15 = p6_x - p2_x, v16 = p6_y - p2_y,
+        v17 = p6_z - p2_z, v18 = p6_x - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z,
+        v21 = p6_x - p5_x, v22 = p6_y - p5_y, v23 = p6_z - p5_z;
     J[0] = -p6_y; J[1] = -(v2 * v14 + f1 * v13); J[2] = -(v6 * v17 + z2_z * v16);
     J[3] = -y4_y * v20 - -y4_z * v19; J[4] = -(v7 * v20 + z4_z * v19);
     J[5] = -(v11 * v23 + z5_z * v22);

@@ -181,11 +181,9 @@ k35 = 7.698003589195011  # 1 / (a5 * sqrt3 / 2) [m^-1]
 f1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
 f2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
 f3 = 0.025881904510252077  # d2 * f1 [m]
-f4 = 0.5  # 1 / 2
 f5 = 0.8660254037844386  # 1 / 2 * sqrt3
 f6 = 0.12940952255126037  # 1 / 2 * f1
 f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
-g4 = 0.5  # 1 / 2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -393,12 +391,12 @@ def fk(q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = f2 * c2
-    y2_x = z1_x * f4 - v3 * f5
-    y2_y = v4 * f5 - v2 * f4
+    y2_x = z1_x * k12 - v3 * f5
+    y2_y = v4 * f5 - v2 * k12
     y2_z = v5 * f5 + f6
-    z2_x = v3 * f4 + z1_x * f5
-    v6 = v4 * f4 + v2 * f5
-    z2_z = f7 - v5 * f4
+    z2_x = v3 * k12 + z1_x * f5
+    v6 = v4 * k12 + v2 * f5
+    z2_z = f7 - v5 * k12
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -423,12 +421,12 @@ def fk(q):
     v8 = y4_x * c5 - x4_x * s5
     v9 = y4_y * c5 - x4_y * s5
     v10 = y4_z * c5 - x4_z * s5
-    y5_x = f4 * v8 + f5 * z4_x
-    y5_y = f4 * v9 - f5 * v7
-    y5_z = f4 * v10 + f5 * z4_z
-    z5_x = f4 * z4_x - f5 * v8
-    v11 = f5 * v9 + f4 * v7
-    z5_z = f4 * z4_z - f5 * v10
+    y5_x = k12 * v8 + f5 * z4_x
+    y5_y = k12 * v9 - f5 * v7
+    y5_z = k12 * v10 + f5 * z4_z
+    z5_x = k12 * z4_x - f5 * v8
+    v11 = f5 * v9 + k12 * v7
+    z5_z = k12 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
     x6_x = x5_x * c6 + y5_x * s6
@@ -475,12 +473,12 @@ def jacobian(q):
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
     p2_z = d1 + x2_z * a2 + f3
-    y2_x = z1_x * g4 - v3 * f5
-    y2_y = v4 * f5 - v2 * g4
+    y2_x = z1_x * k12 - v3 * f5
+    y2_y = v4 * f5 - v2 * k12
     y2_z = v5 * f5 + f6
-    z2_x = v3 * g4 + z1_x * f5
-    v6 = v4 * g4 + v2 * f5
-    z2_z = f7 - v5 * g4
+    z2_x = v3 * k12 + z1_x * f5
+    v6 = v4 * k12 + v2 * f5
+    z2_z = f7 - v5 * k12
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -511,14 +509,14 @@ def jacobian(q):
     p5_x = p3_x + x5_x * a5 + z4_x * d5
     p5_y = p3_y + x5_y * a5 - v7 * d5
     p5_z = p3_z + x5_z * a5 + z4_z * d5
-    z5_x = g4 * z4_x - f5 * v8
-    v11 = f5 * v9 + g4 * v7
-    z5_z = g4 * z4_z - f5 * v10
+    z5_x = k12 * z4_x - f5 * v8
+    v11 = f5 * v9 + k12 * v7
+    z5_z = k12 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    p6_x = p5_x + (x5_x * c6 + (g4 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6
-    p6_y = p5_y + (x5_y * c6 + (g4 * v9 - f5 * v7) * s6) * a6 - v11 * d6
-    p6_z = p5_z + (x5_z * c6 + (g4 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6
+    p6_x = p5_x + (x5_x * c6 + (k12 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6
+    p6_y = p5_y + (x5_y * c6 + (k12 * v9 - f5 * v7) * s6) * a6 - v11 * d6
+    p6_z = p5_z + (x5_z * c6 + (k12 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6
     v12 = p6_x - p1_x
     v13 = p6_y - p1_y
     v14 = p6_z - d1
@@ -582,7 +580,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 745076617ae0b512"
+_KEY = "concurrent_345 5f46232f3f73b690"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -656,12 +654,12 @@ def _missed_by(pose, q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = f2 * c2
-    y2_x = z1_x * f4 - v3 * f5
-    y2_y = v4 * f5 - v2 * f4
+    y2_x = z1_x * k12 - v3 * f5
+    y2_y = v4 * f5 - v2 * k12
     y2_z = v5 * f5 + f6
-    z2_x = v3 * f4 + z1_x * f5
-    v6 = v4 * f4 + v2 * f5
-    z2_z = f7 - v5 * f4
+    z2_x = v3 * k12 + z1_x * f5
+    v6 = v4 * k12 + v2 * f5
+    z2_z = f7 - v5 * k12
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -686,12 +684,12 @@ def _missed_by(pose, q):
     v8 = y4_x * c5 - x4_x * s5
     v9 = y4_y * c5 - x4_y * s5
     v10 = y4_z * c5 - x4_z * s5
-    y5_x = f4 * v8 + f5 * z4_x
-    y5_y = f4 * v9 - f5 * v7
-    y5_z = f4 * v10 + f5 * z4_z
-    z5_x = f4 * z4_x - f5 * v8
-    v11 = f5 * v9 + f4 * v7
-    z5_z = f4 * z4_z - f5 * v10
+    y5_x = k12 * v8 + f5 * z4_x
+    y5_y = k12 * v9 - f5 * v7
+    y5_z = k12 * v10 + f5 * z4_z
+    z5_x = k12 * z4_x - f5 * v8
+    v11 = f5 * v9 + k12 * v7
+    z5_z = k12 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
     x6_x = x5_x * c6 + y5_x * s6

@@ -3805,8 +3805,7 @@ static const double
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
     f4 = 0.45466333698683026, /* d4 * 1 / 2 * sqrt3 [m] */
-    f5 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
-    g1 = 0.5; /* 1 / 2 */
+    f5 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 
 const char *const general_5r1p_pair_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -3848,10 +3847,10 @@ void general_5r1p_pair_fk(const double q[6], double T[16])
 
 void general_5r1p_pair_jacobian(const double q[6], double J[36])
 {
-    const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * g1,
-        z3_z = c2 * g1;
-    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3 - v1 * s3, v2 = g1 * s3,
-        x3_z = s2 * c3 + y2_z * s3, y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3,
+    const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * f1,
+        z3_z = c2 * f1;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3 - v1 * s3, v2 = f1 * s3,
+        x3_z = s2 * c3 + y2_z * s3, y3_x = v1 * c3 + c2 * s3, y3_y = f1 * c3,
         p3_x = a1 + x3_x * a3 + z2_x * d3, v3 = d2 + v2 * a3 + f3,
         p3_z = q[0] + x3_z * a3 - z3_z * d3, y3_z = s2 * s3 - y2_z * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,

@@ -139,7 +139,6 @@ f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = -0.2260326303877385  # 1 / 2 * sqrt3 * d3 [m]
 f4 = 0.45466333698683026  # d4 * 1 / 2 * sqrt3 [m]
 f5 = 0.7071067811865476  # 1 / 2 * sqrt2
-g1 = 0.5  # 1 / 2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -263,15 +262,15 @@ def jacobian(q):
     s2 = math.sin(-q[1])
     v1 = s2 * f2
     y2_z = c2 * f2
-    z2_x = s2 * g1
-    z3_z = c2 * g1
+    z2_x = s2 * f1
+    z3_z = c2 * f1
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = c2 * c3 - v1 * s3
-    v2 = g1 * s3
+    v2 = f1 * s3
     x3_z = s2 * c3 + y2_z * s3
     y3_x = v1 * c3 + c2 * s3
-    y3_y = g1 * c3
+    y3_y = f1 * c3
     p3_x = a1 + x3_x * a3 + z2_x * d3
     v3 = d2 + v2 * a3 + f3
     p3_z = q[0] + x3_z * a3 - z3_z * d3
@@ -355,7 +354,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair abd713db93a56dff"
+_KEY = "general_5r1p_pair 93e72164310e49c7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

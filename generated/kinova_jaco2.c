@@ -3635,7 +3635,6 @@ static const double
     f3 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f4 = 0.2115971250007892, /* D6 + d6 [m] */
     g1 = 0.2501971250007892, /* D3 + d4 [m] */
-    g2 = 0.5, /* 1 / 2 */
     g4 = 0.2115971250007892; /* D6 + d6 [m] */
 
 const char *const kinova_jaco2_branches[16] = {
@@ -3689,13 +3688,13 @@ void kinova_jaco2_jacobian(const double q[6], double J[36])
         z3_y = x2_y * s3 - y2_y * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4,
         v5 = x3_z * s4, p4_x = p3_x - z3_x * g1, p4_y = p3_y - z3_y * g1, p4_z = p2_z - z3_z * g1,
-        z4_x = v3 * f3 + z3_x * g2, z4_y = z3_y * g2 - v4 * f3, z4_z = v5 * f3 + z3_z * g2,
+        z4_x = v3 * f3 + z3_x * f2, z4_y = z3_y * f2 - v4 * f3, z4_z = v5 * f3 + z3_z * f2,
         v6 = q[4] + offset5;
     const double c5 = cos(v6), s5 = sin(v6), p5_x = p4_x + z4_x * d5, p5_y = p4_y + z4_y * d5,
         p5_z = p4_z + z4_z * d5,
-        z5_x = g2 * z4_x - f3 * ((z3_x * f3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5),
-        z5_y = g2 * z4_y - f3 * ((v4 * g2 + z3_y * f3) * c5 - (x3_y * c4 + c1 * s4) * s5),
-        z5_z = g2 * z4_z - f3 * ((z3_z * f3 - v5 * g2) * c5 - x3_z * c4 * s5),
+        z5_x = f2 * z4_x - f3 * ((z3_x * f3 - v3 * f2) * c5 - (x3_x * c4 - s1 * s4) * s5),
+        z5_y = f2 * z4_y - f3 * ((v4 * f2 + z3_y * f3) * c5 - (x3_y * c4 + c1 * s4) * s5),
+        z5_z = f2 * z4_z - f3 * ((z3_z * f3 - v5 * f2) * c5 - x3_z * c4 * s5),
         p6_x = p5_x - z5_x * g4, p6_y = p5_y - z5_y * g4, p6_z = p5_z - z5_z * g4, v7 = p6_z - D1,
         v8 = p6_z - p2_z, v9 = p6_x - p3_x, v10 = p6_y - p3_y, v11 = p6_x - p4_x, v12 = p6_y - p4_y,
         v13 = p6_z - p4_z, v14 = p6_x - p5_x, v15 = p6_y - p5_y, v16 = p6_z - p5_z;

@@ -139,7 +139,6 @@ f2 = 0.5  # 1 / 2
 f3 = 0.8660254037844386  # 1 / 2 * sqrt3
 f4 = 0.2115971250007892  # D6 + d6 [m]
 g1 = 0.2501971250007892  # D3 + d4 [m]
-g2 = 0.5  # 1 / 2
 g4 = 0.2115971250007892  # D6 + d6 [m]
 
 turn = 6.283185307179586  # 2 pi [rad]
@@ -302,18 +301,18 @@ def jacobian(q):
     p4_x = p3_x - z3_x * g1
     p4_y = p3_y - z3_y * g1
     p4_z = p2_z - z3_z * g1
-    z4_x = v3 * f3 + z3_x * g2
-    z4_y = z3_y * g2 - v4 * f3
-    z4_z = v5 * f3 + z3_z * g2
+    z4_x = v3 * f3 + z3_x * f2
+    z4_y = z3_y * f2 - v4 * f3
+    z4_z = v5 * f3 + z3_z * f2
     v6 = q[4] + offset5
     c5 = math.cos(v6)
     s5 = math.sin(v6)
     p5_x = p4_x + z4_x * d5
     p5_y = p4_y + z4_y * d5
     p5_z = p4_z + z4_z * d5
-    z5_x = g2 * z4_x - f3 * ((z3_x * f3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5)
-    z5_y = g2 * z4_y - f3 * ((v4 * g2 + z3_y * f3) * c5 - (x3_y * c4 + c1 * s4) * s5)
-    z5_z = g2 * z4_z - f3 * ((z3_z * f3 - v5 * g2) * c5 - x3_z * c4 * s5)
+    z5_x = f2 * z4_x - f3 * ((z3_x * f3 - v3 * f2) * c5 - (x3_x * c4 - s1 * s4) * s5)
+    z5_y = f2 * z4_y - f3 * ((v4 * f2 + z3_y * f3) * c5 - (x3_y * c4 + c1 * s4) * s5)
+    z5_z = f2 * z4_z - f3 * ((z3_z * f3 - v5 * f2) * c5 - x3_z * c4 * s5)
     p6_x = p5_x - z5_x * g4
     p6_y = p5_y - z5_y * g4
     p6_z = p5_z - z5_z * g4
@@ -373,7 +372,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 c59f04f087b4934c"
+_KEY = "kinova_jaco2 e705f42d6c07a8bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -515,9 +515,7 @@ static const double
     k18 = 0.55, /* d4 * 2 + d5 [m] */
     k19 = 0.25980762113533157, /* d5 * sqrt3 [m] */
     f1 = 0.23, /* d1 + d2 + d3 [m] */
-    f2 = 0.5, /* 1 / 2 */
-    g1 = 0.23, /* d1 + d2 + d3 [m] */
-    g2 = 0.5; /* 1 / 2 */
+    g1 = 0.23; /* d1 + d2 + d3 [m] */
 
 const char *const parallel_123_branches[8] = {
     "root1-down", "root1-up", "root2-down", "root2-up", "root3-down", "root3-up", "root4-down",
@@ -536,8 +534,8 @@ void parallel_123_fk(const double q[6], double T[16])
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - x2_y * s3,
         x3_y = x2_y * c3 + x2_x * s3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4, x4_y = x3_y * c4, v1 = x3_x * s4,
-        v2 = x3_y * s4, y4_z = c4 * f2, y4_x = x3_y * k2 - v1 * f2, y4_y = -x3_x * k2 - v2 * f2,
-        v3 = c4 * k2, z4_x = v1 * k2 + x3_y * f2, z4_y = v2 * k2 + -x3_x * f2;
+        v2 = x3_y * s4, y4_z = c4 * k1, y4_x = x3_y * k2 - v1 * k1, y4_y = -x3_x * k2 - v2 * k1,
+        v3 = c4 * k2, z4_x = v1 * k2 + x3_y * k1, z4_y = v2 * k2 + -x3_x * k1;
     const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
         x5_y = x4_y * c5 + y4_y * s5, x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5,
         v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5, y5_x = v4 * ca5 + z4_x * sa5,
@@ -566,9 +564,9 @@ void parallel_123_jacobian(const double q[6], double J[36])
         x3_y = x2_y * c3 + x2_x * s3, p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3;
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4, x4_y = x3_y * c4, v1 = x3_x * s4,
         v2 = x3_y * s4, p4_z = g1 + s4 * a4, p4_x = p3_x + x4_x * a4 + x3_y * d4,
-        p4_y = p3_y + x4_y * a4 + -x3_x * d4, y4_z = c4 * g2, y4_x = x3_y * k2 - v1 * g2,
-        y4_y = -x3_x * k2 - v2 * g2, v3 = c4 * k2, z4_x = v1 * k2 + x3_y * g2,
-        z4_y = v2 * k2 + -x3_x * g2;
+        p4_y = p3_y + x4_y * a4 + -x3_x * d4, y4_z = c4 * k1, y4_x = x3_y * k2 - v1 * k1,
+        y4_y = -x3_x * k2 - v2 * k1, v3 = c4 * k2, z4_x = v1 * k2 + x3_y * k1,
+        z4_y = v2 * k2 + -x3_x * k1;
     const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
         x5_y = x4_y * c5 + y4_y * s5, x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5,
         v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5, p5_x = p4_x + x5_x * a5 + z4_x * d5,

@@ -167,9 +167,7 @@ k17 = 6.666666666666667  # 1 / (2 * a2 * a1) [m^-2]
 k18 = 0.55  # d4 * 2 + d5 [m]
 k19 = 0.25980762113533157  # d5 * sqrt3 [m]
 f1 = 0.23  # d1 + d2 + d3 [m]
-f2 = 0.5  # 1 / 2
 g1 = 0.23  # d1 + d2 + d3 [m]
-g2 = 0.5  # 1 / 2
 
 turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
@@ -385,12 +383,12 @@ def fk(q):
     x4_y = x3_y * c4
     v1 = x3_x * s4
     v2 = x3_y * s4
-    y4_z = c4 * f2
-    y4_x = x3_y * k2 - v1 * f2
-    y4_y = -x3_x * k2 - v2 * f2
+    y4_z = c4 * k1
+    y4_x = x3_y * k2 - v1 * k1
+    y4_y = -x3_x * k2 - v2 * k1
     v3 = c4 * k2
-    z4_x = v1 * k2 + x3_y * f2
-    z4_y = v2 * k2 + -x3_x * f2
+    z4_x = v1 * k2 + x3_y * k1
+    z4_y = v2 * k2 + -x3_x * k1
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     x5_x = x4_x * c5 + y4_x * s5
@@ -457,12 +455,12 @@ def jacobian(q):
     p4_z = g1 + s4 * a4
     p4_x = p3_x + x4_x * a4 + x3_y * d4
     p4_y = p3_y + x4_y * a4 + -x3_x * d4
-    y4_z = c4 * g2
-    y4_x = x3_y * k2 - v1 * g2
-    y4_y = -x3_x * k2 - v2 * g2
+    y4_z = c4 * k1
+    y4_x = x3_y * k2 - v1 * k1
+    y4_y = -x3_x * k2 - v2 * k1
     v3 = c4 * k2
-    z4_x = v1 * k2 + x3_y * g2
-    z4_y = v2 * k2 + -x3_x * g2
+    z4_x = v1 * k2 + x3_y * k1
+    z4_y = v2 * k2 + -x3_x * k1
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     x5_x = x4_x * c5 + y4_x * s5
@@ -537,7 +535,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 97484a4617efec40"
+_KEY = "parallel_123 291a29532a04fac7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -613,12 +611,12 @@ def _missed_by(pose, q):
     x4_y = x3_y * c4
     v1 = x3_x * s4
     v2 = x3_y * s4
-    y4_z = c4 * f2
-    y4_x = x3_y * k2 - v1 * f2
-    y4_y = -x3_x * k2 - v2 * f2
+    y4_z = c4 * k1
+    y4_x = x3_y * k2 - v1 * k1
+    y4_y = -x3_x * k2 - v2 * k1
     v3 = c4 * k2
-    z4_x = v1 * k2 + x3_y * f2
-    z4_y = v2 * k2 + -x3_x * f2
+    z4_x = v1 * k2 + x3_y * k1
+    z4_y = v2 * k2 + -x3_x * k1
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     x5_x = x4_x * c5 + y4_x * s5

@@ -217,8 +217,7 @@ static const double
     k7 = 0.09, /* 1 / k4 [m^2] */
     f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    f3 = 0.9999999999999999, /* f1^2 + f2^2 */
-    g1 = 0.5; /* 1 / 2 */
+    f3 = 0.9999999999999999; /* f1^2 + f2^2 */
 /* coefficients */
 static const double m1 = 0.15, m2 = 0.25980762113533157;
 
@@ -249,10 +248,10 @@ void planar_pr_fk(const double q[2], double T[16])
 
 void planar_pr_jacobian(const double q[2], double J[12])
 {
-    const double p1_x = f2 * q[0], p1_y = g1 * q[0];
+    const double p1_x = f2 * q[0], p1_y = f1 * q[0];
     const double c2 = cos(q[1]), s2 = sin(q[1]);
     J[0] = f2; J[1] = p1_y - (p1_y + f3 * s2 * a);
-    J[2] = g1; J[3] = p1_x + f3 * c2 * a - p1_x;
+    J[2] = f1; J[3] = p1_x + f3 * c2 * a - p1_x;
     J[4] = 0.0; J[5] = 0.0;
     J[6] = 0.0; J[7] = 0.0;
     J[8] = 0.0; J[9] = 0.0;

@@ -118,7 +118,6 @@ k7 = 0.09  # 1 / k4 [m^2]
 f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.9999999999999999  # f1^2 + f2^2
-g1 = 0.5  # 1 / 2
 m1 = 0.15  # a coefficient of s2
 m2 = 0.25980762113533157  # a coefficient of c2
 
@@ -229,12 +228,12 @@ def jacobian(q):
         raise ValueError("q must hold 2 joint values")
     J = np.zeros((6, 2))
     p1_x = f2 * q[0]
-    p1_y = g1 * q[0]
+    p1_y = f1 * q[0]
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     J[0, 0] = f2
     J[0, 1] = p1_y - (p1_y + f3 * s2 * a)
-    J[1, 0] = g1
+    J[1, 0] = f1
     J[1, 1] = p1_x + f3 * c2 * a - p1_x
     J[5, 1] = 1.0
     return J
@@ -252,7 +251,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr e9224d423437c1fb"
+_KEY = "planar_pr c825d18032badd3b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

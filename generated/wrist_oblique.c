@@ -257,11 +257,9 @@ static const double
     k3 = 1.3268278963378768, /* sa2 * sqrt3 */
     k4 = 0.6634139481689384, /* sa2 * sqrt3 / 2 */
     k5 = 0.8660254037844386, /* sqrt3 / 2 */
-    f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f3 = 0.383022221559489, /* sa2 * 1 / 2 */
     f4 = 0.3213938048432697, /* ca2 * 1 / 2 */
-    g1 = 0.5, /* 1 / 2 */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.0000000000000002e-10,
     m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
@@ -287,7 +285,7 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void wrist_oblique_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * k1, y1_y = c1 * k1, z1_x = s1 * f2,
         v2 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
         x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
@@ -305,15 +303,15 @@ void wrist_oblique_fk(const double q[3], double T[16])
 void wrist_oblique_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), z1_x = s1 * f2, v1 = c1 * f2;
-    const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = z1_x * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2,
-        z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2, z2_z = f2 * c2 * sa2 + f4,
+    const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = z1_x * ca2 - (s1 * k1 * c2 + c1 * s2) * sa2,
+        z2_y = (c1 * k1 * c2 - s1 * s2) * sa2 - v1 * ca2, z2_z = f2 * c2 * sa2 + f4,
         p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = z2_z * d3;
-    J[0] = -p3_y; J[1] = -(v1 * p3_z + g1 * p3_y); J[2] = z2_y * p3_z - z2_z * p3_y;
-    J[3] = p3_x; J[4] = g1 * p3_x - z1_x * p3_z; J[5] = z2_z * p3_x - z2_x * p3_z;
+    J[0] = -p3_y; J[1] = -(v1 * p3_z + k1 * p3_y); J[2] = z2_y * p3_z - z2_z * p3_y;
+    J[3] = p3_x; J[4] = k1 * p3_x - z1_x * p3_z; J[5] = z2_z * p3_x - z2_x * p3_z;
     J[6] = 0.0; J[7] = z1_x * p3_y + v1 * p3_x; J[8] = z2_x * p3_y - z2_y * p3_x;
     J[9] = 0.0; J[10] = z1_x; J[11] = z2_x;
     J[12] = 0.0; J[13] = -v1; J[14] = z2_y;
-    J[15] = 1.0; J[16] = g1; J[17] = z2_z;
+    J[15] = 1.0; J[16] = k1; J[17] = z2_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

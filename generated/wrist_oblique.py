@@ -124,11 +124,9 @@ k2 = 0.12855752193730788  # 2 * d3 * ca2 [m]
 k3 = 1.3268278963378768  # sa2 * sqrt3
 k4 = 0.6634139481689384  # sa2 * sqrt3 / 2
 k5 = 0.8660254037844386  # sqrt3 / 2
-f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.383022221559489  # sa2 * 1 / 2
 f4 = 0.3213938048432697  # ca2 * 1 / 2
-g1 = 0.5  # 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-10  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 9.999999999999997e-17  # doubt_limit_squared^2
@@ -224,8 +222,8 @@ def fk(q):
     T = np.zeros((4, 4))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    v1 = s1 * f1
-    y1_y = c1 * f1
+    v1 = s1 * k1
+    y1_y = c1 * k1
     z1_x = s1 * f2
     v2 = c1 * f2
     c2 = math.cos(q[1])
@@ -272,17 +270,17 @@ def jacobian(q):
     v1 = c1 * f2
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    z2_x = z1_x * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2
-    z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2
+    z2_x = z1_x * ca2 - (s1 * k1 * c2 + c1 * s2) * sa2
+    z2_y = (c1 * k1 * c2 - s1 * s2) * sa2 - v1 * ca2
     z2_z = f2 * c2 * sa2 + f4
     p3_x = z2_x * d3
     p3_y = z2_y * d3
     p3_z = z2_z * d3
     J[0, 0] = -p3_y
-    J[0, 1] = -(v1 * p3_z + g1 * p3_y)
+    J[0, 1] = -(v1 * p3_z + k1 * p3_y)
     J[0, 2] = z2_y * p3_z - z2_z * p3_y
     J[1, 0] = p3_x
-    J[1, 1] = g1 * p3_x - z1_x * p3_z
+    J[1, 1] = k1 * p3_x - z1_x * p3_z
     J[1, 2] = z2_z * p3_x - z2_x * p3_z
     J[2, 1] = z1_x * p3_y + v1 * p3_x
     J[2, 2] = z2_x * p3_y - z2_y * p3_x
@@ -291,7 +289,7 @@ def jacobian(q):
     J[4, 1] = -v1
     J[4, 2] = z2_y
     J[5, 0] = 1.0
-    J[5, 1] = g1
+    J[5, 1] = k1
     J[5, 2] = z2_z
     return J
 
@@ -308,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 25c57171850a476b"
+_KEY = "wrist_oblique 09e33ea5516a7d6f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from dhgen.program.ir import Expression, NamedConstant, Program, Statement
 
+_FORMULA = re.compile(r" [*/] ")
 _WORD = re.compile(r"\w+|[^\w\s]")
 
 
@@ -26,7 +27,7 @@ def reusing(program: Program, *others: Program) -> Program:
     """
     made: dict[object, NamedConstant] = {}
     for constant in (each for other in others for each in other.constants):
-        if constant.role is Source.MADE and "*" in constant.meaning:
+        if constant.role is Source.MADE and _FORMULA.search(constant.meaning):
             made.setdefault(_made_of(constant), constant)
     own = {constant.name for constant in program.constants}
     own |= {statement.name for statement in program.body if isinstance(statement, Let)}

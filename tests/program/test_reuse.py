@@ -59,6 +59,13 @@ def test_the_same_is_computed(name: str) -> None:
         assert in_numbers(reusing(program, solver)) == in_numbers(program)
 
 
+def test_fractions_are_formulas() -> None:
+    """What entries of a matrix are written with: an arm that stands askew has dozens."""
+    program = Program("arm", (NamedConstant("f1", 0.4, "2 / 5"),), (), (), (), ())
+    solver = Program("arm", (NamedConstant("k1", 0.4, "2 / 5"),), (), (), (), ())
+    assert reusing(program, solver).constants == solver.constants
+
+
 def test_equal_numbers_of_other_meanings_stay() -> None:
     two = tuple(NamedConstant(name, 0.25, of) for name, of in (("k1", "a2 * a2"), ("k2", "a3^2")))
     program = Program("arm", (NamedConstant("f1", 0.25, "a3 * a3"),), (), (), (), ())
