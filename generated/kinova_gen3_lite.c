@@ -3973,30 +3973,38 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
+    int moves = 0;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        const double miss = off_pose(T, x, e);
-        if (isnan(enough)) {
-            enough = miss + 1e-14;
-        } else {
-            if (miss < enough) {
-                take(x, q);
-                settled = 1;
-                enough = 0.5 * miss;
-            } else if (settled
-                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-                break;
-            }
-            last = miss;
-            add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
+        double miss = off_pose(T, x, e);
+        double past = 0.0;
+        int worst = 0;
+        enough = isnan(enough) ? miss + 1e-14 : enough;
+        for (int i = 0; i < 6 && stands && miss < enough; i++) {
+            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            worst = fabs(off) > fabs(past) ? i : worst;
+            past = worst == i ? off : past;
         }
-        for (int i = 0; i < 6; i++) {
-            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            held[i] |= fabs(off) > 0.0;
-            last = fabs(off) > 0.0 ? HUGE_VAL : last;
-            x[i] -= off;
+        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
+            second */
+            moves++;
+            for (int i = 0; i < 6; i++)
+                held[i] = i == worst || (held[i] && moves != 2);
+            last = HUGE_VAL;
+            x[worst] -= past;
+            miss = off_pose(T, x, e);
         }
+        if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled
+            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+            break;
+        }
+        last = miss;
+        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
     }

@@ -40,6 +40,13 @@ MISFIT(one, double)
 #define HELPER static inline
 #define APART static
 #endif
+#if defined(__clang__)
+#define UNROLLED _Pragma("unroll")
+#elif defined(__GNUC__) && __GNUC__ >= 8
+#define UNROLLED _Pragma("GCC unroll 2")
+#else
+#define UNROLLED
+#endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
 #define minimum_double(a, b) ((a) < (b) ? (a) : (b))
@@ -406,187 +413,134 @@ static double beyond_limits(const double values[7])
     return sum;
 }
 
+#define sqrt_double sqrt
+#define sin_double sin
+#define cos_double cos
+
+/* What one pose and many compute alike: values without signs of branches, with the first, with
+ * all that are in lanes. */
+#define KNOWN(number) \
+    const number c3 = cos_##number(free_joints[0]), s3 = sin_##number(free_joints[0]); \
+    /* theta4 */ \
+    const number wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, \
+        Z1_2 = T34 - d7 * T33 - d1, V4 = v1 + wx * wx + Z1_2 * Z1_2, \
+        D4 = (longest4 - V4) * (V4 - shortest4), w4 = sqrt_##number(D4), v2 = k1 * (V4 - k2), \
+        v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4; \
+    /* theta1 */ \
+    const number N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, \
+        w1 = sqrt_##number(D1), v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1; \
+    /* theta2 */ \
+    const number v15 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v16 = Z1_2 * v15, v17 = w1 * X2_2, \
+        v20 = Z1_2 * X2_2, v21 = w1 * v15; \
+    /* theta5 */ \
+    const number v24 = c3 * T13, v25 = v3 * v24, v26 = c3 * T23, v27 = v3 * v26, v28 = T33 * v5, \
+        v29 = T13 * v5, v30 = T23 * v5, v31 = c3 * T33, v32 = v3 * v31, \
+        v33 = T13 * wy + T23 * -wx, v38 = s3 * T33; \
+    /* theta6 */ \
+    const number v40 = v5 * v24, v41 = v5 * v26, v42 = T33 * v3, v43 = T13 * v3, v44 = T23 * v3, \
+        v45 = v5 * v31; \
+    /* theta7 */ \
+    const number v47 = s3 * T32, v49 = v3 * (c3 * T12), v50 = v3 * (c3 * T22), v51 = v5 * T32, \
+        v52 = v5 * T12, v53 = v5 * T22, v54 = v3 * (c3 * T32), v56 = s3 * T31, \
+        v58 = v3 * (c3 * T11), v59 = v3 * (c3 * T21), v60 = v5 * T31, v61 = v5 * T11, \
+        v62 = v5 * T21, v63 = v3 * (c3 * T31); \
+    /* joint values */ \
+    const number q3_p = v6 + (free_joints[0] + (w4 - w4))
+#define SIGNED(number) \
+    /* theta1 */ \
+    const number v9 = e1 * v8, v11 = inverse1 * v9, v12 = e1 * v7, v14 = inverse1 * v12; \
+    /* theta2 */ \
+    const number v19 = e1 * v16; \
+    /* theta5 */ \
+    const number v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v37 = e1 * v28; \
+    /* theta6 */ \
+    const number v46 = e1 * v45; \
+    /* theta7 */ \
+    const number v55 = e1 * v51, v64 = e1 * v60
+#define SIGNED_TWICE(number) \
+    /* theta1 */ \
+    const number v10 = w1 * (inverse1 * (e2 * -wx)), c1 = v11 - v10, \
+        v13 = w1 * (inverse1 * (e2 * wy)), s1 = v13 + v14; \
+    /* theta2 */ \
+    const number v18 = e2 * v17, S2 = v18 - v19, v22 = v20 + v21 * (e1 * e2), \
+        v23 = S2 * S2 + v22 * v22, factor2 = sqrt_##number(v23) * (1.0 / v23); \
+    /* theta5 */ \
+    const number v34 = w1 * (inverse1 * (s3 * (e2 * v33))), v36 = v34 + v35, \
+        X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e1 * (c1 * \
+            v29 + s1 * v30))), \
+        Y5 = factor2 * (S2 * v38 - v22 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23 * \
+            c1), v39 = X5 * X5 + Y5 * Y5; \
+    /* theta7 */ \
+    const number v48 = s1 * T12 - c1 * T22, v57 = s1 * T11 - c1 * T21
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(
     const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
 {
     ENTRIES(wide);
-    const wide c3 = cos_wide(free_joints[0]), s3 = sin_wide(free_joints[0]);
-
-    /* theta4 */
-    const wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, Z1_2 = T34 - d7 * T33 - d1,
-        V4 = v1 + wx * wx + Z1_2 * Z1_2, D4 = (longest4 - V4) * (V4 - shortest4),
-        w4 = sqrt_wide(D4), v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
-
-    /* theta1 */
-    const wide N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1),
-        v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1, v9 = w1 * (-wx * inverse1),
-        v10 = w1 * (wx * inverse1), v11 = inverse1 * v8, c1_pp = v11 - v9, c1_pm = v11 - v10,
-        v12 = v9 + v11, v13 = v10 + v11, v14 = w1 * (wy * inverse1), v15 = w1 * (inverse1 * -wy),
-        v16 = inverse1 * v7, s1_pp = v14 + v16, s1_pm = v15 + v16, s1_mp = v14 - v16,
-        s1_mm = v15 - v16;
-
-    /* theta2 */
-    const wide v17 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v18 = Z1_2 * v17, v19 = w1 * X2_2,
-        S2_pp = v19 - v18, S2_mp = v18 + v19, v20 = Z1_2 * X2_2, v21 = w1 * v17, v22 = v20 + v21,
-        v23 = v20 - v21, v24 = v22 * v22, v25 = S2_pp * S2_pp + v24,
-        v26 = S2_mp * S2_mp + v23 * v23, v27 = v24 - S2_pp * -S2_pp,
-        factor2_pp = sqrt_wide(v25) * (1.0 / v25), factor2_pm = sqrt_wide(v26) * (1.0 / v26),
-        factor2_mm = sqrt_wide(v27) * (1.0 / v27);
-
-    /* theta5 */
-    const wide v28 = c3 * T13, v29 = v3 * v28, v30 = c3 * T23, v31 = v3 * v30, v32 = T33 * v5,
-        v33 = T13 * v5, v34 = T23 * v5, v35 = c3 * T33, v36 = v3 * v35,
-        v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx))), v38 = T13 * v7 - T23 * v8,
-        v39 = inverse1 * (s3 * v38), v40 = inverse1 * (s3 * -v38), v41 = v37 + v39, v42 = v39 - v37,
-        v43 = v37 + v40, v44 = v40 - v37,
-        X5_pp = v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp * (v36 +
-            (c1_pp * v33 + s1_pp * v34))),
-        X5_pm = v3 * v42 + factor2_pm * (v23 * (v32 - (c1_pm * v29 + s1_pm * v31)) - S2_mp * (v36 +
-            (c1_pm * v33 + s1_pm * v34))),
-        X5_mp = v3 * v43 + factor2_pm * (S2_mp * (v36 + (v12 * v33 - s1_mp * v34)) - v23 * (v32 +
-            (s1_mp * v31 - v12 * v29))),
-        X5_mm = v3 * v44 + factor2_mm * (-S2_pp * (v36 + (v13 * v33 - s1_mm * v34)) - v22 * (v32 +
-            (s1_mm * v31 - v13 * v29))), v45 = s3 * T33,
-        Y5_pp = factor2_pp * (S2_pp * v45 - v22 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
-            s1_pp - T23 * c1_pp), v46 = S2_mp * v45,
-        v47 = factor2_pm * (v46 + v23 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
-            T23 * c1_pm),
-        Y5_mp = factor2_pm * (v46 - v23 * (s3 * (T23 * s1_mp - T13 * v12))) - c3 * (T13 * s1_mp +
-            T23 * v12),
-        Y5_mm = factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 * (T13 *
-            s1_mm + T23 * v13), v48 = X5_pp * X5_pp + Y5_pp * Y5_pp,
-        v49 = X5_pm * X5_pm + v47 * v47, v50 = X5_mp * X5_mp + Y5_mp * Y5_mp,
-        v51 = X5_mm * X5_mm + Y5_mm * Y5_mm, angle1 = atan2_wide(Y5_pp, -X5_pp),
-        angle2 = atan2_wide(-v47, -X5_pm), angle3 = atan2_wide(Y5_mp, -X5_mp),
-        angle4 = atan2_wide(Y5_mm, -X5_mm), q5_ppm = angle1 - signed_wide(half_turn, Y5_pp),
-        q5_pmm = angle2 - signed_wide(half_turn, -v47),
-        q5_mpm = angle3 - signed_wide(half_turn, Y5_mp),
-        q5_mmm = angle4 - signed_wide(half_turn, Y5_mm);
-
-    /* theta6 */
-    const wide v52 = v5 * v28, v53 = v5 * v30, v54 = T33 * v3, v55 = T13 * v3, v56 = T23 * v3,
-        v57 = v5 * v35;
-
-    /* theta7 */
-    const wide v58 = s3 * T32, v59 = s1_pp * T12 - c1_pp * T22, v60 = s1_pm * T12 - c1_pm * T22,
-        v61 = s1_mp * T12 + v12 * T22, v62 = s1_mm * T12 + v13 * T22, v63 = v3 * (c3 * T12),
-        v64 = v3 * (c3 * T22), v65 = v5 * T32, v66 = v5 * T12, v67 = v5 * T22,
-        v68 = v3 * (c3 * T32), v69 = s3 * T31, v70 = s1_pp * T11 - c1_pp * T21,
-        v71 = s1_pm * T11 - c1_pm * T21, v72 = s1_mp * T11 + v12 * T21,
-        v73 = s1_mm * T11 + v13 * T21, v74 = v3 * (c3 * T11), v75 = v3 * (c3 * T21), v76 = v5 * T31,
-        v77 = v5 * T11, v78 = v5 * T21, v79 = v3 * (c3 * T31),
-        angle5 = atan2_wide(-(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp *
-            T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp *
-            v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))), -(X5_pp * (c3 *
-            v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp *
-            (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp * v64)) + S2_pp *
-            (v68 + (c1_pp * v66 + s1_pp * v67)))))), v80 = S2_mp * v69,
-        v81 = v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm * v75)) -
-            S2_mp * (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm * (v80 +
-            v23 * (s3 * (c1_pm * T11 + s1_pm * T21)))), v82 = S2_mp * v58,
-        angle6 = atan2_wide(v81, v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 +
-            s1_pm * v64)) - S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 +
-            factor2_pm * (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22))))),
-        angle7 = atan2_wide(-(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12
-            * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp *
-            v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))), -(X5_mp * (c3 * v61 - factor2_pm *
-            (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) + Y5_mp * (v3 * (s3 * v61) + factor2_pm
-            * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) - v23 * (v65 + (s1_mp * v64 - v12 *
-            v63)))))),
-        angle8 = atan2_wide(-(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm *
-            T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 *
-            v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))), -(X5_mm * (c3 * v62 -
-            factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 * T12)))) + Y5_mm * (v3 *
-            (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 - s1_mm * v67)) - v22 * (v65 +
-            (s1_mm * v64 - v13 * v63)))))),
-        q7_ppm = angle5 - signed_wide(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 -
-            v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp *
-            (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp *
-            v78)))))), q7_pmm = angle6 - signed_wide(half_turn, v81),
-        q7_mpm = angle7 - signed_wide(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3
-            * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 +
-            (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74)))))),
-        q7_mmm = angle8 - signed_wide(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 -
-            v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm *
-            (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 *
-            v74))))));
+    wide_mask left = (irregularity_wide(T, free_joints) <= 1e-24) == 0;
+    KNOWN(wide);
 
     /* joint values */
-    const wide angle9 = atan2_wide(s1_pp, c1_pp), v83 = angle9 - offset1,
-        angle10 = atan2_wide(s1_pm, c1_pm), v84 = angle10 - offset1,
-        angle11 = atan2_wide(s1_mp, -v12), v85 = angle11 - offset1,
-        angle12 = atan2_wide(s1_mm, -v13), v86 = angle12 - offset1,
-        q1_ppp = v83 + only_wide(v83 <= -half_turn, turn),
-        q1_pmp = v84 + only_wide(v84 <= -half_turn, turn),
-        q1_mpp = v85 + only_wide(v85 <= -half_turn, turn),
-        q1_mmp = v86 + only_wide(v86 <= -half_turn, turn), angle13 = atan2_wide(S2_pp, -v22),
-        v87 = angle13 - offset2, angle14 = atan2_wide(-S2_mp, -v23), v88 = angle14 - offset2,
-        angle15 = atan2_wide(S2_mp, -v23), v89 = angle15 - offset2,
-        angle16 = atan2_wide(-S2_pp, -v22), v90 = angle16 - offset2,
-        q2_ppp = v87 + only_wide(v87 <= -half_turn, turn),
-        q2_pmp = v88 + only_wide(v88 <= -half_turn, turn),
-        q2_mpp = v89 + only_wide(v89 <= -half_turn, turn),
-        q2_mmp = v90 + only_wide(v90 <= -half_turn, turn), angle17 = atan2_wide(-v4, -v2),
-        v91 = angle17 - offset4, v92 = offset4 + angle17,
-        q4__p = v91 + only_wide(v91 <= -half_turn, turn),
-        q4__m = only_wide(-v92 <= -half_turn, turn) - v92,
-        angle18 = atan2_wide(sqrt_wide(v48), v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp *
-            v56 - v57) + v22 * (v54 + (c1_pp * v52 + s1_pp * v53)))),
-        angle19 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 +
-            s1_pm * v53)) - S2_mp * (c1_pm * v55 + s1_pm * v56 - v57))),
-        angle20 = atan2_wide(sqrt_wide(v50), -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56
-            - v12 * v55)) + v23 * (v54 + (v12 * v52 - s1_mp * v53))))),
-        angle21 = atan2_wide(sqrt_wide(v51), -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56
-            - v13 * v55)) + v22 * (v54 + (v13 * v52 - s1_mm * v53))))), v93 = angle18 - offset6,
-        v94 = offset6 + angle18, v95 = angle19 - offset6, v96 = offset6 + angle19,
-        v97 = angle20 - offset6, v98 = offset6 + angle20, v99 = angle21 - offset6,
-        v100 = offset6 + angle21, q6_ppp = v93 + only_wide(v93 <= -half_turn, turn),
-        q6_ppm = only_wide(-v94 <= -half_turn, turn) - v94,
-        q6_pmp = v95 + only_wide(v95 <= -half_turn, turn),
-        q6_pmm = only_wide(-v96 <= -half_turn, turn) - v96,
-        q6_mpp = v97 + only_wide(v97 <= -half_turn, turn),
-        q6_mpm = only_wide(-v98 <= -half_turn, turn) - v98,
-        q6_mmp = v99 + only_wide(v99 <= -half_turn, turn),
-        q6_mmm = only_wide(-v100 <= -half_turn, turn) - v100;
-    const wide_mask v101 = beyond(q4__p, 4), v102 = beyond(q4__m, 4);
-    const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4)), q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
-    const wide_mask v103 = v101 | beyond(q1_ppp, 1) | beyond(q2_ppp, 2),
-        v104 = v101 | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
-        v105 = v102 | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
-        v106 = v102 | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
-        doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (abs_wide(D1) <= reach_slack1
-            * (reach_slack1 + 2.0 * abs_wide(Z1))) | (free_joints[0] < low(3)) | (v51 <= m3) | (v27
-            <= m2) | (v50 <= m3) | (v49 <= m3) | (v26 <= m2) | (v48 <= m3) | (high(3) <
-            free_joints[0]) | (v25 <= m2);
+    const wide angle5 = atan2_wide(-v4, -v2);
+    const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (abs_wide(D1) <=
+        reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) | (high(3) < free_joints[0]) |
+        (free_joints[0] < low(3));
+    left |= doubt1;
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
-    q[6] = angle5;
-    kind[0] = kind_of(q[0], beyond(angle5, 7) | beyond(q6_ppp, 6) | v103 | beyond(angle1, 5));
-    q[7] = q1_ppp; q[8] = q2_ppp; q[9] = q3_ppp; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
-    q[13] = q7_ppm;
-    kind[1] = kind_of(q[7], beyond(q7_ppm, 7) | beyond(q6_ppm, 6) | v103 | beyond(q5_ppm, 5));
-    q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_ppp; q[17] = q4_ppp; q[18] = angle2; q[19] = q6_pmp;
-    q[20] = angle6;
-    kind[2] = kind_of(q[14], beyond(angle6, 7) | beyond(q6_pmp, 6) | v104 | beyond(angle2, 5));
-    q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_ppp; q[24] = q4_ppp; q[25] = q5_pmm; q[26] = q6_pmm;
-    q[27] = q7_pmm;
-    kind[3] = kind_of(q[21], beyond(q7_pmm, 7) | beyond(q6_pmm, 6) | v104 | beyond(q5_pmm, 5));
-    q[28] = q1_mpp; q[29] = q2_mpp; q[30] = q3_ppp; q[31] = q4_mpp; q[32] = angle3; q[33] = q6_mpp;
-    q[34] = angle7;
-    kind[4] = kind_of(q[28], beyond(angle7, 7) | beyond(q6_mpp, 6) | v105 | beyond(angle3, 5));
-    q[35] = q1_mpp; q[36] = q2_mpp; q[37] = q3_ppp; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
-    q[41] = q7_mpm;
-    kind[5] = kind_of(q[35], beyond(q7_mpm, 7) | beyond(q6_mpm, 6) | v105 | beyond(q5_mpm, 5));
-    q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_ppp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mmp;
-    q[48] = angle8;
-    kind[6] = kind_of(q[42], beyond(angle8, 7) | beyond(q6_mmp, 6) | v106 | beyond(angle4, 5));
-    q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_ppp; q[52] = q4_mpp; q[53] = q5_mmm; q[54] = q6_mmm;
-    q[55] = q7_mmm;
-    kind[7] = kind_of(q[49], beyond(q7_mmm, 7) | beyond(q6_mmm, 6) | v106 | beyond(q5_mmm, 5));
-    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        SIGNED(wide);
+
+        /* joint values */
+        const wide v67 = e1 * angle5 - offset4, q4_ = v67 + only_wide(v67 <= -half_turn, turn);
+        const wide_mask v70 = beyond(q4_, 4);
+        const wide q4_p = v6 + q4_;
+
+        UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* left, right */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            SIGNED_TWICE(wide);
+
+            /* theta5 */
+            const wide angle1 = atan2_wide(Y5, -X5), q5_m = angle1 - signed_wide(half_turn, Y5);
+
+            /* theta7 */
+            const wide angle2 = atan2_wide(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1
+                * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 +
+                s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2
+                * (S2 * v47 - v22 * (s3 * (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v48) + factor2
+                * (v22 * (v55 - (c1 * v49 + s1 * v50)) + S2 * (v54 + e1 * (c1 * v52 + s1 *
+                v53)))))),
+                q7_m = angle2 - signed_wide(half_turn, -(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22
+                    * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64
+                    - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))));
+
+            /* joint values */
+            const wide angle3 = atan2_wide(s1, c1), v65 = angle3 - offset1,
+                q1_p = v65 + only_wide(v65 <= -half_turn, turn), angle4 = atan2_wide(S2, -v22),
+                v66 = angle4 - offset2, q2_p = v66 + only_wide(v66 <= -half_turn, turn),
+                angle6 = atan2_wide(sqrt_wide(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1
+                    * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
+                v68 = angle6 - offset6, v69 = offset6 + angle6,
+                q6_p = v68 + only_wide(v68 <= -half_turn, turn),
+                q6_m = only_wide(-v69 <= -half_turn, turn) - v69;
+            const wide_mask v71 = v70 | beyond(q1_p, 1) | beyond(q2_p, 2),
+                doubt2 = (v23 <= m2) | (v39 <= m3);
+            const int row = 4 * i1 + 2 * i2;
+            q[7 * row] = q1_p; q[7 * row + 1] = q2_p; q[7 * row + 2] = q3_p; q[7 * row + 3] = q4_p;
+            q[7 * row + 4] = angle1; q[7 * row + 5] = q6_p; q[7 * row + 6] = angle2;
+            kind[row] = kind_of(q[7 * row], beyond(angle2, 7) | beyond(q6_p, 6) | v71 |
+                beyond(angle1, 5));
+            q[7 * row + 7] = q1_p; q[7 * row + 8] = q2_p; q[7 * row + 9] = q3_p;
+            q[7 * row + 10] = q4_p; q[7 * row + 11] = q5_m; q[7 * row + 12] = q6_m;
+            q[7 * row + 13] = q7_m;
+            kind[row + 1] = kind_of(q[7 * row + 7], beyond(q7_m, 7) | beyond(q6_m, 6) | v71 |
+                beyond(q5_m, 5));
+            left |= doubt2;
+        }
+    }
+    return left;
 }
 
 #if LANES > 1
@@ -599,57 +553,11 @@ HELPER int solve_regular(
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
-    const double c3 = cos(free_joints[0]), s3 = sin(free_joints[0]);
-
-    /* theta4 */
-    const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, Z1_2 = T34 - d7 * T33 - d1,
-        V4 = v1 + wx * wx + Z1_2 * Z1_2, D4 = (longest4 - V4) * (V4 - shortest4), w4 = sqrt(D4),
-        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
-
-    /* theta1 */
-    const double N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt(D1),
-        v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1;
-    const four v9 = e1 * v8, v10 = w1 * (inverse1 * (e2 * -wx)), v11 = inverse1 * v9,
-        c1 = v11 - v10, v12 = e1 * v7, v13 = w1 * (inverse1 * (e2 * wy)), v14 = inverse1 * v12,
-        s1 = v13 + v14;
-
-    /* theta2 */
-    const double v15 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v16 = Z1_2 * v15, v17 = w1 * X2_2;
-    const four v18 = e2 * v17, v19 = e1 * v16, S2 = v18 - v19;
-    const double v20 = Z1_2 * X2_2, v21 = w1 * v15;
-    const four v22 = v20 + v21 * (e1 * e2), v23 = S2 * S2 + v22 * v22,
-        factor2 = sqrt_four(v23) * (1.0 / v23);
-
-    /* theta5 */
-    const double v24 = c3 * T13, v25 = v3 * v24, v26 = c3 * T23, v27 = v3 * v26, v28 = T33 * v5,
-        v29 = T13 * v5, v30 = T23 * v5, v31 = c3 * T33, v32 = v3 * v31, v33 = T13 * wy + T23 * -wx;
-    const four v34 = w1 * (inverse1 * (s3 * (e2 * v33))),
-        v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v36 = v34 + v35, v37 = e1 * v28,
-        X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e1 * (c1 * v29
-            + s1 * v30)));
-    const double v38 = s3 * T33;
-    const four Y5 = factor2 * (S2 * v38 - v22 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
-        * c1), v39 = X5 * X5 + Y5 * Y5;
-
-    /* theta6 */
-    const double v40 = v5 * v24, v41 = v5 * v26, v42 = T33 * v3, v43 = T13 * v3, v44 = T23 * v3,
-        v45 = v5 * v31;
-    const four v46 = e1 * v45;
-
-    /* theta7 */
-    const double v47 = s3 * T32;
-    const four v48 = s1 * T12 - c1 * T22;
-    const double v49 = v3 * (c3 * T12), v50 = v3 * (c3 * T22), v51 = v5 * T32, v52 = v5 * T12,
-        v53 = v5 * T22, v54 = v3 * (c3 * T32);
-    const four v55 = e1 * v51;
-    const double v56 = s3 * T31;
-    const four v57 = s1 * T11 - c1 * T21;
-    const double v58 = v3 * (c3 * T11), v59 = v3 * (c3 * T21), v60 = v5 * T31, v61 = v5 * T11,
-        v62 = v5 * T21, v63 = v3 * (c3 * T31);
-    const four v64 = e1 * v60;
+    KNOWN(double);
+    SIGNED(four);
+    SIGNED_TWICE(four);
 
     /* joint values */
-    const double q3_p = v6 + (free_joints[0] + (w4 - w4));
     const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (fabs(D1) <= reach_slack1 *
         (reach_slack1 + 2.0 * fabs(Z1))) | (high(3) < free_joints[0]) | (free_joints[0] < low(3));
@@ -1089,30 +997,38 @@ static int settle(const double T[16], double enough, double most, double q[7])
 {
     double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
+    int moves = 0;
     int settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        const double miss = off_pose(T, x, e);
-        if (isnan(enough)) {
-            enough = miss + 1e-14;
-        } else {
-            if (miss < enough) {
-                take(x, q);
-                settled = 1;
-                enough = 0.5 * miss;
-            } else if (settled
-                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-                break;
-            }
-            last = miss;
-            add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
+        double miss = off_pose(T, x, e);
+        double past = 0.0;
+        int worst = 0;
+        enough = isnan(enough) ? miss + 1e-14 : enough;
+        for (int i = 0; i < 7 && stands && miss < enough; i++) {
+            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            worst = fabs(off) > fabs(past) ? i : worst;
+            past = worst == i ? off : past;
         }
-        for (int i = 0; i < 7; i++) {
-            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            held[i] |= fabs(off) > 0.0;
-            last = fabs(off) > 0.0 ? HUGE_VAL : last;
-            x[i] -= off;
+        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
+            second */
+            moves++;
+            for (int i = 0; i < 7; i++)
+                held[i] = i == worst || (held[i] && moves != 2);
+            last = HUGE_VAL;
+            x[worst] -= past;
+            miss = off_pose(T, x, e);
         }
+        if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled
+            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+            break;
+        }
+        last = miss;
+        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
     }

@@ -718,35 +718,63 @@ static int settle(const float T[16], float enough, float most, float q[6])
 {
     float x[6], half[6], e[6], last = HUGE_VALF;
     const int stands = isnan(enough);
+    int moves = 0;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        const float miss = off_pose(T, x, e);
-        if (isnan(enough)) {
-            enough = miss + 1e-06f;
-        } else {
-            if (miss < enough) {
-                take(x, q);
-                settled = 1;
-                enough = 0.5f * miss;
-            } else if (settled
-                || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
-                break;
-            }
-            last = miss;
-            add_step(held, (lost == 0 && miss > 100.0f * enough ? 0.003f : 0.1f * miss) * miss, e,
-                x);
+        float miss = off_pose(T, x, e);
+        float past = 0.0f;
+        int worst = 0;
+        enough = isnan(enough) ? miss + 1e-06f : enough;
+        for (int i = 0; i < 6 && stands && miss < enough; i++) {
+            const float off = pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;
+            worst = fabsf(off) > fabsf(past) ? i : worst;
+            past = worst == i ? off : past;
         }
-        for (int i = 0; i < 6; i++) {
-            const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;
-            held[i] |= fabsf(off) > 0.0f;
-            last = fabsf(off) > 0.0f ? HUGE_VALF : last;
-            x[i] -= off;
+        if (fabsf(past) > 0.0f) { /* one at a time: others may follow it inside, or the first the
+            second */
+            moves++;
+            for (int i = 0; i < 6; i++)
+                held[i] = i == worst || (held[i] && moves != 2);
+            last = HUGE_VALF;
+            x[worst] -= past;
+            miss = off_pose(T, x, e);
         }
+        if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5f * miss;
+        } else if (settled
+            || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
+            break;
+        }
+        last = miss;
+        add_step(held, (lost == 0 && miss > 100.0f * enough ? 0.003f : 0.1f * miss) * miss, e, x);
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
     }
     return settled;
+}
+
+/* Takes joint values onto the ends that they are beyond, or else inside: two of them may not be
+ * able
+ * to stand on their ends at once. */
+static int lead_inside(const float T[16], float enough, float most, float q[6])
+{
+    static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
+    float x[6], e[6];
+    if (settle(T, enough, most, q))
+        return 1;
+    enough = off_pose(T, q, e) + 1e-06f;
+    for (int k = 0; k < (int)(sizeof farther / sizeof *farther); k++) {
+        for (int i = 0; i < 6; i++)
+            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+        if (!settle(T, enough, most, x) || past_ends(x) > 0.0f)
+            continue;
+        take(x, q);
+        return 1;
+    }
+    return 0;
 }
 
 /* Puts joints just beyond their limits on them, unless that is another solution: half way to the
@@ -757,17 +785,7 @@ static void stand(const float T[16], float q[6])
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
-    const float most = fmaxf(10.0f * off, 0.03f);
-    int stands = settle(T, NAN, most, x);
-    /* two of them may not be able to stand on their ends at once, and yet to stay inside */
-    static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
-    for (int k = 0; k < (int)(sizeof farther / sizeof *farther) && !stands; k++) {
-        float e[6];
-        for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
-        stands = settle(T, off_pose(T, q, e) + 1e-06f, most, x) && past_ends(x) <= 0.0f;
-    }
-    if (!stands)
+    if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
     off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
@@ -806,7 +824,7 @@ static void stay(
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 5e-05f, 0.15f, x)
-        || (past_ends(x) > 2e-06f && !settle(T, NAN, 0.15f, x)))
+        || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;

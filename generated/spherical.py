@@ -262,7 +262,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical a6a97022ffc295f0"
+_KEY = "spherical 34258f6228a6f763"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -469,24 +469,21 @@ def _settled(T, enough, most, q):
     last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x)
-        if math.isnan(enough):
-            enough = miss + 1e-14
-        else:
-            if miss < enough:
-                q[:] = x
-                settled = True
-                enough = 0.5 * miss
-            elif settled:
-                return True
-            elif miss > max(0.7 * last, 100.0 * enough):
-                lost += 1
-                if lost == 4:
-                    return False
-            last = miss
-            damping = 0.1 * miss * miss
-            if lost == 0 and miss > 100.0 * enough:
-                damping = 0.003 * miss
-            _add_step(held, damping, e, x)
+        if miss < enough:
+            q[:] = x
+            settled = True
+            enough = 0.5 * miss
+        elif settled:
+            return True
+        elif miss > max(0.7 * last, 100.0 * enough):
+            lost += 1
+            if lost == 4:
+                return False
+        last = miss
+        damping = 0.1 * miss * miss
+        if lost == 0 and miss > 100.0 * enough:
+            damping = 0.003 * miss
+        _add_step(held, damping, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled

@@ -328,7 +328,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 5b768b3f745d75e4"
+_KEY = "stanford 56aebca7b7d242f5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -787,34 +787,40 @@ def _settled(T, enough, most, q):
     Until one gains little they are damped so that none leads far.
     """
     half = np.empty(6)
-    stands = math.isnan(enough)
+    stands, moves = math.isnan(enough), 0
     held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
-        else:
-            if miss < enough:
-                q[:] = x
-                settled = True
-                enough = 0.5 * miss
-            elif settled:
-                return True
-            elif miss > max(0.7 * last, 100.0 * enough):
-                lost += 1
-                if lost == 4:
-                    return False
-            last = miss
-            damping = 0.1 * miss * miss
-            if lost == 0 and miss > 100.0 * enough:
-                damping = 0.003 * miss
-            _add_step(held, damping, e, x)
-        for j in range(6):
-            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
-            if off != 0.0:
-                held[j], last = True, math.inf
-            x[j] -= off
+        worst, past = -1, 0.0
+        for j in range(6 if stands and miss < enough else 0):
+            off = _overshoot(j, x[j]) if _PACE[j] > 0.0 else 0.0
+            if abs(off) > abs(past):
+                worst, past = j, off
+        if worst >= 0:  # one at a time: others may follow it inside, or the first one the second
+            moves += 1
+            if moves == 2:
+                held[:] = False
+            held[worst], last = True, math.inf
+            x[worst] -= past
+            e, miss = _miss(T, x)
+        if miss < enough:
+            q[:] = x
+            settled = True
+            enough = 0.5 * miss
+        elif settled:
+            return True
+        elif miss > max(0.7 * last, 100.0 * enough):
+            lost += 1
+            if lost == 4:
+                return False
+        last = miss
+        damping = 0.1 * miss * miss
+        if lost == 0 and miss > 100.0 * enough:
+            damping = 0.003 * miss
+        _add_step(held, damping, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -843,8 +849,7 @@ def _stand(pose, q):
         return
     x, half = q.copy(), np.empty(6)
     most = max(10.0 * off, 0.001)
-    stands = _settle(pose, math.nan, most, x)
-    if not stands:
+    if not _settle(pose, math.nan, most, x):
         return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):

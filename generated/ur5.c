@@ -1053,34 +1053,63 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
+    int moves = 0;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        const double miss = off_pose(T, x, e);
-        if (isnan(enough)) {
-            enough = miss + 1e-14;
-        } else {
-            if (miss < enough) {
-                take(x, q);
-                settled = 1;
-                enough = 0.5 * miss;
-            } else if (settled
-                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-                break;
-            }
-            last = miss;
-            add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
+        double miss = off_pose(T, x, e);
+        double past = 0.0;
+        int worst = 0;
+        enough = isnan(enough) ? miss + 1e-14 : enough;
+        for (int i = 0; i < 6 && stands && miss < enough; i++) {
+            const double off = pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
+            worst = fabs(off) > fabs(past) ? i : worst;
+            past = worst == i ? off : past;
         }
-        for (int i = 0; i < 6; i++) {
-            const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            held[i] |= fabs(off) > 0.0;
-            last = fabs(off) > 0.0 ? HUGE_VAL : last;
-            x[i] -= off;
+        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
+            second */
+            moves++;
+            for (int i = 0; i < 6; i++)
+                held[i] = i == worst || (held[i] && moves != 2);
+            last = HUGE_VAL;
+            x[worst] -= past;
+            miss = off_pose(T, x, e);
         }
+        if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled
+            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+            break;
+        }
+        last = miss;
+        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
     }
     return settled;
+}
+
+/* Takes joint values onto the ends that they are beyond, or else inside: two of them may not be
+ * able
+ * to stand on their ends at once. */
+static int lead_inside(const double T[16], double enough, double most, double q[6])
+{
+    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
+    double x[6], e[6];
+    if (settle(T, enough, most, q))
+        return 1;
+    enough = off_pose(T, q, e) + 1e-14;
+    for (int k = 0; k < (int)(sizeof farther / sizeof *farther); k++) {
+        for (int i = 0; i < 6; i++)
+            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+        if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
+            continue;
+        take(x, q);
+        return 1;
+    }
+    return 0;
 }
 
 /* Puts joints just beyond their limits on them, unless that is another solution: half way to the
@@ -1091,17 +1120,7 @@ static void stand(const double T[16], double q[6])
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
-    const double most = fmax(10.0 * off, 0.001);
-    int stands = settle(T, NAN, most, x);
-    /* two of them may not be able to stand on their ends at once, and yet to stay inside */
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
-    for (int k = 0; k < (int)(sizeof farther / sizeof *farther) && !stands; k++) {
-        double e[6];
-        for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
-        stands = settle(T, off_pose(T, q, e) + 1e-14, most, x) && past_ends(x) <= 0.0;
-    }
-    if (!stands)
+    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1140,7 +1159,7 @@ static void stay(
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 1e-12, 0.15, x)
-        || (past_ends(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
+        || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;

@@ -539,21 +539,17 @@ static int settle(const double T[16], double enough, double most, double q[3])
     int settled = 0, lost = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        const double miss = off_pose(T, x, e);
-        if (isnan(enough)) {
-            enough = miss + 1e-14;
-        } else {
-            if (miss < enough) {
-                take(x, q);
-                settled = 1;
-                enough = 0.5 * miss;
-            } else if (settled
-                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-                break;
-            }
-            last = miss;
-            add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
+        double miss = off_pose(T, x, e);
+        if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled
+            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+            break;
         }
+        last = miss;
+        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
     }

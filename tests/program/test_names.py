@@ -64,7 +64,7 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
 
 BEHIND_THE_CONSTANTS = (
     *("solver", "regular", "search", "choose_again", "keep_limits", "both_sides", "seek"),
-    *("beyond_limits", "settle", "stay"),
+    *("beyond_limits", "settle", "stay", "told_once", "other_values"),
 )
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.survey.oracle.forward import forward
 from tests.compiling import library, written
 from tests.targets.calling import (
     FREE_JOINT,
@@ -22,7 +23,16 @@ from tests.targets.calling import (
     gap,
     in_single,
 )
-from tests.targets.made import apart, poses_of, residual, robot, robot_path, without_numba
+from tests.targets.made import (
+    apart,
+    folder,
+    made_up,
+    poses_of,
+    residual,
+    robot,
+    robot_path,
+    without_numba,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -260,3 +270,34 @@ def test_two_joints_beyond_their_ends_are_led_inside() -> None:
     for q, T, seed in asked_near(name, near):
         row = solver.nearest(T, seed)[1]
         assert np.abs(row - seed).max() < 0.02, (q, row)
+
+
+LONG_ARM = (  # of the Canadarm2, with joint 1 given
+    "theta: q + 90 deg, d: 0.635, alpha: 90 deg, limits: [-270 deg, 270 deg]",
+    "theta: q + 90 deg, d: 0.51, alpha: 90 deg, limits: [-270 deg, 270 deg]",
+    "theta: q, d: 0.504, a: 6.85, limits: [-270 deg, 270 deg]",
+    "theta: q, d: 0.504, a: 6.85, limits: [-270 deg, 270 deg]",
+    "theta: q + 180 deg, d: 0.504, alpha: 90 deg, limits: [-270 deg, 270 deg]",
+    "theta: q - 90 deg, d: 0.51, alpha: 90 deg, limits: [-270 deg, 270 deg]",
+    "theta: q + 180 deg, d: 0.635, alpha: 90 deg, limits: [-270 deg, 270 deg]",
+)
+END = 1.5 * np.pi
+ON_ENDS = (  # several joints on the ends of their ranges, or nearly so, where the arm is singular
+    (1.5707968, -END, END - 1.05e-7, -END, 0.0, -np.pi / 2, -np.pi / 2),
+    (-8.6e-7, -np.pi, -END + 2.3e-10, -END, np.pi / 2, -np.pi / 2, -END),
+    (np.pi / 2, END - 1.4e-8, -END, -np.pi / 2, -np.pi, -END, -np.pi),
+    (-END, END - 1.1e-9, -1.8e-9, END, np.pi, END, np.pi),
+)
+
+
+def test_joints_are_put_on_their_ends_one_by_one() -> None:
+    """The farthest first: with it the others come inside, and could not if they were held, too."""
+    compilation = made_up("long_arm", LONG_ARM, "task: pose\nfree: [1]\n")
+    solver = library(compilation.module, folder())
+    source = np.random.default_rng(5)
+    for joints in np.array(ON_ENDS):
+        T = np.asarray(forward(compilation.robot, joints[None]), dtype=float)[0]
+        for _ in range(40):
+            seed = np.clip(joints + source.uniform(-5e-3, 5e-3, 7), -END, END)
+            row = solver.nearest(T, seed, joints[:1])
+            assert np.abs(row - seed).max() < 0.05, (joints, seed)
