@@ -27,7 +27,7 @@ def function(name: str) -> str:
 
 
 def test_only_long_sources_have_loops() -> None:
-    for name in ("puma560", "kuka_iiwa14"):
+    for name in ("puma560", "kuka_kr6_r900"):
         assert "for (int i1" not in function(name)
     for name, loop in (
         ("coupled_slides", "UNROLLED for (int i1"),
