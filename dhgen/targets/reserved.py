@@ -26,7 +26,7 @@ shortfall within begun fault seek take settle P e p s w weights tried held slope
 half_way between most low high off_pose pace stands place settled share stay along spin part to bend
 rest other d u any next steps past past_an_end past_ends at_an_end seen stand plane_miss escaped
 sideways damping is_open there top add_others aside by ends far farther first join kind lead_inside
-branch other_values own moves rows tell_once told worst
+branch other_values own moves rows tell_once told worst joints serving serving_in_turn best at
 """
 
 _LANES = """

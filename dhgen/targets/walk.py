@@ -60,6 +60,13 @@ def chooses_again(program: Program) -> bool:
     )
 
 
+def lost_together(program: Program) -> tuple[int, ...]:
+    """The joints, from 1, that may be free at the same time and decide on one guard."""
+    guards = (statement for statement in program.body if isinstance(statement, Guard))
+    lost = ({c.joint for c in guard.chosen if c.value is None} for guard in guards if guard.margin)
+    return tuple(sorted(set().union(*(joints for joints in lost if len(joints) > 1))))
+
+
 def choosable(program: Program) -> tuple[int, ...]:
     """The joints, from 1, that a branch may choose freely, the last first."""
     return tuple(sorted({joint for joint, _ in program.free if joint}, reverse=True))

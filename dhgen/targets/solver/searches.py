@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import TIGHTENINGS, TOGETHER
 from dhgen.targets.solver.standing import stands_on_limits, winds
-from dhgen.targets.walk import checks_again, choosable, chooses_again, finds_roots
+from dhgen.targets.walk import (
+    checks_again,
+    choosable,
+    chooses_again,
+    finds_roots,
+    lost_together,
+)
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -20,6 +26,7 @@ CLOSE_FAN = 20
 LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
+TURNS = 12  # of joints that may have to be chosen together
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
 ELSEWHERE = 0.1  # how far a joint is moved to see which others move with it [rad or length]
 
@@ -40,6 +47,10 @@ class Searches:
         sums_limits: Whether it is asked of a row; where limits are wide only searches do.
         choosable: Places of the joints that may be chosen, between commas.
         choices: How many they are.
+        in_turn: Places of joints that may have to be chosen together, between commas; none if one
+            is enough.
+        lost: How many these are.
+        turns: How often one after the other is moved.
         turn_step: From one angle that is tried to the next [rad].
         half_fan: How many are tried to each side.
         least_move: Of a joint that is nearly free [rad].
@@ -67,6 +78,8 @@ class Searches:
     sums_limits: bool
     choosable: str
     choices: int
+    in_turn: str
+    lost: int
     cuts: int
     rounding: float
     met: float
@@ -75,6 +88,7 @@ class Searches:
     least_move: float = LEAST_MOVE
     most_move: float = MOST_MOVE
     halvings: int = HALVINGS
+    turns: int = TURNS
     together: str = repr(TOGETHER)
     steps: int = TIGHTENINGS
     close_fan: int = CLOSE_FAN
@@ -87,7 +101,7 @@ def searches_of(module: SolverModule) -> Searches:
     again, within = chooses_again(module.solver), _keeps_limits(module)
     tolerances = module.precision.tolerances
     tightens = module.solver.tightened is not None
-    joints = choosable(module.solver)
+    joints, together = choosable(module.solver), lost_together(module.solver)
     return Searches(
         some=again or within,
         chooses_again=again,
@@ -100,6 +114,8 @@ def searches_of(module: SolverModule) -> Searches:
         sums_limits=within or not winds(module) or tightens or tolerances.blur_limits,
         choosable=", ".join(str(joint - 1) for joint in joints),
         choices=len(joints),
+        in_turn=", ".join(str(joint - 1) for joint in together),
+        lost=len(together),
         cuts=GOLDEN_CUTS if checks_again(module.solver) else HALVINGS,
         rounding=tolerances.limit,
         met=tolerances.told,
