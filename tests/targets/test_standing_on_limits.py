@@ -301,3 +301,16 @@ def test_joints_are_put_on_their_ends_one_by_one() -> None:
             seed = np.clip(joints + source.uniform(-5e-3, 5e-3, 7), -END, END)
             row = solver.nearest(T, seed, joints[:1])
             assert np.abs(row - seed).max() < 0.05, (joints, seed)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("near", [1e-3, 1e-4, 4e-5, 1e-5, 1e-6])
+def test_a_row_just_beyond_a_limit_is_not_put_onto_another_row(near: float, language: str) -> None:
+    """A nearly straight elbow, joint 1 on its limit: the other branch has it a little beyond."""
+    end, solver = limits("scara")[1, 0], Solver("scara", language)
+    for part in (1.0, 0.7, 0.4):
+        joints = np.array([end, part * near, -0.1, 0.3])
+        rows, status = solver.all(poses_of("scara", joints[None])[0])
+        other = gap(rows, joints) > 0.5 * part * near
+        assert status.tolist() == [OUT_OF_LIMITS if each else OK for each in other]
+        assert other.sum() == 1
