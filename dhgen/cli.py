@@ -25,6 +25,11 @@ MEANT = {
 }
 
 
+# Where nobody reads what a command says it is not known to have gone well: a derivation alone has
+# been read as far as was wanted.
+READER_GONE = 1
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
@@ -32,25 +37,47 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a terminal that can't show a letter shows ?
             stream.reconfigure(errors="replace")
+    code = READER_GONE
     try:
-        if words[:1] == ["explain"]:
-            return explain(explain_parser().parse_args(words[1:]))
-        if words[:1] == ["survey"]:
-            return survey(survey_parser().parse_args(words[1:]))
-        options = parser().parse_args(words)
-        _refuse_misspelt(options.files[0])
-        if not options.check:
-            _refuse_unwritable(options.out)
-        return check(options) if options.check else write(options)
+        code = _run(words)
+        sys.stdout.flush()
     except DhgenError as error:
-        print(error, file=sys.stderr)
-        return error.exit_code
+        code = error.exit_code
+        _tell(str(error))
     except BrokenPipeError:  # the reader of our output has seen enough
-        sys.stderr.close()
-        return 0
+        _lose_output()
+        code = 0 if words[:1] == ["explain"] else code or READER_GONE
     except OSError as error:
-        print(f"dhgen: {error.strerror or error}: {error.filename or 'output'}", file=sys.stderr)
-        return 1
+        code = 1
+        _tell(f"dhgen: {error.strerror or error}: {error.filename or 'output'}")
+    return code
+
+
+def _run(words: list[str]) -> int:
+    if words[:1] == ["explain"]:
+        return explain(explain_parser().parse_args(words[1:]))
+    if words[:1] == ["survey"]:
+        return survey(survey_parser().parse_args(words[1:]))
+    options = parser().parse_args(words)
+    _refuse_misspelt(options.files[0])
+    if not options.check:
+        _refuse_unwritable(options.out)
+    return check(options) if options.check else write(options)
+
+
+def _tell(message: str) -> None:
+    """Writes to stderr; who does not listen gets the exit code all the same."""
+    try:
+        print(message, file=sys.stderr, flush=True)
+    except BrokenPipeError:
+        _lose_output()
+
+
+def _lose_output() -> None:
+    """What is still to be written goes nowhere: Python would stumble over it when it ends."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        os.dup2(nowhere, stream.fileno())
 
 
 def _open_closed() -> None:

@@ -56,9 +56,13 @@ class RobotFiles:
 
 
 def load_all(paths: Iterable[Path]) -> RobotFiles:
-    """Reads all files of a command."""
+    """Reads all files of a command.
+
+    Names that differ in capitals only are the same to some file systems, and to the guards of the
+    headers.
+    """
     once = _each_once(paths)
-    makers: dict[str, Path] = {}
+    makers: dict[str, tuple[Path, str]] = {}
     loaded, refusals = [], []
     for path in once:
         try:
@@ -66,12 +70,12 @@ def load_all(paths: Iterable[Path]) -> RobotFiles:
         except RobotFileError as refusal:
             refusals.append(refusal)
             continue
-        taken = next((stem for stem in file.stems if stem in makers), None)
+        taken = next((stem for stem in file.stems if stem.lower() in makers), None)
         if taken is None:
-            makers |= dict.fromkeys(file.stems, path)
+            makers |= {stem.lower(): (path, stem) for stem in file.stems}
             loaded.append(file)
         else:
-            refusals.append(_name_taken(path, makers[taken], taken))
+            refusals.append(_name_taken(path, taken, *makers[taken.lower()]))
     return RobotFiles(once, tuple(loaded), tuple(refusals))
 
 
@@ -87,7 +91,8 @@ def _each_once(paths: Iterable[Path]) -> tuple[Path, ...]:
     return tuple(first.values())
 
 
-def _name_taken(path: Path, other: Path, stem: str) -> RobotFileError:
+def _name_taken(path: Path, stem: str, other: Path, its: str) -> RobotFileError:
     """The refusal of a file whose robot would be written over another's."""
-    message = f"{other} also generates files named '{stem}': rename one of the robots"
+    capitals = "" if stem == its else ", which differ in capitals only"
+    message = f"{other} also generates files named '{its}'{capitals}: rename one of the robots"
     return RobotFileError((Diagnostic(str(path), 0, 0, message),))

@@ -1039,16 +1039,21 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
- * same there is one. */
-static void stand(const double T[16], double q[6])
+/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
+ * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
+ * */
+static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], off = past_ends(q);
+    double x[6], half[6], *q = rows[row], off = past_ends(q);
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
+    for (int k = 0; k < 8; k++)
+        if (status[k] != FANUC_M710IC50_UNREACHABLE && past_ends(rows[k]) <= 0.0 &&
+            half_way(rows[k], x, half) < half_way(q, x, half))
+            return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1121,7 +1126,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        stand(pose, q[row]);
+        stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

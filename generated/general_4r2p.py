@@ -413,7 +413,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 043ce303729b1121"
+_KEY = "general_4r2p 5851e68f4c978242"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1179,7 +1179,7 @@ def _general_4r2p_rootless(grid, zero):
     """In which cells f has no root, as `_general_4r2p_kind` tells it one by one: most of them."""
     value, slope, bend = grid
     h, square = 0.02454369260617026 / 5.0, 0.02454369260617026 * 0.02454369260617026 / 20.0
-    rootless = np.empty(256, np.bool_)
+    rootless = np.empty(256)  # truth values of another width would end the vectors
     for i in range(256):
         b0, b5 = value[i], value[i + 1]
         b1, b4 = b0 + h * slope[i], b5 - h * slope[i + 1]
@@ -1187,7 +1187,7 @@ def _general_4r2p_rootless(grid, zero):
         b3 = b5 - 2.0 * h * slope[i + 1] + square * bend[i + 1]
         above = (b0 > zero) & (b1 > zero) & (b2 > zero) & (b3 > zero) & (b4 > zero) & (b5 > zero)
         below = (b0 < -zero) & (b1 < -zero) & (b2 < -zero) & (b3 < -zero) & (b4 < -zero) & (b5 < -zero)
-        rootless[i] = above | below
+        rootless[i] = 1.0 if above | below else 0.0
     return rootless
 
 
@@ -1287,7 +1287,7 @@ def _general_4r2p_find_roots(f, scale, rounding, middle, reach, near):
     at, at_low = np.empty((16, 3)), np.empty(3)
     depth = np.zeros(16, dtype=np.int64)
     for i in range(256):
-        if rootless[i] or min(abs(i - middle), 256 - abs(i - middle)) > reach:
+        if rootless[i] != 0.0 or min(abs(i - middle), 256 - abs(i - middle)) > reach:
             continue
         low = i * 0.02454369260617026
         edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
@@ -1430,7 +1430,8 @@ def _general_4r2p_error(links, c, s, J):
     """The square of the loop's error; J takes the Jacobian with the error, translation and rotation
     vector, as seventh column."""
     P = links[5]
-    T = np.zeros(12)
+    T = carray(_room(12), 12)
+    T[:] = 0.0
     T[0] = T[5] = T[10] = 1.0
     for k in range(6):
         if k:
@@ -1446,7 +1447,7 @@ def _general_4r2p_error(links, c, s, J):
     for i in range(3):
         J[i, 2], J[3 + i, 2] = J[3 + i, 2], 0.0
         J[i, 4], J[3 + i, 4] = J[3 + i, 4], 0.0
-    S = np.empty((3, 3))
+    S = carray(_room(9), (3, 3))
     for i in range(3):
         for j in range(3):
             S[i, j] = P[4 * i] * T[4 * j] + P[4 * i + 1] * T[4 * j + 1] + P[4 * i + 2] * T[4 * j + 2]
@@ -1484,7 +1485,7 @@ def _general_4r2p_step(J, x):
 @_inner
 def _general_4r2p_damped_step(J, damping, x):
     """The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error."""
-    A = np.empty((6, 7))
+    A = carray(_room(42), (6, 7))
     for i in range(6):
         for j in range(i, 7):
             total = 0.0
@@ -1507,8 +1508,10 @@ def _general_4r2p_damped_step(J, damping, x):
 @_inner
 def _general_4r2p_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
-    J, x = np.empty((6, 7)), np.empty(6)
-    tc, ts = c.copy(), s.copy()
+    J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
+    tc, ts = carray(_room(6), 6), carray(_room(6), 6)
+    tc[:] = c
+    ts[:] = s
     least = now = _general_4r2p_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -1577,7 +1580,7 @@ def _general_4r2p_offer(links, c, s, afar, doubtful, q, residual, singular, coun
     missing = _general_4r2p_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
-    theta = np.empty(6)
+    theta = carray(_room(6), 6)
     for i in range(6):
         cosine, sine = _GENERAL_4R2P_ADVANCE_C[i], _GENERAL_4R2P_ADVANCE_S[i]
         theta[i] = math.atan2(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine)
@@ -1602,7 +1605,7 @@ def _general_4r2p_offer(links, c, s, afar, doubtful, q, residual, singular, coun
         for i in range(6):
             q[place, i] = theta[i]
     if doubtful:
-        J = np.empty((6, 7))
+        J = carray(_room(42), (6, 7))
         _general_4r2p_error(links, c, s, J)
         if _general_4r2p_step(J, theta) < 1e-06:
             singular[place] = 1
@@ -2287,11 +2290,13 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
-def _stand(pose, q):
-    """Puts joints just beyond their limits on them, unless that is another solution.
+def _stand(pose, row, rows, status):
+    """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one.
+    Half way to the same there is one, and what is nearer to another row inside its limits is that
+    one's.
     """
+    q = rows[row]
     off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
@@ -2299,6 +2304,10 @@ def _stand(pose, q):
     most = max(10.0 * off, 0.001)
     if not _settle(pose, math.nan, most, x):
         return
+    for k in range(len(rows)):
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+            if _half_way(rows[k], x, half) < _half_way(q, x, half):
+                return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
@@ -2316,7 +2325,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        _stand(pose, q[row])
+        _stand(pose, row, q, status)
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -4092,16 +4092,21 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
- * same there is one. */
-static void stand(const double T[16], double q[6])
+/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
+ * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
+ * */
+static void stand(const double T[16], int row, double rows[16][6], const unsigned char status[16])
 {
-    double x[6], half[6], off = beyond_limits(q);
+    double x[6], half[6], *q = rows[row], off = beyond_limits(q);
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
     if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
+    for (int k = 0; k < 16; k++)
+        if (status[k] != GENERAL_5R1P_PAIR_UNREACHABLE && beyond_limits(rows[k]) <= 0.0 &&
+            half_way(rows[k], x, half) < half_way(q, x, half))
+            return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -4127,7 +4132,7 @@ int general_5r1p_pair_ik(
     for (int row = 0; row < 16; row++) {
         if (status[row] == GENERAL_5R1P_PAIR_UNREACHABLE)
             continue;
-        stand(pose, q[row]);
+        stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

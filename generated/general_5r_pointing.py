@@ -419,7 +419,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 35d9262e37de29da"
+_KEY = "general_5r_pointing c601d90edf52fac4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1204,7 +1204,8 @@ def _general_5r_pointing_equations(joints, links):
 def _general_5r_pointing_reflect_all(M, columns, first, rest, column, determinant):
     """Reflect, at all angles at once, the first row and the rows from `rest` on so that `column` stays
     in the first only; what it holds elsewhere means nothing afterwards."""
-    head, factor = np.empty(24), np.empty(24)
+    head = carray(_room(24), 24)
+    factor = carray(_room(24), 24)
     for k in range(24):
         square = M[first, column, k] * M[first, column, k]
         for i in range(rest, 6):
@@ -1331,7 +1332,7 @@ def _general_5r_pointing_rootless(grid, zero):
     """In which cells f has no root, as `_general_5r_pointing_kind` tells it one by one: most of them."""
     value, slope, bend = grid
     h, square = 0.02454369260617026 / 5.0, 0.02454369260617026 * 0.02454369260617026 / 20.0
-    rootless = np.empty(256, np.bool_)
+    rootless = np.empty(256)  # truth values of another width would end the vectors
     for i in range(256):
         b0, b5 = value[i], value[i + 1]
         b1, b4 = b0 + h * slope[i], b5 - h * slope[i + 1]
@@ -1339,7 +1340,7 @@ def _general_5r_pointing_rootless(grid, zero):
         b3 = b5 - 2.0 * h * slope[i + 1] + square * bend[i + 1]
         above = (b0 > zero) & (b1 > zero) & (b2 > zero) & (b3 > zero) & (b4 > zero) & (b5 > zero)
         below = (b0 < -zero) & (b1 < -zero) & (b2 < -zero) & (b3 < -zero) & (b4 < -zero) & (b5 < -zero)
-        rootless[i] = above | below
+        rootless[i] = 1.0 if above | below else 0.0
     return rootless
 
 
@@ -1439,7 +1440,7 @@ def _general_5r_pointing_find_roots(f, scale, rounding, middle, reach, near):
     at, at_low = np.empty((16, 3)), np.empty(3)
     depth = np.zeros(16, dtype=np.int64)
     for i in range(256):
-        if rootless[i] or min(abs(i - middle), 256 - abs(i - middle)) > reach:
+        if rootless[i] != 0.0 or min(abs(i - middle), 256 - abs(i - middle)) > reach:
             continue
         low = i * 0.02454369260617026
         edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
@@ -1630,7 +1631,7 @@ def _general_5r_pointing_null_vectors(factors, at, double, out):
     the matrix is regular: then there is no root. It has no singular value that is next to nothing,
     and not two small ones, as where so many roots crowd that the determinant does not tell. The
     matrix is one of those of `_general_5r_pointing_fold`."""
-    factor, inverse = np.empty((6, 6)), np.empty(6)
+    factor, inverse = carray(_room(36), (6, 6)), carray(_room(6), 6)
     n = _GENERAL_5R_POINTING_START.copy()
     length = second = squares = 0.0
     for i in range(6):
@@ -1685,13 +1686,13 @@ def _general_5r_pointing_middle(K, M, value):
     e, u = (e0, e1, e2), (u0, u1, u2)
     v = (u1 * e2 - u2 * e1, u2 * e0 - u0 * e2, u0 * e1 - u1 * e0)
     pairs = ((axis, e), (axis, u), (foot, e), (foot, u), (axis, v))
-    rest = np.array([
+    rest = (
         0.0,
         t2,
         u0 * e0 + u1 * e1 + u2 * e2,
         0.5 * (t0 * t0 + t1 * t1 + t2 * t2 + u0 * u0 + u1 * u1 + u2 * u2),
         side[2] * e2,
-    ])
+    )
     aa = ab = bb = ar = br = 0.0
     for i in range(5):
         left, right = pairs[i]
@@ -1721,16 +1722,18 @@ def _general_5r_pointing_angles(joints, links, n, c, s):
     top = n[0] * row[0] + n[1] * row[1] + n[2] * row[2]
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _general_5r_pointing_unit(bottom * bottom - top * top, 2.0 * top * bottom)
-    G = links[5].copy()
+    G = carray(_room(12), 12)
+    G[:] = links[5]
     for i in range(3):
         _general_5r_pointing_move(G, joints[i], c[i], s[i])
         _general_5r_pointing_follow(G, links[i])
     B = _general_5r_pointing_invert(G)
     l0, l1, q0, q1 = B[2], B[6], B[3], B[7]
     square = G[3] * G[3] + G[7] * G[7] + G[11] * G[11]
-    value = np.array([B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0])
+    value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _general_5r_pointing_middle(links[3], links[4], value)
-    C = links[3].copy()
+    C = carray(_room(12), 12)
+    C[:] = links[3]
     _general_5r_pointing_turn(C, c[4], s[4])
     _general_5r_pointing_follow(C, links[4])
     c[3], s[3] = _general_5r_pointing_unit(
@@ -1763,7 +1766,8 @@ def _general_5r_pointing_error(links, c, s, J):
     """The square of the loop's error; J takes the Jacobian with the error, translation and rotation
     vector, as seventh column."""
     P = links[5]
-    T = np.zeros(12)
+    T = carray(_room(12), 12)
+    T[:] = 0.0
     T[0] = T[5] = T[10] = 1.0
     for k in range(6):
         if k:
@@ -1776,7 +1780,7 @@ def _general_5r_pointing_error(links, c, s, J):
         z0, z1, z2 = J[3, k], J[4, k], J[5, k]
         r0, r1, r2 = T[3] - J[0, k], T[7] - J[1, k], T[11] - J[2, k]
         J[0, k], J[1, k], J[2, k] = z1 * r2 - z2 * r1, z2 * r0 - z0 * r2, z0 * r1 - z1 * r0
-    S = np.empty((3, 3))
+    S = carray(_room(9), (3, 3))
     for i in range(3):
         for j in range(3):
             S[i, j] = P[4 * i] * T[4 * j] + P[4 * i + 1] * T[4 * j + 1] + P[4 * i + 2] * T[4 * j + 2]
@@ -1814,7 +1818,7 @@ def _general_5r_pointing_step(J, x):
 @_inner
 def _general_5r_pointing_damped_step(J, damping, x):
     """The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error."""
-    A = np.empty((6, 7))
+    A = carray(_room(42), (6, 7))
     for i in range(6):
         for j in range(i, 7):
             total = 0.0
@@ -1837,8 +1841,10 @@ def _general_5r_pointing_damped_step(J, damping, x):
 @_inner
 def _general_5r_pointing_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
-    J, x = np.empty((6, 7)), np.empty(6)
-    tc, ts = c.copy(), s.copy()
+    J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
+    tc, ts = carray(_room(6), 6), carray(_room(6), 6)
+    tc[:] = c
+    ts[:] = s
     least = now = _general_5r_pointing_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -1903,7 +1909,7 @@ def _general_5r_pointing_offer(links, c, s, afar, doubtful, q, residual, singula
     missing = _general_5r_pointing_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
-    theta = np.empty(6)
+    theta = carray(_room(6), 6)
     for i in range(6):
         cosine, sine = _GENERAL_5R_POINTING_ADVANCE_C[i], _GENERAL_5R_POINTING_ADVANCE_S[i]
         theta[i] = math.atan2(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine)
@@ -1926,7 +1932,7 @@ def _general_5r_pointing_offer(links, c, s, afar, doubtful, q, residual, singula
         for i in range(6):
             q[place, i] = theta[i]
     if doubtful:
-        J = np.empty((6, 7))
+        J = carray(_room(42), (6, 7))
         _general_5r_pointing_error(links, c, s, J)
         if _general_5r_pointing_step(J, theta) < 1e-06:
             singular[place] = 1
@@ -1936,7 +1942,9 @@ def _general_5r_pointing_offer(links, c, s, afar, doubtful, q, residual, singula
 @_inner
 def _general_5r_pointing_sample(E, x, y, samples):
     """The determinant at the sample angles, through a lens."""
-    c, s, weight = np.empty(24), np.empty(24), np.empty(24)
+    c = carray(_room(24), 24)
+    s = carray(_room(24), 24)
+    weight = carray(_room(24), 24)
     for k in range(24):
         c[k], s[k], weight[k] = _general_5r_pointing_through(x, y, _GENERAL_5R_POINTING_SAMPLE_C[k], _GENERAL_5R_POINTING_SAMPLE_S[k])
     _general_5r_pointing_fold(E, c, s, samples)
@@ -2026,7 +2034,8 @@ def _general_5r_pointing_attempt(form, loop, q, residual, singular, doubles_met,
         total += 1
     met = np.zeros(16, dtype=np.int64)
     cosines, sines, determinant = np.empty(24), np.empty(24), np.empty(24)
-    c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
+    c, s = carray(_room(6), 6), carray(_room(6), 6)
+    tc, ts = carray(_room(6), 6), carray(_room(6), 6)
     vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
     for i in range(total):
         at = i % 24
@@ -2477,11 +2486,13 @@ def _lead_inside(pose, enough, most, q):
 
 
 @_inner
-def _stand(pose, q):
-    """Puts joints just beyond their limits on them, unless that is another solution.
+def _stand(pose, row, rows, status):
+    """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one.
+    Half way to the same there is one, and what is nearer to another row inside its limits is that
+    one's.
     """
+    q = rows[row]
     off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
@@ -2489,6 +2500,10 @@ def _stand(pose, q):
     most = max(10.0 * off, 0.001)
     if not _lead_inside(pose, math.nan, most, x):
         return
+    for k in range(len(rows)):
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+            if _half_way(rows[k], x, half) < _half_way(q, x, half):
+                return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
@@ -2508,7 +2523,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(5):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        _stand(pose, q[row])
+        _stand(pose, row, q, status)
         for i in range(5):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -482,7 +482,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle d7c38cdccbbf9a08"
+_KEY = "kuka_iiwa14_arm_angle 6077926f3237d7ec"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -803,8 +803,8 @@ def _attempt(pose, q_free, seed, search, moved, q, status):
 
 
 @_inner
-def _summit(pose, q_free, seed, search, low, high, q, status):
-    """Golden section for a move between low and high that serves; NaN if there is none."""
+def _peak(pose, q_free, seed, search, low, high, q, status):
+    """Golden section for the move between low and high that comes nearest, or one that serves."""
     for _ in range(52):
         third = 0.3819660112501051 * (high - low)
         left = _attempt(pose, q_free, seed, search, low + third, q, status)
@@ -815,6 +815,15 @@ def _summit(pose, q_free, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
+    return low
+
+
+@_inner
+def _summit(pose, q_free, seed, search, low, high, q, status):
+    """A move between low and high that serves; NaN if there is none."""
+    top = _peak(pose, q_free, seed, search, low, high, q, status)
+    if _attempt(pose, q_free, seed, search, top, q, status) == 0.0:
+        return top
     return math.nan
 
 

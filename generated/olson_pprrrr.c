@@ -756,7 +756,7 @@ static void choose_again(
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     if (revolute[lost.joint])
         lost.start = fmod(lost.start, turn);
-    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : OLSON_PPRRRR_UNREACHABLE;

@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 7663caa542f0577e"
+_KEY = "olson_pprrrr 83c8f222bb7f134e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -592,8 +592,8 @@ def _attempt(pose, seed, search, moved, q, status):
 
 
 @_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """Golden section for a move between low and high that serves; NaN if there is none."""
+def _peak(pose, seed, search, low, high, q, status):
+    """Golden section for the move between low and high that comes nearest, or one that serves."""
     for _ in range(52):
         third = 0.3819660112501051 * (high - low)
         left = _attempt(pose, seed, search, low + third, q, status)
@@ -604,12 +604,21 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
+    return low
+
+
+@_inner
+def _summit(pose, seed, search, low, high, q, status):
+    """A move between low and high that serves; NaN if there is none."""
+    top = _peak(pose, seed, search, low, high, q, status)
+    if _attempt(pose, seed, search, top, q, status) == 0.0:
+        return top
     # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
+    for moved in (top - 1e-09, top + 1e-09):
         if math.isinf(_attempt(pose, seed, search, moved, q, status)):
             return math.nan
-    _attempt(pose, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    _attempt(pose, seed, search, top, q, status)
+    return top if _serves(search, q, status) else math.nan
 
 
 @_inner

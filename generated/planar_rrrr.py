@@ -246,7 +246,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 5676f302523d6b08"
+_KEY = "planar_rrrr 81b143071668070d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -712,11 +712,13 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
-def _stand(pose, q):
-    """Puts joints just beyond their limits on them, unless that is another solution.
+def _stand(pose, row, rows, status):
+    """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one.
+    Half way to the same there is one, and what is nearer to another row inside its limits is that
+    one's.
     """
+    q = rows[row]
     off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
@@ -724,6 +726,10 @@ def _stand(pose, q):
     most = max(10.0 * off, 0.001)
     if not _settle(pose, math.nan, most, x):
         return
+    for k in range(len(rows)):
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+            if _half_way(rows[k], x, half) < _half_way(q, x, half):
+                return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
@@ -741,7 +747,7 @@ def _whole(pose, seed, q, status):
     for row in range(1):
         if status[row] == UNREACHABLE:
             continue
-        _stand(pose, q[row])
+        _stand(pose, row, q, status)
         for i in range(4):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

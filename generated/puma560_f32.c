@@ -777,16 +777,21 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     return 0;
 }
 
-/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
- * same there is one. */
-static void stand(const float T[16], float q[6])
+/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
+ * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
+ * */
+static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
-    float x[6], half[6], off = past_ends(q);
+    float x[6], half[6], *q = rows[row], off = past_ends(q);
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
+    for (int k = 0; k < 8; k++)
+        if (status[k] != PUMA560_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f &&
+            half_way(rows[k], x, half) < half_way(q, x, half))
+            return;
     off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
@@ -878,7 +883,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        stand(pose, q[row]);
+        stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -775,6 +775,7 @@ struct search {
     double seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
+    double best, at; /* where the arm came nearest */
     int within; /* whether limits count */
 };
 
@@ -793,6 +794,10 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 8; i++)
         s->status[i] = UR5_UNREACHABLE;
     solve(s->T, s->seed, s->q, s->status);
+    if (shortfall(s) > s->best) {
+        s->best = shortfall(s);
+        s->at = s->seed[s->joint];
+    }
     const double result = shortfall(s);
     return result == 0.0 && s->within ? -beyond_limits(s->q[s->row]) : result;
 }
@@ -881,17 +886,35 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
+/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
+ * */
+static double serving_in_turn(struct search *s)
+{
+    static const int joints[] = { 0, 5 };
+    double serving = NAN, before = -HUGE_VAL;
+    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
+        before = s->best;
+        s->seed[s->joint] = s->at;
+        s->joint = joints[k % 2];
+        s->start = s->at = s->seed[s->joint];
+        serving = serving_value(s);
+    }
+    return serving;
+}
+
 /* Another value for a joint that had been chosen, if one serves. */
 static void choose_again(
     const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
 {
     const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row };
+    struct search lost = { .T = T, .row = row, .best = -HUGE_VAL };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    if (isnan(nearest) && !nearly)
+        nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : UR5_UNREACHABLE;
@@ -1112,16 +1135,21 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
- * same there is one. */
-static void stand(const double T[16], double q[6])
+/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
+ * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
+ * */
+static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], off = past_ends(q);
+    double x[6], half[6], *q = rows[row], off = past_ends(q);
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
+    for (int k = 0; k < 8; k++)
+        if (status[k] != UR5_UNREACHABLE && past_ends(rows[k]) <= 0.0 &&
+            half_way(rows[k], x, half) < half_way(q, x, half))
+            return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1216,7 +1244,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        stand(pose, q[row]);
+        stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -551,6 +551,7 @@ struct search {
     float seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
+    float best, at; /* where the arm came nearest */
     int within; /* whether limits count */
 };
 
@@ -569,6 +570,10 @@ static float attempt(struct search *s, float moved)
     for (int i = 0; i < 8; i++)
         s->status[i] = UR5_F32_UNREACHABLE;
     solve(s->T, s->seed, s->q, s->status);
+    if (shortfall(s) > s->best) {
+        s->best = shortfall(s);
+        s->at = s->seed[s->joint];
+    }
     const float result = shortfall(s);
     return result == 0.0f && s->within ? -beyond_limits(s->q[s->row]) : result;
 }
@@ -657,17 +662,35 @@ static float serving_digits(struct search *s)
     return NAN;
 }
 
+/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
+ * */
+static float serving_in_turn(struct search *s)
+{
+    static const int joints[] = { 0, 5 };
+    float serving = NAN, before = -HUGE_VALF;
+    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
+        before = s->best;
+        s->seed[s->joint] = s->at;
+        s->joint = joints[k % 2];
+        s->start = s->at = s->seed[s->joint];
+        serving = serving_value(s);
+    }
+    return serving;
+}
+
 /* Another value for a joint that had been chosen, if one serves. */
 static void choose_again(
     const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
 {
     const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row };
+    struct search lost = { .T = T, .row = row, .best = -HUGE_VALF };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmodf(lost.start, turn);
-    const float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    if (isnan(nearest) && !nearly)
+        nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0f : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : UR5_F32_UNREACHABLE;
@@ -888,16 +911,21 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     return 0;
 }
 
-/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
- * same there is one. */
-static void stand(const float T[16], float q[6])
+/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
+ * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
+ * */
+static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
-    float x[6], half[6], off = past_ends(q);
+    float x[6], half[6], *q = rows[row], off = past_ends(q);
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
+    for (int k = 0; k < 8; k++)
+        if (status[k] != UR5_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f &&
+            half_way(rows[k], x, half) < half_way(q, x, half))
+            return;
     off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
@@ -992,7 +1020,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        stand(pose, q[row]);
+        stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

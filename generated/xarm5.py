@@ -377,7 +377,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 88259fa1c05b89a2"
+_KEY = "xarm5 c551a28703e0278f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -674,8 +674,8 @@ def _attempt(pose, seed, search, moved, q, status):
 
 
 @_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """Golden section for a move between low and high that serves; NaN if there is none."""
+def _peak(pose, seed, search, low, high, q, status):
+    """Golden section for the move between low and high that comes nearest, or one that serves."""
     for _ in range(52):
         third = 0.3819660112501051 * (high - low)
         left = _attempt(pose, seed, search, low + third, q, status)
@@ -686,12 +686,21 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
+    return low
+
+
+@_inner
+def _summit(pose, seed, search, low, high, q, status):
+    """A move between low and high that serves; NaN if there is none."""
+    top = _peak(pose, seed, search, low, high, q, status)
+    if _attempt(pose, seed, search, top, q, status) == 0.0:
+        return top
     # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
+    for moved in (top - 1e-09, top + 1e-09):
         if math.isinf(_attempt(pose, seed, search, moved, q, status)):
             return math.nan
-    _attempt(pose, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    _attempt(pose, seed, search, top, q, status)
+    return top if _serves(search, q, status) else math.nan
 
 
 @_inner
@@ -756,6 +765,38 @@ def _serving_digits(pose, seed, search, q, status):
 
 
 @_inner
+def _nearest_miss(pose, seed, search, q, status):
+    """How far a free joint has to be moved until the arm comes nearest to its pose."""
+    step = 0.09817477042468103
+    first = _attempt(pose, seed, search, 0.0, q, status)
+    best, at = first, 0.0
+    for k in range(-32, 32 + 1):
+        here = _attempt(pose, seed, search, k * step, q, status)
+        if here > best:
+            best, at = here, k * step
+    at = _peak(pose, seed, search, at - step, at + step, q, status)
+    return at if _attempt(pose, seed, search, at, q, status) > first else 0.0
+
+
+@_inner
+def _serving_in_turn(pose, seed, search, q, status):
+    """Several joints are free, and none serves by itself: the search and the move that do.
+
+    In turn each is moved to where the arm comes nearest, until one serves.
+    """
+    for k in range(12):
+        moved = _nearest_miss(pose, seed, search, q, status)
+        if k > 0 and moved == 0.0:
+            break
+        seed[search[1]] += moved
+        search = search[0], (0, 1, 2, 3)[k % 4], False
+        moved = _serving(pose, seed, search, q, status)
+        if not math.isnan(moved):
+            return search, moved
+    return search, math.nan
+
+
+@_inner
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -770,6 +811,8 @@ def _choose_again(pose, given, row, q, status):
     else:
         seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, seed, search, trial, result)
+        if math.isnan(moved):
+            search, moved = _serving_in_turn(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
     status[row] = result[row] if served else UNREACHABLE

@@ -405,7 +405,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 8b2c24bf1b069ea8"
+_KEY = "yaskawa_gp7 e79d9f5be902c471"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -686,8 +686,8 @@ def _attempt(pose, seed, search, moved, q, status):
 
 
 @_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """Golden section for a move between low and high that serves; NaN if there is none."""
+def _peak(pose, seed, search, low, high, q, status):
+    """Golden section for the move between low and high that comes nearest, or one that serves."""
     for _ in range(52):
         third = 0.3819660112501051 * (high - low)
         left = _attempt(pose, seed, search, low + third, q, status)
@@ -698,6 +698,15 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
+    return low
+
+
+@_inner
+def _summit(pose, seed, search, low, high, q, status):
+    """A move between low and high that serves; NaN if there is none."""
+    top = _peak(pose, seed, search, low, high, q, status)
+    if _attempt(pose, seed, search, top, q, status) == 0.0:
+        return top
     return math.nan
 
 
@@ -979,11 +988,13 @@ def _lead_inside(pose, enough, most, q):
 
 
 @_inner
-def _stand(pose, q):
-    """Puts joints just beyond their limits on them, unless that is another solution.
+def _stand(pose, row, rows, status):
+    """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one.
+    Half way to the same there is one, and what is nearer to another row inside its limits is that
+    one's.
     """
+    q = rows[row]
     off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
@@ -991,6 +1002,10 @@ def _stand(pose, q):
     most = max(10.0 * off, 0.001)
     if not _lead_inside(pose, math.nan, most, x):
         return
+    for k in range(len(rows)):
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+            if _half_way(rows[k], x, half) < _half_way(q, x, half):
+                return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
@@ -1048,7 +1063,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        _stand(pose, q[row])
+        _stand(pose, row, q, status)
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -61,10 +61,13 @@ def chooses_again(program: Program) -> bool:
 
 
 def lost_together(program: Program) -> tuple[int, ...]:
-    """The joints, from 1, that may be free at the same time and decide on one guard."""
+    """The joints, from 1, that may be free at the same time and decide on one guard.
+
+    The one that is noted for a lost row, the last of those that are free, stands behind the others.
+    """
     guards = (statement for statement in program.body if isinstance(statement, Guard))
-    lost = ({c.joint for c in guard.chosen if c.value is None} for guard in guards if guard.margin)
-    return tuple(sorted(set().union(*(joints for joints in lost if len(joints) > 1))))
+    lost = ([c.joint for c in guard.chosen if c.value is None] for guard in guards if guard.margin)
+    return tuple(dict.fromkeys(joint for joints in lost if len(joints) > 1 for joint in joints))
 
 
 def choosable(program: Program) -> tuple[int, ...]:

@@ -108,6 +108,17 @@ def test_single_precision_has_a_name_of_its_own_that_another_robot_may_have(tmp_
     assert "a.yaml also generates files named 'arm_f32'" in str(files.refusals[0])
 
 
+def test_names_that_differ_in_capitals_only(tmp_path: Path) -> None:
+    """Some file systems take them for one name, and so do the guards of the headers."""
+    for stem in ("armA", "arma"):
+        text = PLANAR.read_text(encoding="utf-8").replace("name: planar_rr", f"name: {stem}")
+        (tmp_path / f"of_{stem}.yaml").write_text(text, encoding="utf-8")
+    files = load_all([tmp_path / "of_armA.yaml", tmp_path / "of_arma.yaml"])
+    assert [file.robot.name for file in files.loaded] == ["armA"]
+    told = "of_armA.yaml also generates files named 'armA', which differ in capitals only"
+    assert told in str(files.refusals[0])
+
+
 def test_what_fails_verification_is_not_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

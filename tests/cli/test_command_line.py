@@ -146,15 +146,24 @@ def test_explain(run: Run, option: list[str], tmp_path: Path) -> None:
     assert names(tmp_path) == []
 
 
-def test_a_reader_who_has_seen_enough(tmp_path: Path) -> None:
-    """`dhgen explain x.yaml | head -1` ends without a traceback."""
-    command = f"{sys.executable} -m dhgen explain {PLANAR} | head -1"
+@pytest.mark.parametrize(
+    ("words", "passes"),
+    [(f"explain {PLANAR}", True), (f"--check --out . {PLANAR}", False), ("broken.yaml", False)],
+)
+@pytest.mark.parametrize("reader", ["head -1", "true"])
+def test_a_reader_who_has_seen_enough(
+    reader: str, words: str, *, passes: bool, tmp_path: Path
+) -> None:
+    """`dhgen --check x.yaml 2>&1 | head -1` does not pass for that."""
+    (tmp_path / "broken.yaml").write_text("name: 3\n", encoding="utf-8")
+    command = f"{sys.executable} -m dhgen {words} 2>&1 | {reader}; echo ${{PIPESTATUS[0]}}"
     done = subprocess.run(
-        ["/bin/sh", "-c", command],
+        ["/bin/bash", "-c", command],
         cwd=tmp_path,
         env=os.environ | {"PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
         check=False,
     )
-    assert "Traceback" not in done.stderr
+    assert "Traceback" not in done.stdout + done.stderr
+    assert (done.stdout.split()[-1] == "0") is passes
