@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
-from dhgen.robot_files import led_to
+from dhgen.robot_files import ENDINGS, led_to
 from dhgen.targets.comments import plain_path
 from dhgen.tolerances import DOUBLE, SINGLE
 
@@ -144,7 +144,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     """
     folders = {led_to(path).parent for path in files}
     told = {_folder_of(plain_path(source_name(path, out))) for path in files}
-    around = (each for folder in folders for each in folder.glob("*.yaml"))
+    around = (each for folder in folders for end in ENDINGS for each in folder.glob(f"*{end}"))
     neighbours = _stems([*files, *around])
     known = _stems(makers)
     if not makers or not out.is_dir():

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 
+ENDINGS = (".yaml", ".yml")  # of the names of robot files in a folder
+
+
 @dataclass(frozen=True, slots=True)
 class RobotFile:
     """A robot and where it was read."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.robot_files import ENDINGS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 FRAMES = ("base", "tool")
 MATRIX = "matrix"  # who writes a list may leave it out
-NONE_HERE = "no robot files (*.yaml) here; lists in JSON have to be named themselves"
+NONE_HERE = "no robot files (*.yaml, *.yml) here; name lists in JSON themselves"
 NOTES = ("class", "confidence")  # of a table in a list, for its readers
 
 
@@ -57,8 +58,8 @@ def robot_files(given: Sequence[Path], folder: Path) -> tuple[Source, ...]:
     """The robot files that are meant, in order.
 
     Args:
-        given: Robot files; folders, of which every *.yaml is meant; JSON files, each a list of
-            tables: robot files in JSON whose `base` and `tool` may be 4x4 matrices.
+        given: Robot files; folders, of which every *.yaml and *.yml is meant; JSON files, each a
+            list of tables or one: robot files in JSON whose `base` and `tool` may be 4x4 matrices.
         folder: An empty one, where tables of lists become robot files.
 
     Raises:
@@ -92,7 +93,7 @@ def _files(path: Path, folder: Path, before: int) -> list[Source]:
 
 def _robots_in(folder: Path) -> list[Path]:
     try:  # Path.glob finds nothing where it may not look
-        return sorted(each for each in folder.iterdir() if each.name.endswith(".yaml"))
+        return sorted(each for each in folder.iterdir() if each.suffix in ENDINGS)
     except OSError as error:
         raise _refusal(folder, f"the folder can't be read: {error.strerror}") from None
 
@@ -123,6 +124,8 @@ def _tables(path: Path) -> list[dict[str, Any]]:
         raise _refusal(path, "the list can't be read: it is nested too deeply") from None
     except ValueError as error:
         raise _refusal(path, f"the list can't be read: {error}") from None
+    if isinstance(tables, dict) and "name" in tables:
+        return [tables]
     if not isinstance(tables, list):
         raise _refusal(path, "expected a list of tables: [{...}, ...]")
     wrong = [str(n) for n, table in enumerate(tables, start=1) if not isinstance(table, dict)]

@@ -86,7 +86,7 @@ def test_what_is_not_there_is_told_before_anything_is_done(
     out, err = capsys.readouterr()
     assert out == ""
     assert err.splitlines() == [
-        f"{tmp_path}: no robot files (*.yaml) here; lists in JSON have to be named themselves",
+        f"{tmp_path}: no robot files (*.yaml, *.yml) here; name lists in JSON themselves",
         f"{tmp_path}/x.yaml: no such file or folder",
     ]
 
