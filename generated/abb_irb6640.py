@@ -403,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 26a912924ba6b95c"
+_KEY = "abb_irb6640 9df7058b6ff0ab74"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1004,7 +1004,8 @@ def _stand(pose, row, rows, status):
         return
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, half) < _half_way(q, x, half):
+            nearer = _half_way(rows[k], x, half) < _half_way(q, x, half)
+            if nearer and _half_way(rows[k], q, half) > 1e-07:
                 return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):

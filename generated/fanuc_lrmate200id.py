@@ -404,7 +404,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 9666bb3f3a99572d"
+_KEY = "fanuc_lrmate200id fbf994f8371656e6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1005,7 +1005,8 @@ def _stand(pose, row, rows, status):
         return
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, half) < _half_way(q, x, half):
+            nearer = _half_way(rows[k], x, half) < _half_way(q, x, half)
+            if nearer and _half_way(rows[k], q, half) > 1e-07:
                 return
     off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):

@@ -895,7 +895,6 @@ struct search {
     double seed[4], start, q[2][4];
     unsigned char status[2];
     int joint, row;
-    double best, at; /* where the arm came nearest */
 };
 
 /* How far a row is from a solution: 0 if it is solved. */
@@ -913,10 +912,6 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 2; i++)
         s->status[i] = KUKA_KR40PA_UNREACHABLE;
     solve(s->T, s->seed, s->q, s->status);
-    if (shortfall(s) > s->best) {
-        s->best = shortfall(s);
-        s->at = s->seed[s->joint];
-    }
     return shortfall(s);
 }
 
@@ -1002,35 +997,17 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
-static double serving_in_turn(struct search *s)
-{
-    static const int joints[] = { 1, 2, 3, 0 };
-    double serving = NAN, before = -HUGE_VAL;
-    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
-        before = s->best;
-        s->seed[s->joint] = s->at;
-        s->joint = joints[k % 4];
-        s->start = s->at = s->seed[s->joint];
-        serving = serving_value(s);
-    }
-    return serving;
-}
-
 /* Another value for a joint that had been chosen, if one serves. */
 static void choose_again(
     const double T[16], const double seed[4], int row, double q[2][4], unsigned char status[2])
 {
     const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row, .best = -HUGE_VAL };
+    struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    if (isnan(nearest) && !nearly)
-        nearest = serving_in_turn(&lost);
+const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : KUKA_KR40PA_UNREACHABLE;

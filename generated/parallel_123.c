@@ -801,7 +801,6 @@ struct search {
     double seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
-    double best, at; /* where the arm came nearest */
     double by; /* how far roots are moved */
 };
 
@@ -820,10 +819,6 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 8; i++)
         s->status[i] = PARALLEL_123_UNREACHABLE;
     solve(s->T, s->seed, s->by, s->q, s->status);
-    if (shortfall(s) > s->best) {
-        s->best = shortfall(s);
-        s->at = s->seed[s->joint];
-    }
     return shortfall(s);
 }
 
@@ -909,35 +904,17 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
-static double serving_in_turn(struct search *s)
-{
-    static const int joints[] = { 5, 0, 1, 2 };
-    double serving = NAN, before = -HUGE_VAL;
-    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
-        before = s->best;
-        s->seed[s->joint] = s->at;
-        s->joint = joints[k % 4];
-        s->start = s->at = s->seed[s->joint];
-        serving = serving_value(s);
-    }
-    return serving;
-}
-
 /* Another value for a joint that had been chosen, if one serves. */
 static void choose_again(
     const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
 {
     const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row, .best = -HUGE_VAL };
+    struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    if (isnan(nearest) && !nearly)
-        nearest = serving_in_turn(&lost);
+const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : PARALLEL_123_UNREACHABLE;

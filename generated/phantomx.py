@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx ac33755e95b89748"
+_KEY = "phantomx 793a4dfef22724bf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -994,38 +994,6 @@ def _serving_digits(pose, seed, search, q, status):
 
 
 @_inner
-def _nearest_miss(pose, seed, search, q, status):
-    """How far a free joint has to be moved until the arm comes nearest to its pose."""
-    step = 0.09817477042468103
-    first = _attempt(pose, seed, search, 0.0, q, status)
-    best, at = first, 0.0
-    for k in range(-32, 32 + 1):
-        here = _attempt(pose, seed, search, k * step, q, status)
-        if here > best:
-            best, at = here, k * step
-    at = _peak(pose, seed, search, at - step, at + step, q, status)
-    return at if _attempt(pose, seed, search, at, q, status) > first else 0.0
-
-
-@_inner
-def _serving_in_turn(pose, seed, search, q, status):
-    """Several joints are free, and none serves by itself: the search and the move that do.
-
-    In turn each is moved to where the arm comes nearest, until one serves.
-    """
-    for k in range(12):
-        moved = _nearest_miss(pose, seed, search, q, status)
-        if k > 0 and moved == 0.0:
-            break
-        seed[search[1]] += moved
-        search = search[0], (0, 1, 2, 3)[k % 4], False
-        moved = _serving(pose, seed, search, q, status)
-        if not math.isnan(moved):
-            return search, moved
-    return search, math.nan
-
-
-@_inner
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -1040,8 +1008,6 @@ def _choose_again(pose, given, row, q, status):
     else:
         seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, seed, search, trial, result)
-        if math.isnan(moved):
-            search, moved = _serving_in_turn(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
     status[row] = result[row] if served else UNREACHABLE

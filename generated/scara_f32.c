@@ -684,8 +684,9 @@ static void stand(const float T[16], int row, float rows[2][4], const unsigned c
     if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
     for (int k = 0; k < 2; k++)
-        if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f &&
-            half_way(rows[k], x, half) < half_way(q, x, half))
+        if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
+            && half_way(rows[k], q, half) > 0.00031622776f && half_way(rows[k], x, half) <
+                half_way(q, x, half))
             return;
     off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))

@@ -24,13 +24,6 @@ static double wrap(double angle)
 #define HELPER static inline
 #define APART static
 #endif
-#if defined(__clang__)
-#define UNROLLED _Pragma("unroll")
-#elif defined(__GNUC__) && __GNUC__ >= 8
-#define UNROLLED _Pragma("GCC unroll 2")
-#else
-#define UNROLLED
-#endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
 #define minimum_double(a, b) ((a) < (b) ? (a) : (b))
@@ -512,7 +505,6 @@ static const double
     k2 = 10.237300628570258, /* 1 / k1 [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
-    m2 = 0.5, /* 1 / 2 */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m4 = 1.6429994031951628e-15,
@@ -602,103 +594,109 @@ static int read_pose(const double given[16], double T[16])
     return 2;
 }
 
-
-/* What one pose and many compute alike: values without signs of branches, with the first, with
- * all that are in lanes. */
-#define KNOWN(number) \
-    /* theta3 */ \
-    const number v13 = d5 * T33, v14 = T34 - d1; \
-    /* theta2 */ \
-    const number v25 = v13 * v14, v27 = v14 * v14
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(
     const wide T[16], const wide free_joints[1], wide q[20], wide_mask kind[4])
 {
     ENTRIES(wide);
-    wide_mask left = (irregularity_wide(T, free_joints) <= 1e-24) == 0;
-    KNOWN(wide);
 
     /* theta1 */
     const wide v1 = signed_wide(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
         v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1, angle1 = atan2_wide(-v3, -v2),
-        v8 = signed_wide(half_turn, -v3);
+        factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1, angle1 = atan2_wide(-v3, -v2);
 
     /* theta234 */
-    const wide v9 = w1 * (v5 * (T13 * v2 + T23 * v3)), v10 = T33 * T33 + v9 * v9,
-        w234 = sqrt_wide(v10), v11 = 1.0 / v10, v12 = w234 * v11, angle2 = atan2_wide(-v9, T33);
+    const wide v8 = w1 * (v5 * (T13 * v2 + T23 * v3)), v9 = T33 * T33 + v8 * v8,
+        w234 = sqrt_wide(v9), v10 = 1.0 / v9, v11 = w234 * v10, angle2 = atan2_wide(-v8, T33);
 
     /* theta3 */
-    const wide v15 = v12 * v13, Z1_3 = v14 - v15, v16 = d5 * v9, v17 = T14 * v6 + T24 * v7,
-        v19 = v12 * v16, v23 = Z1_3 * Z1_3;
+    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = v11 * v12, Z1_3 = v13 - v14, v15 = d5 * v8,
+        v16 = T14 * v6 + T24 * v7, v17 = a1 + v16, v18 = a1 - v16, v19 = v11 * v15, v20 = v19 - v17,
+        v21 = w234 * (v10 * v15), Z2_3_p = v21 - v17, v22 = v18 + v21, v23 = Z1_3 * Z1_3,
+        N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + v22 * v22, K3_p = N3_p - k1, K3_m = N3_m - k1,
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v24 = w3_p - w3_p, v25 = w3_m - w3_m, s3_p = k2 * w3_p,
+        s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m, angle3 = atan2_wide(w3_p, K3_p),
+        angle4 = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
-    const wide v26 = v11 * (v13 * v13 + v16 * v16);
+    const wide v26 = v12 * v13, v27 = v10 * (v12 * v12 + v15 * v15), v28 = v13 * v13,
+        Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17))),
+        Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18))),
+        v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m7 * v20),
+        v32 = v29 + w3_p * (m7 * -v20), v33 = w3_m * (m7 * (v18 + v19)), v34 = v30 - v33,
+        v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m7 * Z1_3,
+        v39 = m7 * -Z1_3, C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39,
+        v40 = v37 + w3_m * v38, v41 = v37 + w3_m * v39, v42 = v31 * v31 + C2_pp * C2_pp,
+        v43 = v32 * v32 + C2_pm * C2_pm, v44 = v34 * v34 + v40 * v40, v45 = v35 * v35 + v41 * v41,
+        w2_pp = sqrt_wide(v42), w2_pm = sqrt_wide(v43), w2_mp = sqrt_wide(v44),
+        w2_mm = sqrt_wide(v45), v46 = 1.0 / v42, v47 = 1.0 / v43, v48 = 1.0 / v44, v49 = 1.0 / v45,
+        factor2_pp = w2_pp * v46, factor2_pm = w2_pm * v47, factor2_mp = w2_mp * v48,
+        factor2_mm = w2_mm * v49, angle5 = atan2_wide(-v31, C2_pp),
+        angle6 = atan2_wide(-v32, C2_pm), angle7 = atan2_wide(-v34, -v40),
+        angle8 = atan2_wide(-v35, -v41);
 
     /* is the pose one that the arm can take? */
-    const wide v36 = d1 + v15, v37 = T33 - T33 * v12, v38 = T13 - v12 * (v6 * v9),
-        v39 = T23 - v12 * (v7 * v9);
+    const wide v50 = a1 - v19, v51 = a1 + v19,
+        v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp)),
+        v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm)),
+        v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40)),
+        v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41)), v56 = d1 + v14,
+        v57 = T33 - T33 * v11, v58 = T13 - v11 * (v6 * v8), v59 = T23 - v11 * (v7 * v8),
+        v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 *
+            v31))),
+        v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 *
+            v32))),
+        v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 *
+            v34))),
+        v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 *
+            v35))), v64 = T14 + v6 * v52, v65 = T14 + v6 * v53, v66 = T14 - v6 * v54,
+        v67 = T14 - v6 * v55, v68 = T24 + v7 * v52, v69 = T24 + v7 * v53, v70 = T24 - v7 * v54,
+        v71 = T24 - v7 * v55, v72 = v60 * v60 + v64 * v64 + v68 * v68,
+        v73 = v61 * v61 + v65 * v65 + v69 * v69, v74 = v62 * v62 + v66 * v66 + v70 * v70,
+        v75 = v63 * v63 + v67 * v67 + v71 * v71;
 
     /* joint values */
-    const double v48 = NAN;
-    const wide_mask doubt1 = (v10 <= m3) | (m9 < v37 * v37 + v38 * v38 + v39 * v39) | (v4 <= m1);
-    left |= doubt1;
+    const wide v76 = angle2 - (angle3 + angle5) - offset4,
+        v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
+        v79 = offset4 + (angle2 + (angle8 - angle4)),
+        v80 = v76 + pick_wide(v76 <= -half_turn, all_wide(turn), only_wide(half_turn < v76, -turn)),
+        v81 = v77 + pick_wide(v77 <= -half_turn, all_wide(turn), only_wide(half_turn < v77, -turn)),
+        v82 = pick_wide(-v78 <= -half_turn, all_wide(turn), only_wide(half_turn < -v78, -turn)) -
+            v78,
+        v83 = pick_wide(-v79 <= -half_turn, all_wide(turn), only_wide(half_turn < -v79, -turn)) -
+            v79;
+    const double v84 = NAN;
+    const wide v85 = only_wide((v72 <= m10) == 0, v84), v86 = only_wide((v73 <= m10) == 0, v84),
+        v87 = only_wide((v74 <= m10) == 0, v84), v88 = only_wide((v75 <= m10) == 0, v84),
+        v89 = angle1 + v24, v90 = v25 + (angle1 - signed_wide(half_turn, -v3)),
+        v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
+    const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
+        ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
+        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
+        ((-m5 <= D3_p) & (D3_p <= m4)) | ((-m5 <= D3_m) & (D3_m <= m4));
 
-    UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* left, right */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
-
-        /* theta3 */
-        const wide v18 = a1 + e1 * v17, v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16,
-            Z2_3 = w234 * (v11 * v22) - v18, N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1,
-            D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v24 = w3 - w3;
-        const wide_mask doubt2 = (-m5 <= D3) & (D3 <= m4);
-        const wide s3 = k2 * w3, c3 = k2 * K3, angle3 = atan2_wide(w3, K3);
-
-        /* theta2 */
-        const wide Y1_2 = m7 * (v26 + (v27 + v18 * v18)) - w234 * (m6 * (v11 * (v25 + v18 * v22))),
-            v28 = Z1_3 * Y1_2, v30 = Z2_3 * Y1_2;
-
-        /* is the pose one that the arm can take? */
-        const wide v34 = a1 - v20;
-
-        /* joint values */
-        const wide v45 = e1 * angle2, v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))),
-            v51 = v24 + free_joints[0];
-        left |= doubt2;
-
-        UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* down, up */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
-
-            /* theta2 */
-            const wide v29 = v28 + w3 * (m7 * (e2 * v21)), v31 = m7 * (e2 * Z1_3),
-                C2 = v30 - w3 * v31, v32 = v29 * v29 + C2 * C2, w2 = sqrt_wide(v32),
-                v33 = 1.0 / v32, factor2 = w2 * v33, angle4 = atan2_wide(-v29, C2);
-
-            /* is the pose one that the arm can take? */
-            const wide v35 = v34 + w2 * (v33 * (a3 * (c3 * C2 + e2 * (s3 * v29)) + a2 * C2)),
-                v40 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 * (a2 *
-                    v29))), v41 = T14 + e1 * (v6 * v35), v42 = T24 + e1 * (v7 * v35),
-                v43 = v40 * v40 + v41 * v41 + v42 * v42;
-
-            /* joint values */
-            const wide v44 = e2 * angle3, v46 = v45 - (angle4 + v44) - offset4,
-                v47 = v46 + pick_wide(v46 <= -half_turn, all_wide(turn), only_wide(half_turn < v46,
-                    -turn)), v49 = only_wide((v43 <= m10) == 0, v48);
-            const wide_mask doubt3 = (v32 <= m8) | ((m10 < v43) & (v43 <= m11));
-            const int row = 2 * i1 + i2;
-            q[5 * row] = v49 + v50; q[5 * row + 1] = angle4 + v49; q[5 * row + 2] = v44 + v49;
-            q[5 * row + 3] = v49 + (v47 + only_wide(v47 <= -half_turn, turn));
-            q[5 * row + 4] = v49 + v51;
-            kind[row] = kind_of(q[5 * row], 0);
-            left |= doubt3;
-        }
-    }
-    return left;
+    q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
+    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, turn)); q[4] = v85 + v91;
+    kind[0] = kind_of(q[0], 0);
+    q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3;
+    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, turn)); q[9] = v86 + v91;
+    kind[1] = kind_of(q[5], 0);
+    q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87;
+    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, turn)); q[14] = v87 + v92;
+    kind[2] = kind_of(q[10], 0);
+    q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4;
+    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, turn)); q[19] = v88 + v92;
+    kind[3] = kind_of(q[15], 0);
+    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -708,7 +706,6 @@ HELPER int solve_regular(
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
-    KNOWN(double);
 
     /* theta1 */
     const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
@@ -720,7 +717,8 @@ HELPER int solve_regular(
         w234 = sqrt(v10), v11 = 1.0 / v10, v12 = w234 * v11;
 
     /* theta3 */
-    const double v15 = v12 * v13, Z1_3 = v14 - v15, v16 = d5 * v9, v17 = T14 * v6 + T24 * v7;
+    const double v13 = d5 * T33, v14 = T34 - d1, v15 = v12 * v13, Z1_3 = v14 - v15, v16 = d5 * v9,
+        v17 = T14 * v6 + T24 * v7;
     const four v18 = a1 + e1 * v17;
     const double v19 = v12 * v16;
     const four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16, Z2_3 = w234 * (v11 * v22) - v18;
@@ -731,7 +729,7 @@ HELPER int solve_regular(
     const four s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
-    const double v26 = v11 * (v13 * v13 + v16 * v16);
+    const double v25 = v13 * v14, v26 = v11 * (v13 * v13 + v16 * v16), v27 = v14 * v14;
     const four Y1_2 = m7 * (v26 + (v27 + v18 * v18)) - w234 * (m6 * (v11 * (v25 + v18 * v22))),
         v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m7 * (e2 * v21)), v30 = Z2_3 * Y1_2,
         v31 = m7 * (e2 * Z1_3), C2 = v30 - w3 * v31, v32 = v29 * v29 + C2 * C2, w2 = sqrt_four(v32),
@@ -951,7 +949,6 @@ struct search {
     double seed[5], start, q[4][5];
     unsigned char status[4];
     int joint, row;
-    double best, at; /* where the arm came nearest */
 };
 
 /* How far a row is from a solution: 0 if it is solved. */
@@ -969,10 +966,6 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 4; i++)
         s->status[i] = SCORBOT_POINTING_UNREACHABLE;
     solve(s->T, s->free_joints, s->seed, s->q, s->status);
-    if (shortfall(s) > s->best) {
-        s->best = shortfall(s);
-        s->at = s->seed[s->joint];
-    }
     return shortfall(s);
 }
 
@@ -1058,36 +1051,18 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
-static double serving_in_turn(struct search *s)
-{
-    static const int joints[] = { 0, 1, 2, 3 };
-    double serving = NAN, before = -HUGE_VAL;
-    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
-        before = s->best;
-        s->seed[s->joint] = s->at;
-        s->joint = joints[k % 4];
-        s->start = s->at = s->seed[s->joint];
-        serving = serving_value(s);
-    }
-    return serving;
-}
-
 /* Another value for a joint that had been chosen, if one serves. */
 static void choose_again(
     const double T[16], const double free_joints[1], const double seed[5], int row, double q[4][5],
     unsigned char status[4])
 {
     const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row, .free_joints = free_joints, .best = -HUGE_VAL };
+    struct search lost = { .T = T, .row = row, .free_joints = free_joints };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    if (isnan(nearest) && !nearly)
-        nearest = serving_in_turn(&lost);
+const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : SCORBOT_POINTING_UNREACHABLE;

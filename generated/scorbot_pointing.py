@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 4ab736c11c3c0cd3"
+_KEY = "scorbot_pointing 88a1727efc067b35"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1012,38 +1012,6 @@ def _serving_digits(pose, q_free, seed, search, q, status):
 
 
 @_inner
-def _nearest_miss(pose, q_free, seed, search, q, status):
-    """How far a free joint has to be moved until the arm comes nearest to its pose."""
-    step = 0.09817477042468103
-    first = _attempt(pose, q_free, seed, search, 0.0, q, status)
-    best, at = first, 0.0
-    for k in range(-32, 32 + 1):
-        here = _attempt(pose, q_free, seed, search, k * step, q, status)
-        if here > best:
-            best, at = here, k * step
-    at = _peak(pose, q_free, seed, search, at - step, at + step, q, status)
-    return at if _attempt(pose, q_free, seed, search, at, q, status) > first else 0.0
-
-
-@_inner
-def _serving_in_turn(pose, q_free, seed, search, q, status):
-    """Several joints are free, and none serves by itself: the search and the move that do.
-
-    In turn each is moved to where the arm comes nearest, until one serves.
-    """
-    for k in range(12):
-        moved = _nearest_miss(pose, q_free, seed, search, q, status)
-        if k > 0 and moved == 0.0:
-            break
-        seed[search[1]] += moved
-        search = search[0], (0, 1, 2, 3)[k % 4], False
-        moved = _serving(pose, q_free, seed, search, q, status)
-        if not math.isnan(moved):
-            return search, moved
-    return search, math.nan
-
-
-@_inner
 def _choose_again(pose, q_free, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -1058,8 +1026,6 @@ def _choose_again(pose, q_free, given, row, q, status):
     else:
         seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, q_free, seed, search, trial, result)
-        if math.isnan(moved):
-            search, moved = _serving_in_turn(pose, q_free, seed, search, trial, result)
     _attempt(pose, q_free, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
     status[row] = result[row] if served else UNREACHABLE

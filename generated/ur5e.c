@@ -1147,8 +1147,9 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
     for (int k = 0; k < 8; k++)
-        if (status[k] != UR5E_UNREACHABLE && past_ends(rows[k]) <= 0.0 &&
-            half_way(rows[k], x, half) < half_way(q, x, half))
+        if (status[k] != UR5E_UNREACHABLE && past_ends(rows[k]) <= 0.0
+            && half_way(rows[k], q, half) > 1e-07 && half_way(rows[k], x, half) < half_way(q, x,
+                half))
             return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -4167,8 +4167,9 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
     if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
     for (int k = 0; k < 16; k++)
-        if (status[k] != YASKAWA_HC10_UNREACHABLE && past_ends(rows[k]) <= 0.0 &&
-            half_way(rows[k], x, half) < half_way(q, x, half))
+        if (status[k] != YASKAWA_HC10_UNREACHABLE && past_ends(rows[k]) <= 0.0
+            && half_way(rows[k], q, half) > 1e-07 && half_way(rows[k], x, half) < half_way(q, x,
+                half))
             return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

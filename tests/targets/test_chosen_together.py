@@ -39,7 +39,7 @@ IN_LINE = {"both": np.pi / 2, "folded": -np.pi / 2, "aside": 0.7}
 
 @cache
 def compiled() -> Compilation:
-    return made_up("long_arm", ROWS, "task: pose\nfree: [2]\n")
+    return made_up("outstretched", ROWS, "task: pose\nfree: [2]\n")
 
 
 @cache
@@ -69,7 +69,7 @@ def test_a_pair_of_values_is_found_without_a_seed(way: str) -> None:
 
 
 def test_without_numba_it_is_the_same_pair() -> None:
-    python = without_numba(compiled().files["long_arm.py"], "long_arm")
+    python = without_numba(compiled().files["outstretched.py"], "outstretched")
     for pose in poses(IN_LINE["folded"], 3)[1]:
         rows, status = in_c().ik(pose, np.zeros(7), np.array([np.pi]))
         others, kinds = python.ik_all(pose, [np.pi])

@@ -101,7 +101,8 @@ def searches_of(module: SolverModule) -> Searches:
     again, within = chooses_again(module.solver), _keeps_limits(module)
     tolerances = module.precision.tolerances
     tightens = module.solver.tightened is not None
-    joints, together = choosable(module.solver), lost_together(module.solver)
+    joints = choosable(module.solver)
+    together = () if tightens else lost_together(module.solver)  # those seek with least squares
     return Searches(
         some=again or within,
         chooses_again=again,

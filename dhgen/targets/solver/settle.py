@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -63,6 +64,7 @@ class Settle:
         steps_aside: So many of them are made.
         aside: Times the whole way: how far steps lead from half way.
         alike: Two misses within so many times are the same.
+        apart: Two solutions that differ by less are told apart by rounding [rad, arm sizes].
         told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
     """
 
@@ -74,6 +76,7 @@ class Settle:
     paces: str
     together: str
     fine: str
+    apart: float
     told_by_nothing: float
     cautious: str = repr(CAUTIOUS)
     damping: str = repr(DAMPING)
@@ -105,6 +108,7 @@ def settle_of(module: SolverModule) -> Settle:
         paces=", ".join(_pace(joint, chain) for joint in chain.joints),
         together=repr(max(TOGETHER, BEYOND_TOLD * tolerances.told)),
         fine=repr(tolerances.fine),
+        apart=math.sqrt(tolerances.merge),
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
     )
 
