@@ -404,7 +404,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 b9cfac7a9b1f70dc"
+_KEY = "abb_irb120 cc1ae815f4a6d0c9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -981,6 +981,11 @@ def _lead_inside(pose, enough, most, q):
     """
     if _settle(pose, enough, most, q):
         return True
+    past = 0
+    for i in range(6):
+        past += _past_an_end(i, q[i]) != 0.0
+    if past < 2:
+        return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
     for farther in (2.0, 4.0, 8.0, 16.0):
         for i in range(6):

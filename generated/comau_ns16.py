@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 8b713b63de4e60dc"
+_KEY = "comau_ns16 2ab1fb0684636d46"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -997,6 +997,11 @@ def _lead_inside(pose, enough, most, q):
     """
     if _settle(pose, enough, most, q):
         return True
+    past = 0
+    for i in range(6):
+        past += _past_an_end(i, q[i]) != 0.0
+    if past < 2:
+        return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
     for farther in (2.0, 4.0, 8.0, 16.0):
         for i in range(6):

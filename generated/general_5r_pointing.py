@@ -419,7 +419,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 9a2509c881a08dea"
+_KEY = "general_5r_pointing 7a32d11bc4e955cd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2475,6 +2475,11 @@ def _lead_inside(pose, enough, most, q):
     """
     if _settle(pose, enough, most, q):
         return True
+    past = 0
+    for i in range(5):
+        past += _past_an_end(i, q[i]) != 0.0
+    if past < 2:
+        return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
     for farther in (2.0, 4.0, 8.0, 16.0):
         for i in range(5):

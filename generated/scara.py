@@ -296,7 +296,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 05ac22a00495ef18"
+_KEY = "scara 67ee61bb167779bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -837,6 +837,11 @@ def _lead_inside(pose, enough, most, q):
     """
     if _settle(pose, enough, most, q):
         return True
+    past = 0
+    for i in range(4):
+        past += _past_an_end(i, q[i]) != 0.0
+    if past < 2:
+        return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
     for farther in (2.0, 4.0, 8.0, 16.0):
         for i in range(4):

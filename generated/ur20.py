@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur20 073cde72c61b949f"
+_KEY = "ur20 71bf7376abe0aa7c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1088,6 +1088,11 @@ def _lead_inside(pose, enough, most, q):
     """
     if _settle(pose, enough, most, q):
         return True
+    past = 0
+    for i in range(6):
+        past += _past_an_end(i, q[i]) != 0.0
+    if past < 2:
+        return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
     for farther in (2.0, 4.0, 8.0, 16.0):
         for i in range(6):

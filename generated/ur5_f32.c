@@ -890,17 +890,20 @@ static int settle(const float T[16], float enough, float most, float q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are beyond, or else inside: two of them may not be
- * able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
+ * to
+ * stand on their ends at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[6])
 {
     static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
     float x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
+    int past = 0;
+    for (int i = 0; i < 6; i++)
+        past += fabsf(past_an_end(i, q[i])) > 0.0f;
     enough = off_pose(T, q, e) + 1e-06f;
-    for (int k = 0; k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
         for (int i = 0; i < 6; i++)
             x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0f)
