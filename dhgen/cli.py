@@ -23,8 +23,6 @@ MEANT = {
     **{verb: f"dhgen {verb}" for verb in ("explain", "survey")},
     **{option: f"dhgen --{option}" for option in ("check", "numerical", "help", "version")},
 }
-
-
 # Where nobody reads what a command says it is not known to have gone well: a derivation alone has
 # been read as far as was wanted.
 READER_GONE = 1
@@ -37,7 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a terminal that can't show a letter shows ?
             stream.reconfigure(errors="replace")
-    code = READER_GONE
+    code = 0
     try:
         code = _run(words)
         sys.stdout.flush()
@@ -46,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _tell(str(error))
     except BrokenPipeError:  # the reader of our output has seen enough
         _lose_output()
-        code = 0 if words[:1] == ["explain"] else code or READER_GONE
+        code = 0 if words[:1] == ["explain"] else max(code, READER_GONE)
     except OSError as error:
         code = 1
         _tell(f"dhgen: {error.strerror or error}: {error.filename or 'output'}")

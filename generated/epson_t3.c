@@ -844,18 +844,17 @@ static int lead_inside(const double T[16], double enough, double most, double q[
  * */
 static void stand(const double T[16], int row, double rows[2][4], const unsigned char status[2])
 {
-    double x[4], half[4], *q = rows[row], off = past_ends(q);
+    double x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
+    off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != EPSON_T3_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, half) > 1e-07 && half_way(rows[k], x, half) < half_way(q, x,
-                half))
+            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
             return;
-    off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
 }

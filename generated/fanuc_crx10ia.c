@@ -4178,18 +4178,17 @@ static int lead_inside(const double T[16], double enough, double most, double q[
  * */
 static void stand(const double T[16], int row, double rows[16][6], const unsigned char status[16])
 {
-    double x[6], half[6], *q = rows[row], off = past_ends(q);
+    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
+    off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
         if (status[k] != FANUC_CRX10IA_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, half) > 1e-07 && half_way(rows[k], x, half) < half_way(q, x,
-                half))
+            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
             return;
-    off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
 }

@@ -3881,18 +3881,17 @@ static int settle(const double T[16], double enough, double most, double q[7])
  * */
 static void stand(const double T[16], int row, double rows[16][7], const unsigned char status[16])
 {
-    double x[7], half[7], *q = rows[row], off = beyond_limits(q);
+    double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
     if (!(0.0 < off && off < 0.01))
         return;
     take(q, x);
     if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
+    off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
         if (status[k] != KINOVA_GEN3_7_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, half) > 1e-07 && half_way(rows[k], x, half) < half_way(q, x,
-                half))
+            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
             return;
-    off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
 }

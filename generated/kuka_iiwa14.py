@@ -426,7 +426,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 4c1dcd02fb7e680d"
+_KEY = "kuka_iiwa14 c2eadf79472b65a9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1033,16 +1033,15 @@ def _stand(pose, row, rows, status):
     off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
-    x, half = q.copy(), np.empty(7)
+    x, half, to = q.copy(), np.empty(7), np.empty(7)
     most = max(10.0 * off, 0.001)
     if not _settle(pose, math.nan, most, x):
         return
+    off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
-            nearer = _half_way(rows[k], x, half) < _half_way(q, x, half)
-            if nearer and _half_way(rows[k], q, half) > 1e-07:
+            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
-    off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
 
@@ -1673,8 +1672,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
 def _ik_into(T, q_free, q, status, q_seed=None):
     def solve(T, q_free, q, status, q_seed=None):
         if q_seed is None:
-            return _unseeded(_lent(T), q_free, _lent(q), _lent(status))
-        return _seeded(_lent(T), q_free, _lent(q), _lent(status), _lent(q_seed))
+            return _unseeded(_lent(T), _lent(q_free), _lent(q), _lent(status))
+        return _seeded(_lent(T), _lent(q_free), _lent(q), _lent(status), _lent(q_seed))
 
     return solve
 

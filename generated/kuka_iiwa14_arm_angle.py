@@ -482,7 +482,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 6077926f3237d7ec"
+_KEY = "kuka_iiwa14_arm_angle 82dc566b78a945ff"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1383,8 +1383,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
 def _ik_into(T, q_free, q, status, q_seed=None):
     def solve(T, q_free, q, status, q_seed=None):
         if q_seed is None:
-            return _unseeded(_lent(T), q_free, _lent(q), _lent(status))
-        return _seeded(_lent(T), q_free, _lent(q), _lent(status), _lent(q_seed))
+            return _unseeded(_lent(T), _lent(q_free), _lent(q), _lent(status))
+        return _seeded(_lent(T), _lent(q_free), _lent(q), _lent(status), _lent(q_seed))
 
     return solve
 

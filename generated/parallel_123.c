@@ -819,7 +819,8 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 8; i++)
         s->status[i] = PARALLEL_123_UNREACHABLE;
     solve(s->T, s->seed, s->by, s->q, s->status);
-    return shortfall(s);
+    const double result = shortfall(s);
+    return result;
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */

@@ -612,11 +612,12 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 2; i++)
         s->status[i] = PLANAR_RRR_UNREACHABLE;
     solve(s->T, s->seed, s->q, s->status);
-    if (shortfall(s) > s->best) {
-        s->best = shortfall(s);
+    const double result = shortfall(s);
+    if (result > s->best) {
+        s->best = result;
         s->at = s->seed[s->joint];
     }
-    return shortfall(s);
+    return result;
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */

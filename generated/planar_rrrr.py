@@ -246,7 +246,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 66def8b50396ed94"
+_KEY = "planar_rrrr b10fe0933026bbb0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -722,16 +722,15 @@ def _stand(pose, row, rows, status):
     off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
-    x, half = q.copy(), np.empty(4)
+    x, half, to = q.copy(), np.empty(4), np.empty(4)
     most = max(10.0 * off, 0.001)
     if not _settle(pose, math.nan, most, x):
         return
+    off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
-            nearer = _half_way(rows[k], x, half) < _half_way(q, x, half)
-            if nearer and _half_way(rows[k], q, half) > 1e-07:
+            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
-    off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
 

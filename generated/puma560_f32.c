@@ -785,18 +785,17 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
  * */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
-    float x[6], half[6], *q = rows[row], off = past_ends(q);
+    float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
+    off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != PUMA560_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
-            && half_way(rows[k], q, half) > 0.00031622776f && half_way(rows[k], x, half) <
-                half_way(q, x, half))
+            && half_way(rows[k], q, to) > 0.00031622776f && half_way(rows[k], x, to) < off)
             return;
-    off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
 }

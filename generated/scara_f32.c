@@ -680,18 +680,17 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
  * */
 static void stand(const float T[16], int row, float rows[2][4], const unsigned char status[2])
 {
-    float x[4], half[4], *q = rows[row], off = past_ends(q);
+    float x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
+    off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
-            && half_way(rows[k], q, half) > 0.00031622776f && half_way(rows[k], x, half) <
-                half_way(q, x, half))
+            && half_way(rows[k], q, to) > 0.00031622776f && half_way(rows[k], x, to) < off)
             return;
-    off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
 }

@@ -966,7 +966,8 @@ static double attempt(struct search *s, double moved)
     for (int i = 0; i < 4; i++)
         s->status[i] = SCORBOT_POINTING_UNREACHABLE;
     solve(s->T, s->free_joints, s->seed, s->q, s->status);
-    return shortfall(s);
+    const double result = shortfall(s);
+    return result;
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */

@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 88a1727efc067b35"
+_KEY = "scorbot_pointing 84f3f0d2a61d8221"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1647,8 +1647,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
 def _ik_into(T, q_free, q, status, q_seed=None):
     def solve(T, q_free, q, status, q_seed=None):
         if q_seed is None:
-            return _unseeded(_lent(T), q_free, _lent(q), _lent(status))
-        return _seeded(_lent(T), q_free, _lent(q), _lent(status), _lent(q_seed))
+            return _unseeded(_lent(T), _lent(q_free), _lent(q), _lent(status))
+        return _seeded(_lent(T), _lent(q_free), _lent(q), _lent(status), _lent(q_seed))
 
     return solve
 

@@ -570,11 +570,11 @@ static float attempt(struct search *s, float moved)
     for (int i = 0; i < 8; i++)
         s->status[i] = UR5_F32_UNREACHABLE;
     solve(s->T, s->seed, s->q, s->status);
-    if (shortfall(s) > s->best) {
-        s->best = shortfall(s);
+    const float result = shortfall(s);
+    if (result > s->best) {
+        s->best = result;
         s->at = s->seed[s->joint];
     }
-    const float result = shortfall(s);
     return result == 0.0f && s->within ? -beyond_limits(s->q[s->row]) : result;
 }
 
@@ -919,18 +919,17 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
  * */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
-    float x[6], half[6], *q = rows[row], off = past_ends(q);
+    float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
     if (!(0.0f < off && off < 0.01f))
         return;
     take(q, x);
     if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
+    off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != UR5_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
-            && half_way(rows[k], q, half) > 0.00031622776f && half_way(rows[k], x, half) <
-                half_way(q, x, half))
+            && half_way(rows[k], q, to) > 0.00031622776f && half_way(rows[k], x, to) < off)
             return;
-    off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
 }

@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5e 27c9ebd9a5f84074"
+_KEY = "ur5e 60ce64f140f0b6b2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1114,16 +1114,15 @@ def _stand(pose, row, rows, status):
     off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
-    x, half = q.copy(), np.empty(6)
+    x, half, to = q.copy(), np.empty(6), np.empty(6)
     most = max(10.0 * off, 0.001)
     if not _lead_inside(pose, math.nan, most, x):
         return
+    off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            nearer = _half_way(rows[k], x, half) < _half_way(q, x, half)
-            if nearer and _half_way(rows[k], q, half) > 1e-07:
+            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
-    off = _half_way(q, x, half)
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
 

@@ -20,12 +20,14 @@ class PythonCalls(Calls):
     """How functions are called and compiled.
 
     Attributes:
+        free_lent: Those that the caller gives, lent to compiled code.
         free_batch: The values that the caller gives for pose k.
         compiles_apart: Whether there are functions that few poses need.
         share: Poses that are worth a thread.
         tile: Poses that are solved side by side.
     """
 
+    free_lent: str
     free_batch: str
     compiles_apart: bool
     share: int = SHARE
@@ -39,6 +41,7 @@ def python_calls(module: SolverModule, common: Common) -> PythonCalls:
     return PythonCalls(
         free_parameter=", q_free" if given else "",
         free_argument=", q_free" if given else "",
+        free_lent=", _lent(q_free)" if given else "",
         free_batch=", q_free[k]" if given else "",
         compiles_apart=rare or common.programs.solves_whole,
     )
