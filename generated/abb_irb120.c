@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -231,9 +234,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -477,34 +482,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mmm = only_wide(-v49 <= -half_turn, turn) - v49,
         q3_ppp = q3__p + only_wide(q3__p <= -half_turn, turn),
         q3_pmp = only_wide(-v8 <= -half_turn, turn) - v8;
-    const wide_mask v50 = beyond(q1__p, 1), v51 = beyond(q1__m, 1), v52 = beyond(q3_ppp, 3),
+    const wide_mask v50 = exceeds(q1__p, 1), v51 = exceeds(q1__m, 1), v52 = beyond(q3_ppp, 3),
         v53 = beyond(q3_pmp, 3);
     const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
-    const wide_mask v54 = v52 | v50 | beyond(q2_ppp, 2), v55 = v53 | v50 | beyond(q2_pmp, 2),
-        v56 = v52 | v51 | beyond(q2_mpp, 2), v57 = v53 | v51 | beyond(q2_mmp, 2),
+    const wide_mask v54 = v52 | v50 | exceeds(q2_ppp, 2), v55 = v53 | v50 | exceeds(q2_pmp, 2),
+        v56 = v52 | v51 | exceeds(q2_mpp, 2), v57 = v53 | v51 | exceeds(q2_mmp, 2),
         doubt1 = (abs_wide(D3) <= m2) | (v1 <= m1) | (v25 <= m9) | (v24 <= m9) | (v22 <= m9) | (v23
             <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2; q[4] = q5_ppp; q[5] = angle6;
-    kind[0] = kind_of(q[0], beyond(q5_ppp, 5) | v54 | beyond(angle2, 4));
+    kind[0] = kind_of(q[0], exceeds(q5_ppp, 5) | v54 | exceeds(angle2, 4));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm;
     q[11] = angle6 - signed_wide(half_turn, v32);
-    kind[1] = kind_of(q[6], beyond(q5_ppm, 5) | v54 | beyond(q4_ppm, 4));
+    kind[1] = kind_of(q[6], exceeds(q5_ppm, 5) | v54 | exceeds(q4_ppm, 4));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle3; q[16] = q5_pmp; q[17] = angle7;
-    kind[2] = kind_of(q[12], beyond(q5_pmp, 5) | v55 | beyond(angle3, 4));
+    kind[2] = kind_of(q[12], exceeds(q5_pmp, 5) | v55 | exceeds(angle3, 4));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm;
     q[23] = angle7 - signed_wide(half_turn, v33);
-    kind[3] = kind_of(q[18], beyond(q5_pmm, 5) | v55 | beyond(q4_pmm, 4));
+    kind[3] = kind_of(q[18], exceeds(q5_pmm, 5) | v55 | exceeds(q4_pmm, 4));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle4; q[28] = q5_mpp; q[29] = angle8;
-    kind[4] = kind_of(q[24], beyond(q5_mpp, 5) | v56 | beyond(angle4, 4));
+    kind[4] = kind_of(q[24], exceeds(q5_mpp, 5) | v56 | exceeds(angle4, 4));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm;
     q[35] = angle8 - signed_wide(half_turn, v34);
-    kind[5] = kind_of(q[30], beyond(q5_mpm, 5) | v56 | beyond(q4_mpm, 4));
+    kind[5] = kind_of(q[30], exceeds(q5_mpm, 5) | v56 | exceeds(q4_mpm, 4));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle5; q[40] = q5_mmp; q[41] = angle9;
-    kind[6] = kind_of(q[36], beyond(q5_mmp, 5) | v57 | beyond(angle5, 4));
+    kind[6] = kind_of(q[36], exceeds(q5_mmp, 5) | v57 | exceeds(angle5, 4));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm;
     q[47] = angle9 - signed_wide(half_turn, v35);
-    kind[7] = kind_of(q[42], beyond(q5_mmm, 5) | v57 | beyond(q4_mmm, 4));
+    kind[7] = kind_of(q[42], exceeds(q5_mmm, 5) | v57 | exceeds(q4_mmm, 4));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -556,6 +561,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v20 = copysign(half_turn, t24);
     const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four((four){ w3, t24, w3, w3 }, (four){ N3 - k3, -X1, N3 - k3,
         N3 - k3 }), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-(e1 * v10), v12),
         ratio4 = ratio_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16)))),
@@ -571,14 +579,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = offset5 + angle6, q5_p = v23 + only_four(v23 <= -half_turn, turn),
         q5_m = only_four(-v24 <= -half_turn, turn) - v24,
         q3_p = q3_ + only_four(q3_ <= -half_turn, turn);
-    const four_mask v25 = beyond_four(q1_, 1), v26 = beyond_four(q3_p, 3);
+    const four_mask v25 = exceeds_four(q1_, 1), v26 = beyond_four(q3_p, 3);
     const four q1_p = v3 + q1_;
-    const four_mask v27 = v26 | v25 | beyond_four(q2_p, 2),
-        outside_p = beyond_four(q5_p, 5) | v27 | beyond_four(angle2, 4),
-        outside_m = beyond_four(q5_m, 5) | v27 | beyond_four(q4_m, 4);
+    const four_mask v27 = v26 | v25 | exceeds_four(q2_p, 2),
+        outside_p = exceeds_four(q5_p, 5) | v27 | exceeds_four(angle2, 4),
+        outside_m = exceeds_four(q5_m, 5) | v27 | exceeds_four(q4_m, 4);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle2);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle3);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -590,7 +596,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * ABB_IRB120_UNREACHABLE + (outside1 & ~none1) *
         ABB_IRB120_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -140,15 +140,11 @@ k3 = 0.16900400000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 35.683793403054324  # 1 / (k1^2 + k2^2) [m^-4]
 turn1 = 1.3430303610541368  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.879790001
 high1 = 2.879790001
-low2 = -1.919860001
 high2 = 1.919860001
 low3 = -1.919860001
 high3 = 1.221730001
-low4 = -2.7925300010000003
 high4 = 2.7925300010000003
-low5 = -2.094395001
 high5 = 2.094395001
 m1 = 1.0080160000000003e-08  # doubt_limit1^2 [m^2]
 m2 = 3.897383589207785e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -404,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 f554b24920bdd347"
+_KEY = "abb_irb120 72b2401029817eeb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1277,24 +1273,24 @@ def _regular(pose, q, status):
     q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
     q3_ppp = q3__p + (turn if q3__p <= -half_turn else 0.0)
     q3_pmp = (turn if -v8 <= -half_turn else 0.0) - v8
-    v50 = q1__p < low1 or high1 < q1__p
-    v51 = q1__m < low1 or high1 < q1__m
+    v50 = high1 < abs(q1__p)
+    v51 = high1 < abs(q1__m)
     v52 = q3_ppp < low3 or high3 < q3_ppp
     v53 = q3_pmp < low3 or high3 < q3_pmp
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
-    v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
-    v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
-    v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or v54 or angle2 < low4 or high4 < angle2
-    outside_ppm = q5_ppm < low5 or high5 < q5_ppm or v54 or q4_ppm < low4 or high4 < q4_ppm
-    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or v55 or angle3 < low4 or high4 < angle3
-    outside_pmm = q5_pmm < low5 or high5 < q5_pmm or v55 or q4_pmm < low4 or high4 < q4_pmm
-    outside_mpp = q5_mpp < low5 or high5 < q5_mpp or v56 or angle4 < low4 or high4 < angle4
-    outside_mpm = q5_mpm < low5 or high5 < q5_mpm or v56 or q4_mpm < low4 or high4 < q4_mpm
-    outside_mmp = q5_mmp < low5 or high5 < q5_mmp or v57 or angle5 < low4 or high4 < angle5
-    outside_mmm = q5_mmm < low5 or high5 < q5_mmm or v57 or q4_mmm < low4 or high4 < q4_mmm
+    v54 = v52 or v50 or high2 < abs(q2_ppp)
+    v55 = v53 or v50 or high2 < abs(q2_pmp)
+    v56 = v52 or v51 or high2 < abs(q2_mpp)
+    v57 = v53 or v51 or high2 < abs(q2_mmp)
+    outside_ppp = high5 < abs(q5_ppp) or v54 or high4 < abs(angle2)
+    outside_ppm = high5 < abs(q5_ppm) or v54 or high4 < abs(q4_ppm)
+    outside_pmp = high5 < abs(q5_pmp) or v55 or high4 < abs(angle3)
+    outside_pmm = high5 < abs(q5_pmm) or v55 or high4 < abs(q4_pmm)
+    outside_mpp = high5 < abs(q5_mpp) or v56 or high4 < abs(angle4)
+    outside_mpm = high5 < abs(q5_mpm) or v56 or high4 < abs(q4_mpm)
+    outside_mmp = high5 < abs(q5_mmp) or v57 or high4 < abs(angle5)
+    outside_mmm = high5 < abs(q5_mmm) or v57 or high4 < abs(q4_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1791,24 +1787,24 @@ def _in_tiles(T, q, status):
             q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
             q3_ppp = q3__p + (turn if q3__p <= -half_turn else 0.0)
             q3_pmp = (turn if -v8 <= -half_turn else 0.0) - v8
-            v50 = q1__p < low1 or high1 < q1__p
-            v51 = q1__m < low1 or high1 < q1__m
+            v50 = high1 < abs(q1__p)
+            v51 = high1 < abs(q1__m)
             v52 = q3_ppp < low3 or high3 < q3_ppp
             v53 = q3_pmp < low3 or high3 < q3_pmp
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
-            v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
-            v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
-            v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = q5_ppp < low5 or high5 < q5_ppp or v54 or angle2 < low4 or high4 < angle2
-            outside_ppm = q5_ppm < low5 or high5 < q5_ppm or v54 or q4_ppm < low4 or high4 < q4_ppm
-            outside_pmp = q5_pmp < low5 or high5 < q5_pmp or v55 or angle3 < low4 or high4 < angle3
-            outside_pmm = q5_pmm < low5 or high5 < q5_pmm or v55 or q4_pmm < low4 or high4 < q4_pmm
-            outside_mpp = q5_mpp < low5 or high5 < q5_mpp or v56 or angle4 < low4 or high4 < angle4
-            outside_mpm = q5_mpm < low5 or high5 < q5_mpm or v56 or q4_mpm < low4 or high4 < q4_mpm
-            outside_mmp = q5_mmp < low5 or high5 < q5_mmp or v57 or angle5 < low4 or high4 < angle5
-            outside_mmm = q5_mmm < low5 or high5 < q5_mmm or v57 or q4_mmm < low4 or high4 < q4_mmm
+            v54 = v52 or v50 or high2 < abs(q2_ppp)
+            v55 = v53 or v50 or high2 < abs(q2_pmp)
+            v56 = v52 or v51 or high2 < abs(q2_mpp)
+            v57 = v53 or v51 or high2 < abs(q2_mmp)
+            outside_ppp = high5 < abs(q5_ppp) or v54 or high4 < abs(angle2)
+            outside_ppm = high5 < abs(q5_ppm) or v54 or high4 < abs(q4_ppm)
+            outside_pmp = high5 < abs(q5_pmp) or v55 or high4 < abs(angle3)
+            outside_pmm = high5 < abs(q5_pmm) or v55 or high4 < abs(q4_pmm)
+            outside_mpp = high5 < abs(q5_mpp) or v56 or high4 < abs(angle4)
+            outside_mpm = high5 < abs(q5_mpm) or v56 or high4 < abs(q4_mpm)
+            outside_mmp = high5 < abs(q5_mmp) or v57 or high4 < abs(angle5)
+            outside_mmm = high5 < abs(q5_mmm) or v57 or high4 < abs(q4_mmm)
             _992 = q1_ppp
             work[992 + k] = _992
             _1008 = q2_ppp

@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -231,9 +234,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -475,7 +480,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v58 = only_wide(-v6 <= -half_turn, turn) - v6,
         v59 = q3__mp + only_wide(q3__mp <= -half_turn, turn),
         v60 = only_wide(-v7 <= -half_turn, turn) - v7;
-    const wide_mask v61 = beyond(angle1, 1), v62 = beyond(q1__m, 1);
+    const wide_mask v61 = exceeds(angle1, 1), v62 = exceeds(q1__m, 1);
     const wide v63 = v57 - only_wide(high(3) < v57, turn),
         v64 = v58 - only_wide(high(3) < v58, turn), v65 = v59 - only_wide(high(3) < v59, turn),
         v66 = v60 - only_wide(high(3) < v60, turn);
@@ -490,25 +495,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
-    kind[0] = kind_of(q[0], v71 | beyond(q5_ppp, 5));
+    kind[0] = kind_of(q[0], v71 | exceeds(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v34; q[10] = q5_ppm;
     q[11] = angle8 - signed_wide(half_turn, v40);
-    kind[1] = kind_of(q[6], v71 | beyond(q5_ppm, 5));
+    kind[1] = kind_of(q[6], v71 | exceeds(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = angle9;
-    kind[2] = kind_of(q[12], v72 | beyond(q5_pmp, 5));
+    kind[2] = kind_of(q[12], v72 | exceeds(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v34; q[22] = q5_pmm;
     q[23] = angle9 - signed_wide(half_turn, v41);
-    kind[3] = kind_of(q[18], v72 | beyond(q5_pmm, 5));
+    kind[3] = kind_of(q[18], v72 | exceeds(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = angle10;
-    kind[4] = kind_of(q[24], v73 | beyond(q5_mpp, 5));
+    kind[4] = kind_of(q[24], v73 | exceeds(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v35; q[34] = q5_mpm;
     q[35] = angle10 - signed_wide(half_turn, v42);
-    kind[5] = kind_of(q[30], v73 | beyond(q5_mpm, 5));
+    kind[5] = kind_of(q[30], v73 | exceeds(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = angle11;
-    kind[6] = kind_of(q[36], v74 | beyond(q5_mmp, 5));
+    kind[6] = kind_of(q[36], v74 | exceeds(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v35; q[46] = q5_mmm;
     q[47] = angle11 - signed_wide(half_turn, v43);
-    kind[7] = kind_of(q[42], v74 | beyond(q5_mmm, 5));
+    kind[7] = kind_of(q[42], v74 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -560,6 +565,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) + X4 * v24);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-wx), 0, 5, 2, 3)),
         ratio2 = ratio_four(v6 + w3 * (m4 * (e2 * v4)), -(v7 + w3 * v8)),
@@ -575,15 +583,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, turn),
         q5_m = only_four(-v29 <= -half_turn, turn) - v29,
         v30 = q3_ + only_four(q3_ <= -half_turn, turn);
-    const four_mask v31 = beyond_four(q1_, 1);
+    const four_mask v31 = exceeds_four(q1_, 1);
     const four v32 = v30 - only_four(high(3) < v30, turn);
     const four_mask v33 = beyond_four(v32, 3);
     const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
-    const four_mask v34 = v33 | v31 | beyond_four(q2_p, 2), outside_p = v34 | beyond_four(q5_p, 5),
-        outside_m = v34 | beyond_four(q5_m, 5);
+    const four_mask v34 = v33 | v31 | beyond_four(q2_p, 2), outside_p = v34 | exceeds_four(q5_p, 5),
+        outside_m = v34 | exceeds_four(q5_m, 5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle4);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -595,7 +601,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * ABB_IRB6640_UNREACHABLE + (outside1 & ~none1) *
         ABB_IRB6640_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -141,13 +141,11 @@ k3 = 3.1332889999999995  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.10938822421589604  # 1 / (k1^2 + k2^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4280947671350148  # a constant angle [rad]
-low1 = -2.967000001
 high1 = 2.967000001
 low2 = -1.134000001
 high2 = 1.4855000010000001
 low3 = -3.142000001
 high3 = 1.222000001
-low5 = -2.094000001
 high5 = 2.094000001
 m1 = 1.5737089000000004e-07  # doubt_limit1^2 [m^2]
 m3 = 1.1901855753206896e-11  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -403,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 a1d71c382d0b1871"
+_KEY = "abb_irb6640 ecca06f8bb5f8ddd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1286,8 +1284,8 @@ def _regular(pose, q, status):
     v58 = (turn if -v6 <= -half_turn else 0.0) - v6
     v59 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
     v60 = (turn if -v7 <= -half_turn else 0.0) - v7
-    v61 = angle1 < low1 or high1 < angle1
-    v62 = q1__m < low1 or high1 < q1__m
+    v61 = high1 < abs(angle1)
+    v62 = high1 < abs(q1__m)
     v63 = v57 - (turn if high3 < v57 else 0.0)
     v64 = v58 - (turn if high3 < v58 else 0.0)
     v65 = v59 - (turn if high3 < v59 else 0.0)
@@ -1306,14 +1304,14 @@ def _regular(pose, q, status):
     v72 = v68 or v61 or q2_pmp < low2 or high2 < q2_pmp
     v73 = v69 or v62 or q2_mpp < low2 or high2 < q2_mpp
     v74 = v70 or v62 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v71 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v71 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v72 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v72 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v73 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v73 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v74 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v74 or q5_mmm < low5 or high5 < q5_mmm
+    outside_ppp = v71 or high5 < abs(q5_ppp)
+    outside_ppm = v71 or high5 < abs(q5_ppm)
+    outside_pmp = v72 or high5 < abs(q5_pmp)
+    outside_pmm = v72 or high5 < abs(q5_pmm)
+    outside_mpp = v73 or high5 < abs(q5_mpp)
+    outside_mpm = v73 or high5 < abs(q5_mpm)
+    outside_mmp = v74 or high5 < abs(q5_mmp)
+    outside_mmm = v74 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1823,8 +1821,8 @@ def _in_tiles(T, q, status):
             v58 = (turn if -v6 <= -half_turn else 0.0) - v6
             v59 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
             v60 = (turn if -v7 <= -half_turn else 0.0) - v7
-            v61 = angle1 < low1 or high1 < angle1
-            v62 = q1__m < low1 or high1 < q1__m
+            v61 = high1 < abs(angle1)
+            v62 = high1 < abs(q1__m)
             v63 = v57 - (turn if high3 < v57 else 0.0)
             v64 = v58 - (turn if high3 < v58 else 0.0)
             v65 = v59 - (turn if high3 < v59 else 0.0)
@@ -1843,14 +1841,14 @@ def _in_tiles(T, q, status):
             v72 = v68 or v61 or q2_pmp < low2 or high2 < q2_pmp
             v73 = v69 or v62 or q2_mpp < low2 or high2 < q2_mpp
             v74 = v70 or v62 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v71 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v71 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v72 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v72 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v73 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v73 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v74 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v74 or q5_mmm < low5 or high5 < q5_mmm
+            outside_ppp = v71 or high5 < abs(q5_ppp)
+            outside_ppm = v71 or high5 < abs(q5_ppm)
+            outside_pmp = v72 or high5 < abs(q5_pmp)
+            outside_pmm = v72 or high5 < abs(q5_pmm)
+            outside_mpp = v73 or high5 < abs(q5_mpp)
+            outside_mpm = v73 or high5 < abs(q5_mpm)
+            outside_mmp = v74 or high5 < abs(q5_mmp)
+            outside_mmm = v74 or high5 < abs(q5_mmm)
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

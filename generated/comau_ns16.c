@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -231,9 +234,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -499,7 +504,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v71 = angle18 - offset6, v72 = angle18 - signed_wide(half_turn, s6_pm) - offset6,
         v73 = angle19 - offset6, v74 = angle19 - signed_wide(half_turn, s6_mp) - offset6,
         v75 = angle20 - offset6, v76 = angle20 - signed_wide(half_turn, s6_mm) - offset6;
-    const wide_mask v77 = beyond(angle1, 1), v78 = beyond(angle2, 1);
+    const wide_mask v77 = exceeds(angle1, 1), v78 = exceeds(angle2, 1);
     const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = angle2 + (w3_m - w3_m);
     const wide_mask v79 = beyond(q3_ppp, 3) | v77 | beyond(q2_ppp, 2),
         v80 = beyond(q3_pmp, 3) | v77 | beyond(q2_pmp, 2),
@@ -510,34 +515,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v53 + only_wide(v53 <= -half_turn, turn);
     q[4] = q5_ppp; q[5] = v69 + only_wide(v69 <= -half_turn, turn);
-    kind[0] = kind_of(q[0], v79 | beyond(q5_ppp, 5));
+    kind[0] = kind_of(q[0], v79 | exceeds(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v54 + only_wide(v54 <= -half_turn, turn);
     q[10] = q5_ppm; q[11] = v70 + only_wide(v70 <= -half_turn, turn);
-    kind[1] = kind_of(q[6], v79 | beyond(q5_ppm, 5));
+    kind[1] = kind_of(q[6], v79 | exceeds(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
     q[15] = v55 + only_wide(v55 <= -half_turn, turn); q[16] = q5_pmp;
     q[17] = v71 + only_wide(v71 <= -half_turn, turn);
-    kind[2] = kind_of(q[12], v80 | beyond(q5_pmp, 5));
+    kind[2] = kind_of(q[12], v80 | exceeds(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
     q[21] = v56 + only_wide(v56 <= -half_turn, turn); q[22] = q5_pmm;
     q[23] = v72 + only_wide(v72 <= -half_turn, turn);
-    kind[3] = kind_of(q[18], v80 | beyond(q5_pmm, 5));
+    kind[3] = kind_of(q[18], v80 | exceeds(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
     q[27] = v57 + only_wide(v57 <= -half_turn, turn); q[28] = q5_mpp;
     q[29] = v73 + only_wide(v73 <= -half_turn, turn);
-    kind[4] = kind_of(q[24], v81 | beyond(q5_mpp, 5));
+    kind[4] = kind_of(q[24], v81 | exceeds(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
     q[33] = v58 + only_wide(v58 <= -half_turn, turn); q[34] = q5_mpm;
     q[35] = v74 + only_wide(v74 <= -half_turn, turn);
-    kind[5] = kind_of(q[30], v81 | beyond(q5_mpm, 5));
+    kind[5] = kind_of(q[30], v81 | exceeds(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
     q[39] = v59 + only_wide(v59 <= -half_turn, turn); q[40] = q5_mmp;
     q[41] = v75 + only_wide(v75 <= -half_turn, turn);
-    kind[6] = kind_of(q[36], v82 | beyond(q5_mmp, 5));
+    kind[6] = kind_of(q[36], v82 | exceeds(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
     q[45] = v60 + only_wide(v60 <= -half_turn, turn); q[46] = q5_mmm;
     q[47] = v76 + only_wide(v76 <= -half_turn, turn);
-    kind[7] = kind_of(q[42], v82 | beyond(q5_mmm, 5));
+    kind[7] = kind_of(q[42], v82 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -588,6 +593,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = signed_four(half_turn, Y4);
     const int doubt1 = (N1 <= doubt_limit_squared2) | ((-k2 <= D1) & (D1 <= k3));
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k6, 0, 5, 2,
         7)), ratio2 = ratio_four(v4 + w3 * (m2 * (e2 * Z2_3)), v5 - w3 * v6),
         ratio3 = ratio_four(Y4, -X4),
@@ -606,13 +614,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v30 = angle6 - signed_four(half_turn, s6) - offset6,
         q6_p = v29 + only_four(v29 <= -half_turn, turn),
         q6_m = v30 + only_four(v30 <= -half_turn, turn);
-    const four_mask v31 = beyond_four(angle1, 1);
+    const four_mask v31 = exceeds_four(angle1, 1);
     const four q1_p = angle1 + (w3 - w3);
     const four_mask v32 = beyond_four(q3_p, 3) | v31 | beyond_four(q2_p, 2),
-        outside_p = v32 | beyond_four(q5_p, 5), outside_m = v32 | beyond_four(q5_m, 5);
+        outside_p = v32 | exceeds_four(q5_p, 5), outside_m = v32 | exceeds_four(q5_m, 5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -624,7 +630,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * COMAU_NS16_UNREACHABLE + (outside1 & ~none1) *
         COMAU_NS16_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

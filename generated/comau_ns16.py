@@ -148,13 +148,11 @@ k7 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.2825771957649381  # a constant angle [rad]
-low1 = -3.141590001
 high1 = 3.141590001
 low2 = -0.872660001
 high2 = 1.658000001
 low3 = -2.967000001
 high3 = 1.919800001
-low5 = -3.141590001
 high5 = 3.141590001
 m1 = 1.3523315824983721e-12  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 0.7142857142857144  # a coefficient of X1_2
@@ -414,7 +412,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 6c8fbb8dcca61c33"
+_KEY = "comau_ns16 0101b27da239ad24"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1370,22 +1368,22 @@ def _regular(pose, q, status):
     q6_mpm = v74 + (turn if v74 <= -half_turn else 0.0)
     q6_mmp = v75 + (turn if v75 <= -half_turn else 0.0)
     q6_mmm = v76 + (turn if v76 <= -half_turn else 0.0)
-    v77 = angle1 < low1 or high1 < angle1
-    v78 = angle2 < low1 or high1 < angle2
+    v77 = high1 < abs(angle1)
+    v78 = high1 < abs(angle2)
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle2 + (w3_m - w3_m)
     v79 = q3_ppp < low3 or high3 < q3_ppp or v77 or q2_ppp < low2 or high2 < q2_ppp
     v80 = q3_pmp < low3 or high3 < q3_pmp or v77 or q2_pmp < low2 or high2 < q2_pmp
     v81 = q3_mpp < low3 or high3 < q3_mpp or v78 or q2_mpp < low2 or high2 < q2_mpp
     v82 = q3_mmp < low3 or high3 < q3_mmp or v78 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v79 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v79 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v80 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v80 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v81 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v81 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v82 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v82 or q5_mmm < low5 or high5 < q5_mmm
+    outside_ppp = v79 or high5 < abs(q5_ppp)
+    outside_ppm = v79 or high5 < abs(q5_ppm)
+    outside_pmp = v80 or high5 < abs(q5_pmp)
+    outside_pmm = v80 or high5 < abs(q5_pmm)
+    outside_mpp = v81 or high5 < abs(q5_mpp)
+    outside_mpm = v81 or high5 < abs(q5_mpm)
+    outside_mmp = v82 or high5 < abs(q5_mmp)
+    outside_mmm = v82 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1934,22 +1932,22 @@ def _in_tiles(T, q, status):
             q6_mpm = v74 + (turn if v74 <= -half_turn else 0.0)
             q6_mmp = v75 + (turn if v75 <= -half_turn else 0.0)
             q6_mmm = v76 + (turn if v76 <= -half_turn else 0.0)
-            v77 = angle1 < low1 or high1 < angle1
-            v78 = angle2 < low1 or high1 < angle2
+            v77 = high1 < abs(angle1)
+            v78 = high1 < abs(angle2)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle2 + (w3_m - w3_m)
             v79 = q3_ppp < low3 or high3 < q3_ppp or v77 or q2_ppp < low2 or high2 < q2_ppp
             v80 = q3_pmp < low3 or high3 < q3_pmp or v77 or q2_pmp < low2 or high2 < q2_pmp
             v81 = q3_mpp < low3 or high3 < q3_mpp or v78 or q2_mpp < low2 or high2 < q2_mpp
             v82 = q3_mmp < low3 or high3 < q3_mmp or v78 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v79 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v79 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v80 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v80 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v81 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v81 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v82 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v82 or q5_mmm < low5 or high5 < q5_mmm
+            outside_ppp = v79 or high5 < abs(q5_ppp)
+            outside_ppm = v79 or high5 < abs(q5_ppm)
+            outside_pmp = v80 or high5 < abs(q5_pmp)
+            outside_pmm = v80 or high5 < abs(q5_pmm)
+            outside_mpp = v81 or high5 < abs(q5_mpp)
+            outside_mpm = v81 or high5 < abs(q5_mpm)
+            outside_mmp = v82 or high5 < abs(q5_mmp)
+            outside_mmm = v82 or high5 < abs(q5_mmm)
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = q2_ppp

@@ -142,13 +142,10 @@ k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / (k1^2 + k2^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5374753309166493  # a constant angle [rad]
-low1 = -2.967060001
 high1 = 2.967060001
-low2 = -2.094395001
 high2 = 2.094395001
 low3 = -2.1816620010000003
 high3 = 2.705260001
-low5 = -2.094395001
 high5 = 2.094395001
 m1 = 1.0609000000000003e-08  # doubt_limit1^2 [m^2]
 m2 = 4.5657508878081205e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -406,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 4bb1156b3f8e41de"
+_KEY = "denso_vs060 4f8c7c12f2c6e938"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1276,24 +1273,24 @@ def _regular(pose, q, status):
     q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
     q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
     q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
-    v50 = q1__p < low1 or high1 < q1__p
-    v51 = q1__m < low1 or high1 < q1__m
+    v50 = high1 < abs(q1__p)
+    v51 = high1 < abs(q1__m)
     v52 = q3_ppp < low3 or high3 < q3_ppp
     v53 = q3_pmp < low3 or high3 < q3_pmp
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
-    v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
-    v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
-    v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v54 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v54 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v55 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v55 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v56 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v56 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v57 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v57 or q5_mmm < low5 or high5 < q5_mmm
+    v54 = v52 or v50 or high2 < abs(q2_ppp)
+    v55 = v53 or v50 or high2 < abs(q2_pmp)
+    v56 = v52 or v51 or high2 < abs(q2_mpp)
+    v57 = v53 or v51 or high2 < abs(q2_mmp)
+    outside_ppp = v54 or high5 < abs(q5_ppp)
+    outside_ppm = v54 or high5 < abs(q5_ppm)
+    outside_pmp = v55 or high5 < abs(q5_pmp)
+    outside_pmm = v55 or high5 < abs(q5_pmm)
+    outside_mpp = v56 or high5 < abs(q5_mpp)
+    outside_mpm = v56 or high5 < abs(q5_mpm)
+    outside_mmp = v57 or high5 < abs(q5_mmp)
+    outside_mmm = v57 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1789,24 +1786,24 @@ def _in_tiles(T, q, status):
             q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
             q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
             q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
-            v50 = q1__p < low1 or high1 < q1__p
-            v51 = q1__m < low1 or high1 < q1__m
+            v50 = high1 < abs(q1__p)
+            v51 = high1 < abs(q1__m)
             v52 = q3_ppp < low3 or high3 < q3_ppp
             v53 = q3_pmp < low3 or high3 < q3_pmp
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
-            v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
-            v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
-            v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v54 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v54 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v55 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v55 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v56 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v56 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v57 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v57 or q5_mmm < low5 or high5 < q5_mmm
+            v54 = v52 or v50 or high2 < abs(q2_ppp)
+            v55 = v53 or v50 or high2 < abs(q2_pmp)
+            v56 = v52 or v51 or high2 < abs(q2_mpp)
+            v57 = v53 or v51 or high2 < abs(q2_mmp)
+            outside_ppp = v54 or high5 < abs(q5_ppp)
+            outside_ppm = v54 or high5 < abs(q5_ppm)
+            outside_pmp = v55 or high5 < abs(q5_pmp)
+            outside_pmm = v55 or high5 < abs(q5_pmm)
+            outside_mpp = v56 or high5 < abs(q5_mpp)
+            outside_mpm = v56 or high5 < abs(q5_mpm)
+            outside_mmp = v57 or high5 < abs(q5_mmp)
+            outside_mmm = v57 or high5 < abs(q5_mmm)
             _992 = q1_ppp
             work[992 + k] = _992
             _1008 = q2_ppp

@@ -124,9 +124,7 @@ pose_slack1 = 4.000000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.08125  # a1^2 + a2^2 [m^2]
 k2 = 12.6984126984127  # 1 / (2 * a2 * a1) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.303834613632515
 high1 = 2.303834613632515
-low2 = -2.460914246312005
 high2 = 2.460914246312005
 low3 = -0.150000001
 high3 = 1e-09
@@ -287,7 +285,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 61a44b0c47554c67"
+_KEY = "epson_t3 2148cf7d22887e0a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -952,7 +950,7 @@ def _regular(pose, q, status):
     v7 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
-    v10 = T34 < low3 or high3 < T34
+    v11 = T34 < low3 or high3 < T34
     q3_p = T34 + (w2 - w2)
     doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
 
@@ -979,8 +977,9 @@ def _regular(pose, q, status):
     v9 = angle4 - angle2 - angle1
     q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
     q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-    outside_p = v10 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-    outside_m = v10 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+    v10 = high2 < abs(angle2)
+    outside_p = v11 or v10 or high1 < abs(angle3)
+    outside_m = v11 or v10 or high1 < abs(angle4)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1254,10 +1253,10 @@ def _in_tiles(T, q, status):
             v5 = w2 * (m2 * T24)
             v6 = 1.0 + T33
             v7 = T21 * T21 + T11 * T11 - 1.0
-            v10 = T34 < low3 or high3 < T34
+            v11 = T34 < low3 or high3 < T34
             q3_p = T34 + (w2 - w2)
             doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
-            work[272 + k] = v10
+            work[272 + k] = v11
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
@@ -1271,7 +1270,7 @@ def _in_tiles(T, q, status):
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v10 = work[272 + k] != 0.0
+            v11 = work[272 + k] != 0.0
             q3_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
@@ -1282,8 +1281,9 @@ def _in_tiles(T, q, status):
             v9 = angle4 - angle2 - angle1
             q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
             q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-            outside_p = v10 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-            outside_m = v10 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+            v10 = high2 < abs(angle2)
+            outside_p = v11 or v10 or high1 < abs(angle3)
+            outside_m = v11 or v10 or high1 < abs(angle4)
             _448 = angle3
             work[448 + k] = _448
             _464 = angle2

@@ -142,13 +142,11 @@ k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 20.235205939761407  # 1 / (k1^2 + k2^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4666963886852973  # a constant angle [rad]
-low1 = -2.9670597293903604
 high1 = 2.9670597293903604
 low2 = -1.7453292529943296
 high2 = 2.530727416391778
 low3 = -1.2217304773960307
 high3 = 3.5779249675883755
-low5 = -2.181661565992912
 high5 = 2.181661565992912
 m1 = 1.3456000000000003e-08  # doubt_limit1^2 [m^2]
 m3 = 6.8809624027326e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -404,7 +402,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 52cf37680620eb9f"
+_KEY = "fanuc_lrmate200id d58543ce03cc3370"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1287,8 +1285,8 @@ def _regular(pose, q, status):
     v60 = (-turn if half_turn < -v6 else 0.0) - v6
     v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
     v62 = (-turn if half_turn < -v7 else 0.0) - v7
-    v63 = angle1 < low1 or high1 < angle1
-    v64 = q1__m < low1 or high1 < q1__m
+    v63 = high1 < abs(angle1)
+    v64 = high1 < abs(q1__m)
     v65 = v59 + (turn if v59 < low3 else 0.0)
     v66 = v60 + (turn if v60 < low3 else 0.0)
     v67 = v61 + (turn if v61 < low3 else 0.0)
@@ -1307,14 +1305,14 @@ def _regular(pose, q, status):
     v74 = v70 or v63 or q2_pmp < low2 or high2 < q2_pmp
     v75 = v71 or v64 or q2_mpp < low2 or high2 < q2_mpp
     v76 = v72 or v64 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v73 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v73 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v74 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v74 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v75 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v75 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v76 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v76 or q5_mmm < low5 or high5 < q5_mmm
+    outside_ppp = v73 or high5 < abs(q5_ppp)
+    outside_ppm = v73 or high5 < abs(q5_ppm)
+    outside_pmp = v74 or high5 < abs(q5_pmp)
+    outside_pmm = v74 or high5 < abs(q5_pmm)
+    outside_mpp = v75 or high5 < abs(q5_mpp)
+    outside_mpm = v75 or high5 < abs(q5_mpm)
+    outside_mmp = v76 or high5 < abs(q5_mmp)
+    outside_mmm = v76 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1824,8 +1822,8 @@ def _in_tiles(T, q, status):
             v60 = (-turn if half_turn < -v6 else 0.0) - v6
             v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
             v62 = (-turn if half_turn < -v7 else 0.0) - v7
-            v63 = angle1 < low1 or high1 < angle1
-            v64 = q1__m < low1 or high1 < q1__m
+            v63 = high1 < abs(angle1)
+            v64 = high1 < abs(q1__m)
             v65 = v59 + (turn if v59 < low3 else 0.0)
             v66 = v60 + (turn if v60 < low3 else 0.0)
             v67 = v61 + (turn if v61 < low3 else 0.0)
@@ -1844,14 +1842,14 @@ def _in_tiles(T, q, status):
             v74 = v70 or v63 or q2_pmp < low2 or high2 < q2_pmp
             v75 = v71 or v64 or q2_mpp < low2 or high2 < q2_mpp
             v76 = v72 or v64 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v73 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v73 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v74 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v74 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v75 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v75 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v76 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v76 or q5_mmm < low5 or high5 < q5_mmm
+            outside_ppp = v73 or high5 < abs(q5_ppp)
+            outside_ppm = v73 or high5 < abs(q5_ppm)
+            outside_pmp = v74 or high5 < abs(q5_pmp)
+            outside_pmm = v74 or high5 < abs(q5_pmm)
+            outside_mpp = v75 or high5 < abs(q5_mpp)
+            outside_mpm = v75 or high5 < abs(q5_mpm)
+            outside_mmp = v76 or high5 < abs(q5_mmp)
+            outside_mmm = v76 or high5 < abs(q5_mmm)
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

@@ -141,13 +141,11 @@ k3 = 1.8180560000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.31125925198890714  # 1 / (k1^2 + k2^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4050092836833894  # a constant angle [rad]
-low1 = -3.1415000010000003
 high1 = 3.1415000010000003
 low2 = -1.570700001
 high2 = 2.356100001
 low3 = -2.792500001
 high3 = 4.886900001
-low5 = -2.181600001
 high5 = 2.181600001
 m1 = 8.678915999999997e-08  # doubt_limit1^2 [m^2]
 m3 = 4.0149871931639605e-12  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -403,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 1bb4a3149bda907e"
+_KEY = "fanuc_m710ic50 7a0d544b409aec16"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1286,8 +1284,8 @@ def _regular(pose, q, status):
     v60 = (-turn if half_turn < -v6 else 0.0) - v6
     v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
     v62 = (-turn if half_turn < -v7 else 0.0) - v7
-    v63 = angle1 < low1 or high1 < angle1
-    v64 = q1__m < low1 or high1 < q1__m
+    v63 = high1 < abs(angle1)
+    v64 = high1 < abs(q1__m)
     v65 = v59 + (turn if v59 < low3 else 0.0)
     v66 = v60 + (turn if v60 < low3 else 0.0)
     v67 = v61 + (turn if v61 < low3 else 0.0)
@@ -1306,14 +1304,14 @@ def _regular(pose, q, status):
     v74 = v70 or v63 or q2_pmp < low2 or high2 < q2_pmp
     v75 = v71 or v64 or q2_mpp < low2 or high2 < q2_mpp
     v76 = v72 or v64 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v73 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v73 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v74 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v74 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v75 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v75 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v76 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v76 or q5_mmm < low5 or high5 < q5_mmm
+    outside_ppp = v73 or high5 < abs(q5_ppp)
+    outside_ppm = v73 or high5 < abs(q5_ppm)
+    outside_pmp = v74 or high5 < abs(q5_pmp)
+    outside_pmm = v74 or high5 < abs(q5_pmm)
+    outside_mpp = v75 or high5 < abs(q5_mpp)
+    outside_mpm = v75 or high5 < abs(q5_mpm)
+    outside_mmp = v76 or high5 < abs(q5_mmp)
+    outside_mmm = v76 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1823,8 +1821,8 @@ def _in_tiles(T, q, status):
             v60 = (-turn if half_turn < -v6 else 0.0) - v6
             v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
             v62 = (-turn if half_turn < -v7 else 0.0) - v7
-            v63 = angle1 < low1 or high1 < angle1
-            v64 = q1__m < low1 or high1 < q1__m
+            v63 = high1 < abs(angle1)
+            v64 = high1 < abs(q1__m)
             v65 = v59 + (turn if v59 < low3 else 0.0)
             v66 = v60 + (turn if v60 < low3 else 0.0)
             v67 = v61 + (turn if v61 < low3 else 0.0)
@@ -1843,14 +1841,14 @@ def _in_tiles(T, q, status):
             v74 = v70 or v63 or q2_pmp < low2 or high2 < q2_pmp
             v75 = v71 or v64 or q2_mpp < low2 or high2 < q2_mpp
             v76 = v72 or v64 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v73 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v73 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v74 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v74 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v75 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v75 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v76 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v76 or q5_mmm < low5 or high5 < q5_mmm
+            outside_ppp = v73 or high5 < abs(q5_ppp)
+            outside_ppm = v73 or high5 < abs(q5_ppm)
+            outside_pmp = v74 or high5 < abs(q5_pmp)
+            outside_pmm = v74 or high5 < abs(q5_pmm)
+            outside_mpp = v75 or high5 < abs(q5_mpp)
+            outside_mpm = v75 or high5 < abs(q5_mpm)
+            outside_mmp = v76 or high5 < abs(q5_mmp)
+            outside_mmm = v76 or high5 < abs(q5_mmm)
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

@@ -48,7 +48,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -56,12 +59,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -225,9 +228,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -509,56 +514,50 @@ HELPER wide_mask solve_wide(
     /* joint values */
     const wide v116 = q4__p + only_wide(q4__p <= -half_turn, turn),
         v117 = only_wide(-v9 <= -half_turn, turn) - v9;
-    const wide_mask v118 = beyond(v116, 4), v119 = beyond(v117, 4), v120 = beyond(angle2, 5),
-        v121 = beyond(q5_pmp, 5), v122 = beyond(angle3, 5), v123 = beyond(q5_mmp, 5);
-    const wide v124 = angle4 + only_wide(angle4 < low(6), turn),
-        v125 = angle5 + only_wide(angle5 < low(6), turn),
-        v126 = angle6 + only_wide(angle6 < low(6), turn),
-        v127 = angle7 + only_wide(angle7 < low(6), turn);
-    const wide_mask v128 = beyond(v124, 6), v129 = beyond(v125, 6), v130 = beyond(v126, 6),
-        v131 = beyond(v127, 6);
-    const wide q6_ppp = pick_wide(v128, angle4, v124), q6_pmp = pick_wide(v129, angle5, v125),
-        q6_mpp = pick_wide(v130, angle6, v126), q6_mmp = pick_wide(v131, angle7, v127),
-        q4_ppp = v18 + v116, q4_mpp = v19 + v117, v132 = free_joints[0] + (w4 - w4),
-        q7_ppp = v18 + v132, q7_mpp = v19 + v132;
-    const wide_mask doubt1 = (free_joints[0] < low(7)) | (abs_wide(D4) <= reach_slack2 *
-        (reach_slack2 + 2.0 * abs_wide(Z4))) | (v73 <= m9) | (v43 <= m8) | (v72 <= m9) | (v42 <= m8)
-        | (v71 <= m9) | (v41 <= m8) | (v70 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v17) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(D5_p) <= v17) | (high(7) < free_joints[0]) | (N5_p <=
+    const wide_mask v118 = exceeds(angle12, 2), v119 = exceeds(angle13, 2),
+        v120 = exceeds(angle14, 2), v121 = exceeds(angle15, 2), v122 = beyond(v116, 4),
+        v123 = beyond(v117, 4), v124 = exceeds(angle2, 5), v125 = exceeds(q5_pmp, 5),
+        v126 = exceeds(angle3, 5), v127 = exceeds(q5_mmp, 5);
+    const wide v128 = angle4 + only_wide(angle4 < low(6), turn),
+        v129 = angle5 + only_wide(angle5 < low(6), turn),
+        v130 = angle6 + only_wide(angle6 < low(6), turn),
+        v131 = angle7 + only_wide(angle7 < low(6), turn);
+    const wide_mask v132 = beyond(v128, 6), v133 = beyond(v129, 6), v134 = beyond(v130, 6),
+        v135 = beyond(v131, 6);
+    const wide q6_ppp = pick_wide(v132, angle4, v128), q6_pmp = pick_wide(v133, angle5, v129),
+        q6_mpp = pick_wide(v134, angle6, v130), q6_mmp = pick_wide(v135, angle7, v131),
+        q4_ppp = v18 + v116, q4_mpp = v19 + v117, v136 = free_joints[0] + (w4 - w4),
+        q7_ppp = v18 + v136, q7_mpp = v19 + v136;
+    const wide_mask doubt1 = (v73 <= m9) | (v43 <= m8) | (v72 <= m9) | (v42 <= m8) | (v71 <= m9) |
+        (v41 <= m8) | (v70 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v17) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(D5_p) <= v17) | (abs_wide(D4) <= reach_slack2 *
+        (reach_slack2 + 2.0 * abs_wide(Z4))) | exceeds(free_joints[0], 7) | (N5_p <=
         doubt_limit_squared2);
 
     q[0] = angle16; q[1] = angle12; q[2] = angle8; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
-    kind[0] = kind_of(q[0], v128 | v120 | v118 | beyond(angle8, 3) | beyond(angle16, 1) |
-        beyond(angle12, 2));
+    kind[0] = kind_of(q[0], v132 | v124 | v122 | exceeds(angle8, 3) | v118 | exceeds(angle16, 1));
     q[7] = q1_ppm; q[8] = -angle12; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
-    kind[1] = kind_of(q[7], v128 | v120 | v118 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
-        beyond(-angle12, 2));
+    kind[1] = kind_of(q[7], v132 | v124 | v122 | exceeds(q3_ppm, 3) | v118 | exceeds(q1_ppm, 1));
     q[14] = angle17; q[15] = angle13; q[16] = angle9; q[17] = q4_ppp; q[18] = q5_pmp;
     q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14], v129 | v121 | v118 | beyond(angle9, 3) | beyond(angle17, 1) |
-        beyond(angle13, 2));
+    kind[2] = kind_of(q[14], v133 | v125 | v122 | exceeds(angle9, 3) | v119 | exceeds(angle17, 1));
     q[21] = q1_pmm; q[22] = -angle13; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
     q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21], v129 | v121 | v118 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
-        beyond(-angle13, 2));
+    kind[3] = kind_of(q[21], v133 | v125 | v122 | exceeds(q3_pmm, 3) | v119 | exceeds(q1_pmm, 1));
     q[28] = angle18; q[29] = angle14; q[30] = angle10; q[31] = q4_mpp; q[32] = angle3;
     q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28], v130 | v122 | v119 | beyond(angle10, 3) | beyond(angle18, 1) |
-        beyond(angle14, 2));
+    kind[4] = kind_of(q[28], v134 | v126 | v123 | exceeds(angle10, 3) | v120 | exceeds(angle18, 1));
     q[35] = q1_mpm; q[36] = -angle14; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
     q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35], v130 | v122 | v119 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
-        beyond(-angle14, 2));
+    kind[5] = kind_of(q[35], v134 | v126 | v123 | exceeds(q3_mpm, 3) | v120 | exceeds(q1_mpm, 1));
     q[42] = angle19; q[43] = angle15; q[44] = angle11; q[45] = q4_mpp; q[46] = q5_mmp;
     q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42], v131 | v123 | v119 | beyond(angle11, 3) | beyond(angle19, 1) |
-        beyond(angle15, 2));
+    kind[6] = kind_of(q[42], v135 | v127 | v123 | exceeds(angle11, 3) | v121 | exceeds(angle19, 1));
     q[49] = q1_mmm; q[50] = -angle15; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
     q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49], v131 | v123 | v119 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
-        beyond(-angle15, 2));
+    kind[7] = kind_of(q[49], v135 | v127 | v123 | exceeds(q3_mmm, 3) | v121 | exceeds(q1_mmm, 1));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -633,12 +632,16 @@ HELPER int solve_regular(
         v59 = v13 * (c4 * v51), v60 = v13 * (T23 * c4);
 
     /* joint values */
-    const double v66 = free_joints[0] + (w4 - w4);
-    const four q7_p = v11 + v66;
+    const double v67 = free_joints[0] + (w4 - w4);
+    const four q7_p = v11 + v67;
+    const int doubt1 = (fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4))) | (high(7) <
+        fabs(free_joints[0]));
     const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v10),
         doubt3 = (v23 <= m8) | (v37 <= m9);
-    const int doubt1 = (free_joints[0] < low(7)) | (high(7) < free_joints[0]) | (fabs(D4) <=
-        reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4)));
+
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
+        (unsigned)(doubt1))
+        return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v14, all_four(w4), 0, 5, 2, 3), shuffle(-v12,
         all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v36, c3),
@@ -652,18 +655,15 @@ HELPER int solve_regular(
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
         q3_m = angle4 - signed_four(half_turn, -v36), q1_m = angle6 - signed_four(half_turn, s1),
         v61 = q4_ + only_four(q4_ <= -half_turn, turn);
-    const four_mask v62 = beyond_four(v61, 4), v63 = beyond_four(q5_p, 5);
-    const four v64 = angle3 + only_four(angle3 < low(6), turn);
-    const four_mask v65 = beyond_four(v64, 6);
-    const four q6_p = pick_four(v65, angle3, v64), q4_p = v11 + v61;
-    const four_mask outside_p = v65 | v63 | v62 | beyond_four(angle4, 3) | beyond_four(angle6, 1) |
-        beyond_four(angle5, 2),
-        outside_m = v65 | v63 | v62 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1) |
-            beyond_four(-angle5, 2);
+    const four_mask v62 = exceeds_four(angle5, 2), v63 = beyond_four(v61, 4),
+        v64 = exceeds_four(q5_p, 5);
+    const four v65 = angle3 + only_four(angle3 < low(6), turn);
+    const four_mask v66 = beyond_four(v65, 6);
+    const four q6_p = pick_four(v66, angle3, v65), q4_p = v11 + v61;
+    const four_mask outside_p = v66 | v64 | v63 | exceeds_four(angle4, 3) | v62 |
+        exceeds_four(angle6, 1),
+        outside_m = v66 | v64 | v63 | exceeds_four(q3_m, 3) | v62 | exceeds_four(q1_m, 1);
 
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
-        (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle6, angle5, angle4, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, q5_p, q6_p, q7_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle5, q3_m, q4_p);
@@ -676,7 +676,7 @@ HELPER int solve_regular(
     const unsigned long long kind1 = none1 * FRANKA_PANDA_UNREACHABLE + (outside1 & ~none1) *
         FRANKA_PANDA_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

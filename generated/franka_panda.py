@@ -141,19 +141,14 @@ k5 = 15.193911990243306  # 1 / k3 [m^-4]
 doubt_limit_squared2 = 1.940449e-08  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.897300001
 high1 = 2.897300001
-low2 = -1.762800001
 high2 = 1.762800001
-low3 = -2.897300001
 high3 = 2.897300001
 low4 = -3.071800001
 high4 = -0.069799999
-low5 = -2.897300001
 high5 = 2.897300001
 low6 = -0.017500001
 high6 = 3.752500001
-low7 = -2.897300001
 high7 = 2.897300001
 m1 = 1.754896834873102  # a coefficient of c4
 m2 = 3.4805529861209807  # a coefficient of c4
@@ -430,7 +425,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 5464d98f38b1ded0"
+_KEY = "franka_panda 89620f1224970cfc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1319,14 +1314,14 @@ def _regular(pose, q_free, q, status):
     v115 = v23 * (T23 * c4_m)
 
     # joint values
-    v132 = q_free[0] + (w4 - w4)
-    q7_ppp = v18 + v132
-    q7_mpp = v19 + v132
+    v136 = q_free[0] + (w4 - w4)
+    q7_ppp = v18 + v136
+    q7_mpp = v19 + v136
     doubt1 = (
-        q_free[0] < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v73 <= m9 or
-        v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or v40 <= m8 or
-        abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or high7 < q_free[0] or
-        N5_p <= doubt_limit_squared2
+        v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or
+        v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or abs(D4)
+        <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or N5_p <=
+        doubt_limit_squared2
     )
 
     # angles, side by side
@@ -1427,58 +1422,38 @@ def _regular(pose, q_free, q, status):
     # joint values
     v116 = q4__p + (turn if q4__p <= -half_turn else 0.0)
     v117 = (turn if -v9 <= -half_turn else 0.0) - v9
-    v118 = v116 < low4 or high4 < v116
-    v119 = v117 < low4 or high4 < v117
-    v120 = angle2 < low5 or high5 < angle2
-    v121 = q5_pmp < low5 or high5 < q5_pmp
-    v122 = angle3 < low5 or high5 < angle3
-    v123 = q5_mmp < low5 or high5 < q5_mmp
-    v124 = angle4 + (turn if angle4 < low6 else 0.0)
-    v125 = angle5 + (turn if angle5 < low6 else 0.0)
-    v126 = angle6 + (turn if angle6 < low6 else 0.0)
-    v127 = angle7 + (turn if angle7 < low6 else 0.0)
-    v128 = v124 < low6 or high6 < v124
-    v129 = v125 < low6 or high6 < v125
-    v130 = v126 < low6 or high6 < v126
-    v131 = v127 < low6 or high6 < v127
-    q6_ppp = angle4 if v128 else v124
-    q6_pmp = angle5 if v129 else v125
-    q6_mpp = angle6 if v130 else v126
-    q6_mmp = angle7 if v131 else v127
+    v118 = high2 < abs(angle12)
+    v119 = high2 < abs(angle13)
+    v120 = high2 < abs(angle14)
+    v121 = high2 < abs(angle15)
+    v122 = v116 < low4 or high4 < v116
+    v123 = v117 < low4 or high4 < v117
+    v124 = high5 < abs(angle2)
+    v125 = high5 < abs(q5_pmp)
+    v126 = high5 < abs(angle3)
+    v127 = high5 < abs(q5_mmp)
+    v128 = angle4 + (turn if angle4 < low6 else 0.0)
+    v129 = angle5 + (turn if angle5 < low6 else 0.0)
+    v130 = angle6 + (turn if angle6 < low6 else 0.0)
+    v131 = angle7 + (turn if angle7 < low6 else 0.0)
+    v132 = v128 < low6 or high6 < v128
+    v133 = v129 < low6 or high6 < v129
+    v134 = v130 < low6 or high6 < v130
+    v135 = v131 < low6 or high6 < v131
+    q6_ppp = angle4 if v132 else v128
+    q6_pmp = angle5 if v133 else v129
+    q6_mpp = angle6 if v134 else v130
+    q6_mmp = angle7 if v135 else v131
     q4_ppp = v18 + v116
     q4_mpp = v19 + v117
-    outside_ppp = (
-        v128 or v120 or v118 or angle8 < low3 or high3 < angle8 or angle16 < low1 or high1 < angle16
-        or angle12 < low2 or high2 < angle12
-    )
-    outside_ppm = (
-        v128 or v120 or v118 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 < q1_ppm
-        or -angle12 < low2 or high2 < -angle12
-    )
-    outside_pmp = (
-        v129 or v121 or v118 or angle9 < low3 or high3 < angle9 or angle17 < low1 or high1 < angle17
-        or angle13 < low2 or high2 < angle13
-    )
-    outside_pmm = (
-        v129 or v121 or v118 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 < q1_pmm
-        or -angle13 < low2 or high2 < -angle13
-    )
-    outside_mpp = (
-        v130 or v122 or v119 or angle10 < low3 or high3 < angle10 or angle18 < low1 or high1 <
-        angle18 or angle14 < low2 or high2 < angle14
-    )
-    outside_mpm = (
-        v130 or v122 or v119 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 < q1_mpm
-        or -angle14 < low2 or high2 < -angle14
-    )
-    outside_mmp = (
-        v131 or v123 or v119 or angle11 < low3 or high3 < angle11 or angle19 < low1 or high1 <
-        angle19 or angle15 < low2 or high2 < angle15
-    )
-    outside_mmm = (
-        v131 or v123 or v119 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 < q1_mmm
-        or -angle15 < low2 or high2 < -angle15
-    )
+    outside_ppp = v132 or v124 or v122 or high3 < abs(angle8) or v118 or high1 < abs(angle16)
+    outside_ppm = v132 or v124 or v122 or high3 < abs(q3_ppm) or v118 or high1 < abs(q1_ppm)
+    outside_pmp = v133 or v125 or v122 or high3 < abs(angle9) or v119 or high1 < abs(angle17)
+    outside_pmm = v133 or v125 or v122 or high3 < abs(q3_pmm) or v119 or high1 < abs(q1_pmm)
+    outside_mpp = v134 or v126 or v123 or high3 < abs(angle10) or v120 or high1 < abs(angle18)
+    outside_mpm = v134 or v126 or v123 or high3 < abs(q3_mpm) or v120 or high1 < abs(q1_mpm)
+    outside_mmp = v135 or v127 or v123 or high3 < abs(angle11) or v121 or high1 < abs(angle19)
+    outside_mmm = v135 or v127 or v123 or high3 < abs(q3_mmm) or v121 or high1 < abs(q1_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -2005,14 +1980,14 @@ def _in_tiles(T, q_free, q, status):
             v113 = v23 * (c4_m * v98)
             v114 = v22 * (T23 * c4_p)
             v115 = v23 * (T23 * c4_m)
-            v132 = given1 + (w4 - w4)
-            q7_ppp = v18 + v132
-            q7_mpp = v19 + v132
+            v136 = given1 + (w4 - w4)
+            q7_ppp = v18 + v136
+            q7_mpp = v19 + v136
             doubt1 = (
-                given1 < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v73 <=
-                m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or
-                v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or
-                high7 < given1 or N5_p <= doubt_limit_squared2
+                v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <=
+                m9 or v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <=
+                v17 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 <
+                abs(given1) or N5_p <= doubt_limit_squared2
             )
             work[368 + k] = v18
             work[384 + k] = v19
@@ -2130,58 +2105,46 @@ def _in_tiles(T, q_free, q, status):
             q1_mmm = angle19 - math.copysign(half_turn, s1_mm)
             v116 = q4__p + (turn if q4__p <= -half_turn else 0.0)
             v117 = (turn if -v9 <= -half_turn else 0.0) - v9
-            v118 = v116 < low4 or high4 < v116
-            v119 = v117 < low4 or high4 < v117
-            v120 = angle2 < low5 or high5 < angle2
-            v121 = q5_pmp < low5 or high5 < q5_pmp
-            v122 = angle3 < low5 or high5 < angle3
-            v123 = q5_mmp < low5 or high5 < q5_mmp
-            v124 = angle4 + (turn if angle4 < low6 else 0.0)
-            v125 = angle5 + (turn if angle5 < low6 else 0.0)
-            v126 = angle6 + (turn if angle6 < low6 else 0.0)
-            v127 = angle7 + (turn if angle7 < low6 else 0.0)
-            v128 = v124 < low6 or high6 < v124
-            v129 = v125 < low6 or high6 < v125
-            v130 = v126 < low6 or high6 < v126
-            v131 = v127 < low6 or high6 < v127
-            q6_ppp = angle4 if v128 else v124
-            q6_pmp = angle5 if v129 else v125
-            q6_mpp = angle6 if v130 else v126
-            q6_mmp = angle7 if v131 else v127
+            v118 = high2 < abs(angle12)
+            v119 = high2 < abs(angle13)
+            v120 = high2 < abs(angle14)
+            v121 = high2 < abs(angle15)
+            v122 = v116 < low4 or high4 < v116
+            v123 = v117 < low4 or high4 < v117
+            v124 = high5 < abs(angle2)
+            v125 = high5 < abs(q5_pmp)
+            v126 = high5 < abs(angle3)
+            v127 = high5 < abs(q5_mmp)
+            v128 = angle4 + (turn if angle4 < low6 else 0.0)
+            v129 = angle5 + (turn if angle5 < low6 else 0.0)
+            v130 = angle6 + (turn if angle6 < low6 else 0.0)
+            v131 = angle7 + (turn if angle7 < low6 else 0.0)
+            v132 = v128 < low6 or high6 < v128
+            v133 = v129 < low6 or high6 < v129
+            v134 = v130 < low6 or high6 < v130
+            v135 = v131 < low6 or high6 < v131
+            q6_ppp = angle4 if v132 else v128
+            q6_pmp = angle5 if v133 else v129
+            q6_mpp = angle6 if v134 else v130
+            q6_mmp = angle7 if v135 else v131
             q4_ppp = v18 + v116
             q4_mpp = v19 + v117
             outside_ppp = (
-                v128 or v120 or v118 or angle8 < low3 or high3 < angle8 or angle16 < low1 or high1 <
-                angle16 or angle12 < low2 or high2 < angle12
+                v132 or v124 or v122 or high3 < abs(angle8) or v118 or high1 < abs(angle16)
             )
-            outside_ppm = (
-                v128 or v120 or v118 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
-                q1_ppm or -angle12 < low2 or high2 < -angle12
-            )
+            outside_ppm = v132 or v124 or v122 or high3 < abs(q3_ppm) or v118 or high1 < abs(q1_ppm)
             outside_pmp = (
-                v129 or v121 or v118 or angle9 < low3 or high3 < angle9 or angle17 < low1 or high1 <
-                angle17 or angle13 < low2 or high2 < angle13
+                v133 or v125 or v122 or high3 < abs(angle9) or v119 or high1 < abs(angle17)
             )
-            outside_pmm = (
-                v129 or v121 or v118 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
-                q1_pmm or -angle13 < low2 or high2 < -angle13
-            )
+            outside_pmm = v133 or v125 or v122 or high3 < abs(q3_pmm) or v119 or high1 < abs(q1_pmm)
             outside_mpp = (
-                v130 or v122 or v119 or angle10 < low3 or high3 < angle10 or angle18 < low1 or high1
-                < angle18 or angle14 < low2 or high2 < angle14
+                v134 or v126 or v123 or high3 < abs(angle10) or v120 or high1 < abs(angle18)
             )
-            outside_mpm = (
-                v130 or v122 or v119 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
-                q1_mpm or -angle14 < low2 or high2 < -angle14
-            )
+            outside_mpm = v134 or v126 or v123 or high3 < abs(q3_mpm) or v120 or high1 < abs(q1_mpm)
             outside_mmp = (
-                v131 or v123 or v119 or angle11 < low3 or high3 < angle11 or angle19 < low1 or high1
-                < angle19 or angle15 < low2 or high2 < angle15
+                v135 or v127 or v123 or high3 < abs(angle11) or v121 or high1 < abs(angle19)
             )
-            outside_mmm = (
-                v131 or v123 or v119 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
-                q1_mmm or -angle15 < low2 or high2 < -angle15
-            )
+            outside_mmm = v135 or v127 or v123 or high3 < abs(q3_mmm) or v121 or high1 < abs(q1_mmm)
             _1216 = angle16
             work[1216 + k] = _1216
             _1232 = angle12

@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -232,9 +235,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -492,44 +497,44 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             v59)))) - offset6, v94 = angle18 - offset6,
         v95 = angle18 - signed_wide(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
             v59)))) - offset6;
-    const wide_mask v96 = beyond(q3_ppp, 3), v97 = beyond(q3_pmp, 3);
+    const wide_mask v96 = exceeds(q3_ppp, 3), v97 = exceeds(q3_pmp, 3);
     const wide q1_ppp = v4 + (v60 + only_wide(half_turn < v60, -turn)),
         q1_mpp = v4 + (v61 + only_wide(half_turn < v61, -turn));
-    const wide_mask v98 = v96 | beyond(q2_ppp, 2), v99 = v97 | beyond(q2_pmp, 2),
-        v100 = v96 | beyond(q2_mpp, 2), v101 = v97 | beyond(q2_mmp, 2),
+    const wide_mask v98 = v96 | exceeds(q2_ppp, 2), v99 = v97 | exceeds(q2_pmp, 2),
+        v100 = v96 | exceeds(q2_mpp, 2), v101 = v97 | exceeds(q2_mmp, 2),
         doubt1 = (v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) | (v25 <= m5) |
             (v48 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m2) | (v23 <= m5);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, turn);
     q[4] = q5_ppp; q[5] = v88 + only_wide(v88 <= -half_turn, turn);
-    kind[0] = kind_of(q[0], v98 | beyond(q5_ppp, 5));
+    kind[0] = kind_of(q[0], v98 | exceeds(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, turn);
     q[10] = q5_ppm; q[11] = v89 + only_wide(v89 <= -half_turn, turn);
-    kind[1] = kind_of(q[6], v98 | beyond(q5_ppm, 5));
+    kind[1] = kind_of(q[6], v98 | exceeds(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
     q[15] = v72 + only_wide(v72 <= -half_turn, turn); q[16] = q5_pmp;
     q[17] = v90 + only_wide(v90 <= -half_turn, turn);
-    kind[2] = kind_of(q[12], v99 | beyond(q5_pmp, 5));
+    kind[2] = kind_of(q[12], v99 | exceeds(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
     q[21] = v73 + only_wide(v73 <= -half_turn, turn); q[22] = q5_pmm;
     q[23] = v91 + only_wide(v91 <= -half_turn, turn);
-    kind[3] = kind_of(q[18], v99 | beyond(q5_pmm, 5));
+    kind[3] = kind_of(q[18], v99 | exceeds(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
     q[27] = v74 + only_wide(v74 <= -half_turn, turn); q[28] = q5_mpp;
     q[29] = v92 + only_wide(v92 <= -half_turn, turn);
-    kind[4] = kind_of(q[24], v100 | beyond(q5_mpp, 5));
+    kind[4] = kind_of(q[24], v100 | exceeds(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
     q[33] = v75 + only_wide(v75 <= -half_turn, turn); q[34] = q5_mpm;
     q[35] = v93 + only_wide(v93 <= -half_turn, turn);
-    kind[5] = kind_of(q[30], v100 | beyond(q5_mpm, 5));
+    kind[5] = kind_of(q[30], v100 | exceeds(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
     q[39] = v76 + only_wide(v76 <= -half_turn, turn); q[40] = q5_mmp;
     q[41] = v94 + only_wide(v94 <= -half_turn, turn);
-    kind[6] = kind_of(q[36], v101 | beyond(q5_mmp, 5));
+    kind[6] = kind_of(q[36], v101 | exceeds(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
     q[45] = v77 + only_wide(v77 <= -half_turn, turn); q[46] = q5_mmm;
     q[47] = v95 + only_wide(v95 <= -half_turn, turn);
-    kind[7] = kind_of(q[42], v101 | beyond(q5_mmm, 5));
+    kind[7] = kind_of(q[42], v101 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -585,6 +590,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
     const four_mask doubt2 = (v21 <= m5) | (v30 <= m6);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 }),
         ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-(e1 * v28), v26),
         ratio4 = ratio_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25)),
@@ -603,13 +611,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v48 = angle6 - signed_four(half_turn, v46) - offset6,
         q6_p = v47 + only_four(v47 <= -half_turn, turn),
         q6_m = v48 + only_four(v48 <= -half_turn, turn);
-    const four_mask v49 = beyond_four(q3_p, 3);
+    const four_mask v49 = exceeds_four(q3_p, 3);
     const four q1_p = v4 + (v37 + only_four(half_turn < v37, -turn));
-    const four_mask v50 = v49 | beyond_four(q2_p, 2), outside_p = v50 | beyond_four(q5_p, 5),
-        outside_m = v50 | beyond_four(q5_m, 5);
+    const four_mask v50 = v49 | exceeds_four(q2_p, 2), outside_p = v50 | exceeds_four(q5_p, 5),
+        outside_m = v50 | exceeds_four(q5_m, 5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -621,7 +627,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * KAWASAKI_RS007N_UNREACHABLE + (outside1 & ~none1) *
         KAWASAKI_RS007N_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

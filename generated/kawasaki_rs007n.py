@@ -141,11 +141,8 @@ k1 = 0.26625  # 2 * d4 * a2 [m^2]
 k2 = 0.26665  # a2^2 + d4^2 [m^2]
 k3 = 14.106548524322777  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-low2 = -2.356194491192345
 high2 = 2.356194491192345
-low3 = -2.705260341591211
 high3 = 2.705260341591211
-low5 = -2.181661565992912
 high5 = 2.181661565992912
 m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
 m2 = 9.080736163016987e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -399,7 +396,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n 0596d158cdceb9bf"
+_KEY = "kawasaki_rs007n 8691b8124ba11e5c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1325,22 +1322,22 @@ def _regular(pose, q, status):
     q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
     q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
     q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
-    v96 = q3_ppp < low3 or high3 < q3_ppp
-    v97 = q3_pmp < low3 or high3 < q3_pmp
+    v96 = high3 < abs(q3_ppp)
+    v97 = high3 < abs(q3_pmp)
     q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
     q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
-    v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
-    v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
-    v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
-    v101 = v97 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v98 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v98 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v99 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v99 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v100 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v100 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v101 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v101 or q5_mmm < low5 or high5 < q5_mmm
+    v98 = v96 or high2 < abs(q2_ppp)
+    v99 = v97 or high2 < abs(q2_pmp)
+    v100 = v96 or high2 < abs(q2_mpp)
+    v101 = v97 or high2 < abs(q2_mmp)
+    outside_ppp = v98 or high5 < abs(q5_ppp)
+    outside_ppm = v98 or high5 < abs(q5_ppm)
+    outside_pmp = v99 or high5 < abs(q5_pmp)
+    outside_pmm = v99 or high5 < abs(q5_pmm)
+    outside_mpp = v100 or high5 < abs(q5_mpp)
+    outside_mpm = v100 or high5 < abs(q5_mpm)
+    outside_mmp = v101 or high5 < abs(q5_mmp)
+    outside_mmm = v101 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1913,22 +1910,22 @@ def _in_tiles(T, q, status):
             q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
             q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
             q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
-            v96 = q3_ppp < low3 or high3 < q3_ppp
-            v97 = q3_pmp < low3 or high3 < q3_pmp
+            v96 = high3 < abs(q3_ppp)
+            v97 = high3 < abs(q3_pmp)
             q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
             q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
-            v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
-            v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
-            v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
-            v101 = v97 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v98 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v98 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v99 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v99 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v100 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v100 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v101 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v101 or q5_mmm < low5 or high5 < q5_mmm
+            v98 = v96 or high2 < abs(q2_ppp)
+            v99 = v97 or high2 < abs(q2_pmp)
+            v100 = v96 or high2 < abs(q2_mpp)
+            v101 = v97 or high2 < abs(q2_mmp)
+            outside_ppp = v98 or high5 < abs(q5_ppp)
+            outside_ppm = v98 or high5 < abs(q5_ppm)
+            outside_pmp = v99 or high5 < abs(q5_pmp)
+            outside_pmm = v99 or high5 < abs(q5_pmm)
+            outside_mpp = v100 or high5 < abs(q5_mpp)
+            outside_mpm = v100 or high5 < abs(q5_mpm)
+            outside_mmp = v101 or high5 < abs(q5_mmp)
+            outside_mmm = v101 or high5 < abs(q5_mmm)
             _1152 = q1_ppp
             work[1152 + k] = _1152
             _1168 = q2_ppp

@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -232,9 +235,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -591,6 +596,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = (fabs(D1) <= k3) | (fabs(D3) <= m1);
     const four_mask doubt2 = (v21 <= m4) | (v27 <= m5);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(-v5), 0, 5, 2, 3), shuffle(c1,
         all_four(v7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-v25, -X4),
         ratio4 = ratio_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) + X4 * v29),
@@ -616,8 +624,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42, outside_p = v45 | v47, outside_m = v46 | v47;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -629,7 +635,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * KINOVA_J2S6S300_UNREACHABLE + (outside1 & ~none1) *
         KINOVA_J2S6S300_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

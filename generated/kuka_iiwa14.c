@@ -61,7 +61,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -69,12 +72,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -238,9 +241,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -484,9 +489,9 @@ HELPER wide_mask solve_wide(
 
     /* joint values */
     const wide angle5 = atan2_wide(-v4, -v2);
-    const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (abs_wide(D1) <=
-        reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) | (high(3) < free_joints[0]) |
-        (free_joints[0] < low(3));
+    const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) |
+        exceeds(free_joints[0], 3) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs_wide(Z1)));
     left |= doubt1;
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
@@ -495,7 +500,7 @@ HELPER wide_mask solve_wide(
 
         /* joint values */
         const wide v67 = e1 * angle5 - offset4, q4_ = v67 + only_wide(v67 <= -half_turn, turn);
-        const wide_mask v70 = beyond(q4_, 4);
+        const wide_mask v70 = exceeds(q4_, 4);
         const wide q4_p = v6 + q4_;
 
         UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* left, right */
@@ -525,18 +530,18 @@ HELPER wide_mask solve_wide(
                 v68 = angle6 - offset6, v69 = offset6 + angle6,
                 q6_p = v68 + only_wide(v68 <= -half_turn, turn),
                 q6_m = only_wide(-v69 <= -half_turn, turn) - v69;
-            const wide_mask v71 = v70 | beyond(q1_p, 1) | beyond(q2_p, 2),
+            const wide_mask v71 = v70 | exceeds(q1_p, 1) | exceeds(q2_p, 2),
                 doubt2 = (v23 <= m2) | (v39 <= m3);
             const int row = 4 * i1 + 2 * i2;
             q[7 * row] = q1_p; q[7 * row + 1] = q2_p; q[7 * row + 2] = q3_p; q[7 * row + 3] = q4_p;
             q[7 * row + 4] = angle1; q[7 * row + 5] = q6_p; q[7 * row + 6] = angle2;
-            kind[row] = kind_of(q[7 * row], beyond(angle2, 7) | beyond(q6_p, 6) | v71 |
-                beyond(angle1, 5));
+            kind[row] = kind_of(q[7 * row], exceeds(angle2, 7) | exceeds(q6_p, 6) | v71 |
+                exceeds(angle1, 5));
             q[7 * row + 7] = q1_p; q[7 * row + 8] = q2_p; q[7 * row + 9] = q3_p;
             q[7 * row + 10] = q4_p; q[7 * row + 11] = q5_m; q[7 * row + 12] = q6_m;
             q[7 * row + 13] = q7_m;
-            kind[row + 1] = kind_of(q[7 * row + 7], beyond(q7_m, 7) | beyond(q6_m, 6) | v71 |
-                beyond(q5_m, 5));
+            kind[row + 1] = kind_of(q[7 * row + 7], exceeds(q7_m, 7) | exceeds(q6_m, 6) | v71 |
+                exceeds(q5_m, 5));
             left |= doubt2;
         }
     }
@@ -559,8 +564,12 @@ HELPER int solve_regular(
 
     /* joint values */
     const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (fabs(D1) <= reach_slack1 *
-        (reach_slack1 + 2.0 * fabs(Z1))) | (high(3) < free_joints[0]) | (free_joints[0] < low(3));
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
+        fabs(free_joints[0])) | (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1)));
+
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
+        (unsigned)(doubt1))
+        return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
         }), ratio2 = ratio_four(s1, c1), ratio3 = ratio_four(S2, -v22),
@@ -584,15 +593,12 @@ HELPER int solve_regular(
         q4_ = v67 + only_four(v67 <= -half_turn, turn), v68 = angle6 - offset6,
         v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, turn),
         q6_m = only_four(-v69 <= -half_turn, turn) - v69;
-    const four_mask v70 = beyond_four(q4_, 4);
+    const four_mask v70 = exceeds_four(q4_, 4);
     const four q4_p = v6 + q4_;
-    const four_mask v71 = v70 | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
-        outside_p = beyond_four(angle2, 7) | beyond_four(q6_p, 6) | v71 | beyond_four(angle1, 5),
-        outside_m = beyond_four(q7_m, 7) | beyond_four(q6_m, 6) | v71 | beyond_four(q5_m, 5);
+    const four_mask v71 = v70 | exceeds_four(q1_p, 1) | exceeds_four(q2_p, 2),
+        outside_p = exceeds_four(angle2, 7) | exceeds_four(q6_p, 6) | v71 | exceeds_four(angle1, 5),
+        outside_m = exceeds_four(q7_m, 7) | exceeds_four(q6_m, 6) | v71 | exceeds_four(q5_m, 5);
 
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
-        (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle1, q6_p, angle2);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, all_four(q3_p), q4_p);
@@ -604,7 +610,7 @@ HELPER int solve_regular(
     const unsigned long long kind1 = none1 * KUKA_IIWA14_UNREACHABLE + (outside1 & ~none1) *
         KUKA_IIWA14_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -143,19 +143,12 @@ k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604
 high1 = 2.9670597293903604
-low2 = -2.0943951033931953
 high2 = 2.0943951033931953
-low3 = -2.9670597293903604
 high3 = 2.9670597293903604
-low4 = -2.0943951033931953
 high4 = 2.0943951033931953
-low5 = -2.9670597293903604
 high5 = 2.9670597293903604
-low6 = -2.0943951033931953
 high6 = 2.0943951033931953
-low7 = -3.054326191990077
 high7 = 3.054326191990077
 m1 = 1.4391687841457539e-13  # -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4]
 m2 = 2.909194164496e-16  # doubt_limit_squared2^2 [m^4]
@@ -426,7 +419,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 c2eadf79472b65a9"
+_KEY = "kuka_iiwa14 b253fa4d00a14387"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1312,15 +1305,15 @@ def _regular(pose, q_free, q, status):
     v92 = offset4 + angle17
     q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
     q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-    v101 = q4__p < low4 or high4 < q4__p
-    v102 = q4__m < low4 or high4 < q4__m
+    v101 = high4 < abs(q4__p)
+    v102 = high4 < abs(q4__m)
     q3_ppp = v6 + (q_free[0] + (w4 - w4))
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
         N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0
-        * abs(Z1)) or q_free[0] < low3 or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26 <=
-        m2 or v48 <= m3 or high3 < q_free[0] or v25 <= m2
+        * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26 <= m2 or v48 <= m3 or
+        high3 < abs(q_free[0]) or v25 <= m2
     )
 
     # angles, side by side
@@ -1486,42 +1479,18 @@ def _regular(pose, q_free, q, status):
     q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
     q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
     q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
-    v103 = v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
-    v104 = v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
-    v105 = v102 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
-    v106 = v102 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = (
-        angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v103 or angle1 < low5
-        or high5 < angle1
-    )
-    outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v103 or q5_ppm < low5
-        or high5 < q5_ppm
-    )
-    outside_pmp = (
-        angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v104 or angle2 < low5
-        or high5 < angle2
-    )
-    outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v104 or q5_pmm < low5
-        or high5 < q5_pmm
-    )
-    outside_mpp = (
-        angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v105 or angle3 < low5
-        or high5 < angle3
-    )
-    outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v105 or q5_mpm < low5
-        or high5 < q5_mpm
-    )
-    outside_mmp = (
-        angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v106 or angle4 < low5
-        or high5 < angle4
-    )
-    outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v106 or q5_mmm < low5
-        or high5 < q5_mmm
-    )
+    v103 = v101 or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
+    v104 = v101 or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
+    v105 = v102 or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
+    v106 = v102 or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
+    outside_ppp = high7 < abs(angle5) or high6 < abs(q6_ppp) or v103 or high5 < abs(angle1)
+    outside_ppm = high7 < abs(q7_ppm) or high6 < abs(q6_ppm) or v103 or high5 < abs(q5_ppm)
+    outside_pmp = high7 < abs(angle6) or high6 < abs(q6_pmp) or v104 or high5 < abs(angle2)
+    outside_pmm = high7 < abs(q7_pmm) or high6 < abs(q6_pmm) or v104 or high5 < abs(q5_pmm)
+    outside_mpp = high7 < abs(angle7) or high6 < abs(q6_mpp) or v105 or high5 < abs(angle3)
+    outside_mpm = high7 < abs(q7_mpm) or high6 < abs(q6_mpm) or v105 or high5 < abs(q5_mpm)
+    outside_mmp = high7 < abs(angle8) or high6 < abs(q6_mmp) or v106 or high5 < abs(angle4)
+    outside_mmm = high7 < abs(q7_mmm) or high6 < abs(q6_mmm) or v106 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -2069,15 +2038,15 @@ def _in_tiles(T, q_free, q, status):
             v92 = offset4 + angle17
             q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
             q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-            v101 = q4__p < low4 or high4 < q4__p
-            v102 = q4__m < low4 or high4 < q4__m
+            v101 = high4 < abs(q4__p)
+            v102 = high4 < abs(q4__m)
             q3_ppp = v6 + (given1 + (w4 - w4))
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
                 N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z1)) or given1 < low3 or v51 <= m3 or v27 <= m2 or v50 <=
-                m3 or v49 <= m3 or v26 <= m2 or v48 <= m3 or high3 < given1 or v25 <= m2
+                (reach_slack1 + 2.0 * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3
+                or v26 <= m2 or v48 <= m3 or high3 < abs(given1) or v25 <= m2
             )
             work[720 + k] = c1_pp
             work[736 + k] = v12
@@ -2314,42 +2283,18 @@ def _in_tiles(T, q_free, q, status):
             q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
             q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
             q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
-            v103 = v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
-            v104 = v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
-            v105 = v102 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
-            v106 = v102 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = (
-                angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v103 or angle1
-                < low5 or high5 < angle1
-            )
-            outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v103 or q5_ppm
-                < low5 or high5 < q5_ppm
-            )
-            outside_pmp = (
-                angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v104 or angle2
-                < low5 or high5 < angle2
-            )
-            outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v104 or q5_pmm
-                < low5 or high5 < q5_pmm
-            )
-            outside_mpp = (
-                angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v105 or angle3
-                < low5 or high5 < angle3
-            )
-            outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v105 or q5_mpm
-                < low5 or high5 < q5_mpm
-            )
-            outside_mmp = (
-                angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v106 or angle4
-                < low5 or high5 < angle4
-            )
-            outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v106 or q5_mmm
-                < low5 or high5 < q5_mmm
-            )
+            v103 = v101 or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
+            v104 = v101 or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
+            v105 = v102 or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
+            v106 = v102 or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
+            outside_ppp = high7 < abs(angle5) or high6 < abs(q6_ppp) or v103 or high5 < abs(angle1)
+            outside_ppm = high7 < abs(q7_ppm) or high6 < abs(q6_ppm) or v103 or high5 < abs(q5_ppm)
+            outside_pmp = high7 < abs(angle6) or high6 < abs(q6_pmp) or v104 or high5 < abs(angle2)
+            outside_pmm = high7 < abs(q7_pmm) or high6 < abs(q6_pmm) or v104 or high5 < abs(q5_pmm)
+            outside_mpp = high7 < abs(angle7) or high6 < abs(q6_mpp) or v105 or high5 < abs(angle3)
+            outside_mpm = high7 < abs(q7_mpm) or high6 < abs(q6_mpm) or v105 or high5 < abs(q5_mpm)
+            outside_mmp = high7 < abs(angle8) or high6 < abs(q6_mmp) or v106 or high5 < abs(angle4)
+            outside_mmm = high7 < abs(q7_mmm) or high6 < abs(q6_mmm) or v106 or high5 < abs(q5_mmm)
             _1920 = q1_ppp
             work[1920 + k] = _1920
             _1936 = q2_ppp

@@ -55,7 +55,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -63,12 +66,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -233,9 +236,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -541,15 +546,15 @@ HELPER wide_mask solve_wide(
         q6_ppm = only_wide(-v88 <= -half_turn, turn) - v88,
         q6_mpp = v89 + only_wide(v89 <= -half_turn, turn),
         q6_mpm = only_wide(-v90 <= -half_turn, turn) - v90;
-    const wide_mask v91 = beyond(q4_ppp, 4), v92 = beyond(q4_mpp, 4), v93 = beyond(angle3, 5),
-        v94 = beyond(q5_ppm, 5), v95 = beyond(angle4, 5), v96 = beyond(q5_mpm, 5),
-        v97 = beyond(q6_ppp, 6), v98 = beyond(q6_ppm, 6), v99 = beyond(q6_mpp, 6),
-        v100 = beyond(q6_mpm, 6), v101 = beyond(angle5, 7), v102 = beyond(q7_ppm, 7),
-        v103 = beyond(angle6, 7), v104 = beyond(q7_mpm, 7),
-        v105 = v91 | beyond(angle1, 3) | beyond(q1_ppp, 1) | beyond(q2_ppp, 2),
-        v106 = v91 | beyond(q3_pmp, 3) | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
-        v107 = v92 | beyond(angle2, 3) | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
-        v108 = v92 | beyond(q3_mmp, 3) | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
+    const wide_mask v91 = exceeds(q4_ppp, 4), v92 = exceeds(q4_mpp, 4), v93 = exceeds(angle3, 5),
+        v94 = exceeds(q5_ppm, 5), v95 = exceeds(angle4, 5), v96 = exceeds(q5_mpm, 5),
+        v97 = exceeds(q6_ppp, 6), v98 = exceeds(q6_ppm, 6), v99 = exceeds(q6_mpp, 6),
+        v100 = exceeds(q6_mpm, 6), v101 = exceeds(angle5, 7), v102 = exceeds(q7_ppm, 7),
+        v103 = exceeds(angle6, 7), v104 = exceeds(q7_mpm, 7),
+        v105 = v91 | exceeds(angle1, 3) | exceeds(q1_ppp, 1) | exceeds(q2_ppp, 2),
+        v106 = v91 | exceeds(q3_pmp, 3) | exceeds(q1_pmp, 1) | exceeds(q2_pmp, 2),
+        v107 = v92 | exceeds(angle2, 3) | exceeds(q1_mpp, 1) | exceeds(q2_mpp, 2),
+        v108 = v92 | exceeds(q3_mmp, 3) | exceeds(q1_mmp, 1) | exceeds(q2_mmp, 2),
         doubt1 = (v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (abs_wide(D4) <= m1) | (v30 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
@@ -653,6 +658,10 @@ HELPER int solve_regular(
     const four v52 = signed_four(half_turn, b22);
     const four_mask doubt2 = (v27 <= m3) | (v41 <= m3);
 
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
+        (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
         }), ratio2 = ratio_four(shuffle(-v30, Y5, 0, 5, 2, 7), shuffle(-v32, -X5, 0, 5, 2, 7)),
         ratio3 = ratio_four(shuffle(w1, w5, 0, 5, 2, 7), shuffle(c2, -(v3 * v40 + e1 * (v33 * (v5 *
@@ -674,15 +683,12 @@ HELPER int solve_regular(
         q4_p = v55 + only_four(v55 <= -half_turn, turn), v56 = angle7 - offset6,
         v57 = offset6 + angle7, q6_p = v56 + only_four(v56 <= -half_turn, turn),
         q6_m = only_four(-v57 <= -half_turn, turn) - v57;
-    const four_mask v58 = beyond_four(q4_p, 4), v59 = beyond_four(angle2, 5),
-        v60 = beyond_four(q5_m, 5), v61 = beyond_four(q6_p, 6), v62 = beyond_four(q6_m, 6),
-        v63 = beyond_four(angle3, 7), v64 = beyond_four(q7_m, 7),
-        v65 = v58 | beyond_four(q3_p, 3) | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
+    const four_mask v58 = exceeds_four(q4_p, 4), v59 = exceeds_four(angle2, 5),
+        v60 = exceeds_four(q5_m, 5), v61 = exceeds_four(q6_p, 6), v62 = exceeds_four(q6_m, 6),
+        v63 = exceeds_four(angle3, 7), v64 = exceeds_four(q7_m, 7),
+        v65 = v58 | exceeds_four(q3_p, 3) | exceeds_four(q1_p, 1) | exceeds_four(q2_p, 2),
         outside_p = v63 | v61 | v59 | v65, outside_m = v64 | v62 | v60 | v65;
 
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
-        (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle2, q6_p, angle3);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_p);
@@ -694,7 +700,7 @@ HELPER int solve_regular(
     const unsigned long long kind1 = none1 * KUKA_IIWA14_ARM_ANGLE_UNREACHABLE + (outside1 & ~none1)
         * KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -140,19 +140,12 @@ k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604
 high1 = 2.9670597293903604
-low2 = -2.0943951033931953
 high2 = 2.0943951033931953
-low3 = -2.9670597293903604
 high3 = 2.9670597293903604
-low4 = -2.0943951033931953
 high4 = 2.0943951033931953
-low5 = -2.9670597293903604
 high5 = 2.9670597293903604
-low6 = -2.0943951033931953
 high6 = 2.0943951033931953
-low7 = -3.054326191990077
 high7 = 3.054326191990077
 m1 = 1.4391687841457539e-13  # -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4]
 m2 = 1e-24  # free_limit^2
@@ -482,7 +475,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 82dc566b78a945ff"
+_KEY = "kuka_iiwa14_arm_angle 211a540a956b36f8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1108,8 +1101,8 @@ def _regular(pose, q_free, q, status):
     v86 = offset4 + angle11
     q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
     q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-    v91 = q4_ppp < low4 or high4 < q4_ppp
-    v92 = q4_mpp < low4 or high4 < q4_mpp
+    v91 = high4 < abs(q4_ppp)
+    v92 = high4 < abs(q4_mpp)
     doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
 
     # angles, side by side
@@ -1197,34 +1190,22 @@ def _regular(pose, q_free, q, status):
     q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
     q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
     q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-    v93 = angle3 < low5 or high5 < angle3
-    v94 = q5_ppm < low5 or high5 < q5_ppm
-    v95 = angle4 < low5 or high5 < angle4
-    v96 = q5_mpm < low5 or high5 < q5_mpm
-    v97 = q6_ppp < low6 or high6 < q6_ppp
-    v98 = q6_ppm < low6 or high6 < q6_ppm
-    v99 = q6_mpp < low6 or high6 < q6_mpp
-    v100 = q6_mpm < low6 or high6 < q6_mpm
-    v101 = angle5 < low7 or high7 < angle5
-    v102 = q7_ppm < low7 or high7 < q7_ppm
-    v103 = angle6 < low7 or high7 < angle6
-    v104 = q7_mpm < low7 or high7 < q7_mpm
-    v105 = (
-        v91 or angle1 < low3 or high3 < angle1 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2
-        or high2 < q2_ppp
-    )
-    v106 = (
-        v91 or q3_pmp < low3 or high3 < q3_pmp or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2
-        or high2 < q2_pmp
-    )
-    v107 = (
-        v92 or angle2 < low3 or high3 < angle2 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2
-        or high2 < q2_mpp
-    )
-    v108 = (
-        v92 or q3_mmp < low3 or high3 < q3_mmp or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2
-        or high2 < q2_mmp
-    )
+    v93 = high5 < abs(angle3)
+    v94 = high5 < abs(q5_ppm)
+    v95 = high5 < abs(angle4)
+    v96 = high5 < abs(q5_mpm)
+    v97 = high6 < abs(q6_ppp)
+    v98 = high6 < abs(q6_ppm)
+    v99 = high6 < abs(q6_mpp)
+    v100 = high6 < abs(q6_mpm)
+    v101 = high7 < abs(angle5)
+    v102 = high7 < abs(q7_ppm)
+    v103 = high7 < abs(angle6)
+    v104 = high7 < abs(q7_mpm)
+    v105 = v91 or high3 < abs(angle1) or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
+    v106 = v91 or high3 < abs(q3_pmp) or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
+    v107 = v92 or high3 < abs(angle2) or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
+    v108 = v92 or high3 < abs(q3_mmp) or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
     outside_ppp = v101 or v97 or v93 or v105
     outside_ppm = v102 or v98 or v94 or v105
     outside_pmp = v101 or v97 or v93 or v106
@@ -1758,8 +1739,8 @@ def _in_tiles(T, q_free, q, status):
             v86 = offset4 + angle11
             q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
             q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-            v91 = q4_ppp < low4 or high4 < q4_ppp
-            v92 = q4_mpp < low4 or high4 < q4_mpp
+            v91 = high4 < abs(q4_ppp)
+            v92 = high4 < abs(q4_mpp)
             doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
             work[800 + k] = b22_p
             work[816 + k] = b22_m
@@ -1862,34 +1843,22 @@ def _in_tiles(T, q_free, q, status):
             q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
             q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
             q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-            v93 = angle3 < low5 or high5 < angle3
-            v94 = q5_ppm < low5 or high5 < q5_ppm
-            v95 = angle4 < low5 or high5 < angle4
-            v96 = q5_mpm < low5 or high5 < q5_mpm
-            v97 = q6_ppp < low6 or high6 < q6_ppp
-            v98 = q6_ppm < low6 or high6 < q6_ppm
-            v99 = q6_mpp < low6 or high6 < q6_mpp
-            v100 = q6_mpm < low6 or high6 < q6_mpm
-            v101 = angle5 < low7 or high7 < angle5
-            v102 = q7_ppm < low7 or high7 < q7_ppm
-            v103 = angle6 < low7 or high7 < angle6
-            v104 = q7_mpm < low7 or high7 < q7_mpm
-            v105 = (
-                v91 or angle1 < low3 or high3 < angle1 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp
-                < low2 or high2 < q2_ppp
-            )
-            v106 = (
-                v91 or q3_pmp < low3 or high3 < q3_pmp or q1_pmp < low1 or high1 < q1_pmp or q2_pmp
-                < low2 or high2 < q2_pmp
-            )
-            v107 = (
-                v92 or angle2 < low3 or high3 < angle2 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp
-                < low2 or high2 < q2_mpp
-            )
-            v108 = (
-                v92 or q3_mmp < low3 or high3 < q3_mmp or q1_mmp < low1 or high1 < q1_mmp or q2_mmp
-                < low2 or high2 < q2_mmp
-            )
+            v93 = high5 < abs(angle3)
+            v94 = high5 < abs(q5_ppm)
+            v95 = high5 < abs(angle4)
+            v96 = high5 < abs(q5_mpm)
+            v97 = high6 < abs(q6_ppp)
+            v98 = high6 < abs(q6_ppm)
+            v99 = high6 < abs(q6_mpp)
+            v100 = high6 < abs(q6_mpm)
+            v101 = high7 < abs(angle5)
+            v102 = high7 < abs(q7_ppm)
+            v103 = high7 < abs(angle6)
+            v104 = high7 < abs(q7_mpm)
+            v105 = v91 or high3 < abs(angle1) or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
+            v106 = v91 or high3 < abs(q3_pmp) or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
+            v107 = v92 or high3 < abs(angle2) or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
+            v108 = v92 or high3 < abs(q3_mmp) or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
             outside_ppp = v101 or v97 or v93 or v105
             outside_ppm = v102 or v98 or v94 or v105
             outside_pmp = v101 or v97 or v93 or v106

@@ -38,7 +38,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -46,12 +49,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -204,9 +207,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -333,21 +338,22 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const four q2 = e1 * w2;
     const four_mask outside = beyond_four(q2, 2);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24,
         -T24 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0);
     const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1,
         q1 = v3 + only_four(v3 <= -half_turn, turn);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
-        return -1;
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * PLANAR_RP_UNREACHABLE + (outside1 & ~none1) *
         PLANAR_RP_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 2);
-    return 2 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -47,7 +47,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -55,12 +58,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -224,9 +227,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -454,37 +459,39 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* joint values */
     const wide v44 = q3__p + only_wide(q3__p <= -half_turn, turn),
         v45 = only_wide(-v12 <= -half_turn, turn) - v12;
-    const wide_mask v46 = beyond(angle1, 1), v47 = beyond(angle2, 1), v48 = beyond(v44, 3),
-        v49 = beyond(v45, 3);
+    const wide_mask v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
+        v49 = exceeds(v45, 3);
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | v46 | beyond(angle4, 2), v51 = v49 | v46 | beyond(angle5, 2),
-        v52 = v48 | v47 | beyond(angle6, 2), v53 = v49 | v47 | beyond(angle7, 2),
+    const wide_mask outside_ppp = exceeds(angle12, 5) | v48 | v46 | exceeds(angle4, 2),
+        outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
+        outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
+        outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
         doubt1 = (abs_wide(D3) <= m1) | (abs_wide(D1) <= k2) | (v31 <= m8) | (v30 <= m8) | (v28 <=
             m8) | (v29 <= m8);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
-    kind[0] = kind_of(q[0], v50 | beyond(angle12, 5));
+    kind[0] = kind_of(q[0], outside_ppp);
     q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v32; q[10] = -angle12;
     q[11] = angle16 - signed_wide(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
-    kind[1] = kind_of(q[6], v50 | beyond(-angle12, 5));
+    kind[1] = kind_of(q[6], outside_ppp);
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
-    kind[2] = kind_of(q[12], v51 | beyond(angle13, 5));
+    kind[2] = kind_of(q[12], outside_pmp);
     q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v32; q[22] = -angle13;
     q[23] = angle17 - signed_wide(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
-    kind[3] = kind_of(q[18], v51 | beyond(-angle13, 5));
+    kind[3] = kind_of(q[18], outside_pmp);
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
-    kind[4] = kind_of(q[24], v52 | beyond(angle14, 5));
+    kind[4] = kind_of(q[24], outside_mpp);
     q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = angle10 - v33; q[34] = -angle14;
     q[35] = angle18 - signed_wide(half_turn, v42);
-    kind[5] = kind_of(q[30], v52 | beyond(-angle14, 5));
+    kind[5] = kind_of(q[30], outside_mpp);
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
-    kind[6] = kind_of(q[36], v53 | beyond(angle15, 5));
+    kind[6] = kind_of(q[36], outside_mmp);
     q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = angle11 - v33; q[46] = -angle15;
     q[47] = angle19 - signed_wide(half_turn, v43);
-    kind[7] = kind_of(q[42], v53 | beyond(-angle15, 5));
+    kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -533,6 +540,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
         all_four(N3 - k6), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(Y4, v12),
         ratio4 = ratio_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4 * (c23 * v16
@@ -543,25 +553,22 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v14,
         q6_m = angle6 - signed_four(half_turn, -(c4 * v17 + Y4 * (c23 * v18 + s23 * T31))),
         v19 = q3_ + only_four(q3_ <= -half_turn, turn);
-    const four_mask v20 = beyond_four(angle1, 1), v21 = beyond_four(v19, 3);
+    const four_mask v20 = exceeds_four(angle1, 1), v21 = exceeds_four(v19, 3);
     const four q1_p = angle1 + v4, q3_p = v1 + v19;
-    const four_mask v22 = v21 | v20 | beyond_four(angle3, 2),
-        outside_p = v22 | beyond_four(angle5, 5), outside_m = v22 | beyond_four(-angle5, 5);
+    const four_mask outside_p = exceeds_four(angle5, 5) | v21 | v20 | exceeds_four(angle3, 2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle3, q3_p, angle4);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle5, angle6);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle3, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle5, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
-        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x20204040808101ull &
+        0x101010101010101ull);
     const unsigned long long kind1 = none1 * PUMA560_UNREACHABLE + (outside1 & ~none1) *
         PUMA560_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -139,13 +139,9 @@ k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.7925268041909272
 high1 = 2.7925268041909272
-low2 = -1.9198621781937626
 high2 = 1.9198621781937626
-low3 = -2.356194491192345
 high3 = 2.356194491192345
-low5 = -1.7453292529943296
 high5 = 1.7453292529943296
 m1 = 2.1999652436149993e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 0.12579382426107213  # a coefficient of s3
@@ -367,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 aa02719a4e2e0398"
+_KEY = "puma560 eb474c59ef6e6bbf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1255,26 +1251,18 @@ def _regular(pose, q, status):
     # joint values
     v44 = q3__p + (turn if q3__p <= -half_turn else 0.0)
     v45 = (turn if -v12 <= -half_turn else 0.0) - v12
-    v46 = angle1 < low1 or high1 < angle1
-    v47 = angle2 < low1 or high1 < angle2
-    v48 = v44 < low3 or high3 < v44
-    v49 = v45 < low3 or high3 < v45
+    v46 = high1 < abs(angle1)
+    v47 = high1 < abs(angle2)
+    v48 = high3 < abs(v44)
+    v49 = high3 < abs(v45)
     q1_ppp = angle1 + v7
     q1_mpp = angle2 + v7
     q3_ppp = v1 + v44
     q3_pmp = v1 + v45
-    v50 = v48 or v46 or angle4 < low2 or high2 < angle4
-    v51 = v49 or v46 or angle5 < low2 or high2 < angle5
-    v52 = v48 or v47 or angle6 < low2 or high2 < angle6
-    v53 = v49 or v47 or angle7 < low2 or high2 < angle7
-    outside_ppp = v50 or angle12 < low5 or high5 < angle12
-    outside_ppm = v50 or -angle12 < low5 or high5 < -angle12
-    outside_pmp = v51 or angle13 < low5 or high5 < angle13
-    outside_pmm = v51 or -angle13 < low5 or high5 < -angle13
-    outside_mpp = v52 or angle14 < low5 or high5 < angle14
-    outside_mpm = v52 or -angle14 < low5 or high5 < -angle14
-    outside_mmp = v53 or angle15 < low5 or high5 < angle15
-    outside_mmm = v53 or -angle15 < low5 or high5 < -angle15
+    outside_ppp = high5 < abs(angle12) or v48 or v46 or high2 < abs(angle4)
+    outside_pmp = high5 < abs(angle13) or v49 or v46 or high2 < abs(angle5)
+    outside_mpp = high5 < abs(angle14) or v48 or v47 or high2 < abs(angle6)
+    outside_mmp = high5 < abs(angle15) or v49 or v47 or high2 < abs(angle7)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1292,7 +1280,7 @@ def _regular(pose, q, status):
     q[1, 3] = q4_ppm
     q[1, 4] = -angle12
     q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[2, 0] = q1_ppp
     q[2, 1] = angle5
     q[2, 2] = q3_pmp
@@ -1306,7 +1294,7 @@ def _regular(pose, q, status):
     q[3, 3] = q4_pmm
     q[3, 4] = -angle13
     q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[4, 0] = q1_mpp
     q[4, 1] = angle6
     q[4, 2] = q3_ppp
@@ -1320,7 +1308,7 @@ def _regular(pose, q, status):
     q[5, 3] = q4_mpm
     q[5, 4] = -angle14
     q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[6, 0] = q1_mpp
     q[6, 1] = angle7
     q[6, 2] = q3_pmp
@@ -1334,7 +1322,7 @@ def _regular(pose, q, status):
     q[7, 3] = q4_mmm
     q[7, 4] = -angle15
     q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     return True
 
 
@@ -1782,26 +1770,18 @@ def _in_tiles(T, q, status):
             q6_mmm = angle19 - math.copysign(half_turn, v43)
             v44 = q3__p + (turn if q3__p <= -half_turn else 0.0)
             v45 = (turn if -v12 <= -half_turn else 0.0) - v12
-            v46 = angle1 < low1 or high1 < angle1
-            v47 = angle2 < low1 or high1 < angle2
-            v48 = v44 < low3 or high3 < v44
-            v49 = v45 < low3 or high3 < v45
+            v46 = high1 < abs(angle1)
+            v47 = high1 < abs(angle2)
+            v48 = high3 < abs(v44)
+            v49 = high3 < abs(v45)
             q1_ppp = angle1 + v7
             q1_mpp = angle2 + v7
             q3_ppp = v1 + v44
             q3_pmp = v1 + v45
-            v50 = v48 or v46 or angle4 < low2 or high2 < angle4
-            v51 = v49 or v46 or angle5 < low2 or high2 < angle5
-            v52 = v48 or v47 or angle6 < low2 or high2 < angle6
-            v53 = v49 or v47 or angle7 < low2 or high2 < angle7
-            outside_ppp = v50 or angle12 < low5 or high5 < angle12
-            outside_ppm = v50 or -angle12 < low5 or high5 < -angle12
-            outside_pmp = v51 or angle13 < low5 or high5 < angle13
-            outside_pmm = v51 or -angle13 < low5 or high5 < -angle13
-            outside_mpp = v52 or angle14 < low5 or high5 < angle14
-            outside_mpm = v52 or -angle14 < low5 or high5 < -angle14
-            outside_mmp = v53 or angle15 < low5 or high5 < angle15
-            outside_mmm = v53 or -angle15 < low5 or high5 < -angle15
+            outside_ppp = high5 < abs(angle12) or v48 or v46 or high2 < abs(angle4)
+            outside_pmp = high5 < abs(angle13) or v49 or v46 or high2 < abs(angle5)
+            outside_mpp = high5 < abs(angle14) or v48 or v47 or high2 < abs(angle6)
+            outside_mmp = high5 < abs(angle15) or v49 or v47 or high2 < abs(angle7)
             _1136 = q1_ppp
             work[1136 + k] = _1136
             _1152 = angle4
@@ -1870,25 +1850,25 @@ def _in_tiles(T, q, status):
                 UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1664 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1680 + k] = (
                 UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[1696 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[1712 + k] = (
                 UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[1728 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[1744 + k] = (
                 UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[1760 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(first, first + count):

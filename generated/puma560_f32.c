@@ -47,7 +47,10 @@ static const float odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0f) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -55,12 +58,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421357f, 1.0f); \
+    const v##_mask turned = least > most * 0.41421357f; \
     const v ahead = all_##v(0.7853982f), half = all_##v(1.5707964f); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0f * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -109,6 +112,7 @@ HELPER wide irregularity_wide(const wide T[16])
 #define low(joint) (lowest[joint - 1] - 2e-06f)
 #define high(joint) (highest[joint - 1] + 2e-06f)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -340,37 +344,39 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* joint values */
     const wide v44 = q3__p + only_wide(q3__p <= -half_turn, turn),
         v45 = only_wide(-v12 <= -half_turn, turn) - v12;
-    const wide_mask v46 = beyond(angle1, 1), v47 = beyond(angle2, 1), v48 = beyond(v44, 3),
-        v49 = beyond(v45, 3);
+    const wide_mask v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
+        v49 = exceeds(v45, 3);
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | v46 | beyond(angle4, 2), v51 = v49 | v46 | beyond(angle5, 2),
-        v52 = v48 | v47 | beyond(angle6, 2), v53 = v49 | v47 | beyond(angle7, 2),
+    const wide_mask outside_ppp = exceeds(angle12, 5) | v48 | v46 | exceeds(angle4, 2),
+        outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
+        outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
+        outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
         doubt1 = (abs_wide(D3) <= m1) | (abs_wide(D1) <= k2) | (N3 <= doubt_limit_squared2) | (v31
             <= m8) | (v30 <= m8) | (v28 <= m8) | (v29 <= m8);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
-    kind[0] = kind_of(q[0], v50 | beyond(angle12, 5));
+    kind[0] = kind_of(q[0], outside_ppp);
     q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v32; q[10] = -angle12;
     q[11] = angle16 - signed_wide(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
-    kind[1] = kind_of(q[6], v50 | beyond(-angle12, 5));
+    kind[1] = kind_of(q[6], outside_ppp);
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
-    kind[2] = kind_of(q[12], v51 | beyond(angle13, 5));
+    kind[2] = kind_of(q[12], outside_pmp);
     q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v32; q[22] = -angle13;
     q[23] = angle17 - signed_wide(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
-    kind[3] = kind_of(q[18], v51 | beyond(-angle13, 5));
+    kind[3] = kind_of(q[18], outside_pmp);
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
-    kind[4] = kind_of(q[24], v52 | beyond(angle14, 5));
+    kind[4] = kind_of(q[24], outside_mpp);
     q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = angle10 - v33; q[34] = -angle14;
     q[35] = angle18 - signed_wide(half_turn, v42);
-    kind[5] = kind_of(q[30], v52 | beyond(-angle14, 5));
+    kind[5] = kind_of(q[30], outside_mpp);
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
-    kind[6] = kind_of(q[36], v53 | beyond(angle15, 5));
+    kind[6] = kind_of(q[36], outside_mmp);
     q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = angle11 - v33; q[46] = -angle15;
     q[47] = angle19 - signed_wide(half_turn, v43);
-    kind[7] = kind_of(q[42], v53 | beyond(-angle15, 5));
+    kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
 }

@@ -53,7 +53,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -61,12 +64,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -219,9 +222,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -386,17 +391,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* joint values */
     const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2);
-    const wide_mask v8 = beyond(t34, 3);
+    const wide_mask v8 = exceeds(angle2, 2), v9 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
     const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
         T13 + v5 * v5);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
     q[3] = v6 + pick_wide(v6 <= -half_turn, all_wide(turn), only_wide(half_turn < v6, -turn));
-    kind[0] = kind_of(q[0], v8 | beyond(angle3, 1) | beyond(angle2, 2));
+    kind[0] = kind_of(q[0], v9 | v8 | exceeds(angle3, 1));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
     q[7] = v7 + pick_wide(v7 <= -half_turn, all_wide(turn), only_wide(half_turn < v7, -turn));
-    kind[1] = kind_of(q[4], v8 | beyond(angle4, 1) | beyond(-angle2, 2));
+    kind[1] = kind_of(q[4], v9 | v8 | exceeds(angle4, 1));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -424,10 +429,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v4 = T33 - 1.0, v5 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const int v7 = beyond(t34, 3);
+    const int v8 = beyond(t34, 3);
     const double q3 = t34 + (w2 - w2);
     const int doubt1 = (fabs(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 *
         v5);
+
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+        return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w2 * (m2 * (e1 * t14)), all_four(T21),
         0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v3 + w2 * (m2 * (e1 * t24)),
@@ -437,17 +445,16 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
     const four q2 = e1 * angle2, v6 = angle1 - (angle3 + q2),
         q4 = v6 + pick_four(v6 <= -half_turn, all_four(turn), only_four(half_turn < v6, -turn));
-    const four_mask outside = where_four(v7) | beyond_four(angle3, 1) | beyond_four(q2, 2);
+    const four_mask v7 = exceeds_four(angle2, 2),
+        outside = where_four(v8) | v7 | exceeds_four(angle3, 1);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
     const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * SCARA_UNREACHABLE + (outside1 & ~none1) *
         SCARA_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 2);
-    return 2 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -125,9 +125,7 @@ pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.2689280285926285
 high1 = 2.2689280285926285
-low2 = -2.530727416391778
 high2 = 2.530727416391778
 low3 = -0.200000001
 high3 = 1e-09
@@ -296,7 +294,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 72c37f4081f9fbbb"
+_KEY = "scara 9f5dfcfd1806dea3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -968,7 +966,7 @@ def _regular(pose, q, status):
     v5 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
-    v8 = t34 < low3 or high3 < t34
+    v9 = t34 < low3 or high3 < t34
     q3_p = t34 + (w2 - w2)
     doubt1 = abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5
 
@@ -995,8 +993,9 @@ def _regular(pose, q, status):
     v7 = angle1 - (angle4 - angle2)
     q4_p = v6 + (turn if v6 <= -half_turn else (-turn if half_turn < v6 else 0.0))
     q4_m = v7 + (turn if v7 <= -half_turn else (-turn if half_turn < v7 else 0.0))
-    outside_p = v8 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-    outside_m = v8 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+    v8 = high2 < abs(angle2)
+    outside_p = v9 or v8 or high1 < abs(angle3)
+    outside_m = v9 or v8 or high1 < abs(angle4)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1271,10 +1270,10 @@ def _in_tiles(T, q, status):
             v3 = t14 * v1
             v4 = T33 - 1.0
             v5 = T21 * T21 + T11 * T11 - 1.0
-            v8 = t34 < low3 or high3 < t34
+            v9 = t34 < low3 or high3 < t34
             q3_p = t34 + (w2 - w2)
             doubt1 = abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5
-            work[272 + k] = v8
+            work[272 + k] = v9
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
@@ -1288,7 +1287,7 @@ def _in_tiles(T, q, status):
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v8 = work[272 + k] != 0.0
+            v9 = work[272 + k] != 0.0
             q3_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
@@ -1299,8 +1298,9 @@ def _in_tiles(T, q, status):
             v7 = angle1 - (angle4 - angle2)
             q4_p = v6 + (turn if v6 <= -half_turn else (-turn if half_turn < v6 else 0.0))
             q4_m = v7 + (turn if v7 <= -half_turn else (-turn if half_turn < v7 else 0.0))
-            outside_p = v8 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
-            outside_m = v8 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
+            v8 = high2 < abs(angle2)
+            outside_p = v9 or v8 or high1 < abs(angle3)
+            outside_m = v9 or v8 or high1 < abs(angle4)
             _448 = angle3
             work[448 + k] = _448
             _464 = angle2

@@ -53,7 +53,10 @@ static const float odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0f) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -61,12 +64,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421357f, 1.0f); \
+    const v##_mask turned = least > most * 0.41421357f; \
     const v ahead = all_##v(0.7853982f), half = all_##v(1.5707964f); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0f * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -117,6 +120,7 @@ HELPER wide irregularity_wide(const wide T[16])
 #define low(joint) (lowest[joint - 1] - 2e-06f)
 #define high(joint) (highest[joint - 1] + 2e-06f)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -283,17 +287,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* joint values */
     const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2);
-    const wide_mask v8 = beyond(t34, 3);
+    const wide_mask v8 = exceeds(angle2, 2), v9 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
     const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
         T13 + v5 * v5);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
     q[3] = v6 + pick_wide(v6 <= -half_turn, all_wide(turn), only_wide(half_turn < v6, -turn));
-    kind[0] = kind_of(q[0], v8 | beyond(angle3, 1) | beyond(angle2, 2));
+    kind[0] = kind_of(q[0], v9 | v8 | exceeds(angle3, 1));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
     q[7] = v7 + pick_wide(v7 <= -half_turn, all_wide(turn), only_wide(half_turn < v7, -turn));
-    kind[1] = kind_of(q[4], v8 | beyond(angle4, 1) | beyond(-angle2, 2));
+    kind[1] = kind_of(q[4], v9 | v8 | exceeds(angle4, 1));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
 }

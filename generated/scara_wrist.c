@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -232,9 +235,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -437,6 +442,9 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double v9 = copysign(half_turn, -T23), q3 = v1 + (T34 - d6 * T33 - d1);
     const int doubt1 = (fabs(D2) <= m1) | (v5 <= m4);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12,
         -T13, T13 * T22 - T23 * T12, T13 * T22 - T23 * T12 }),
         ratio2 = ratio_four(shuffle(shuffle(v3 - w2 * (m2 * (e1 * wx)), all_four(w2), 0, 5, 2, 3),
@@ -451,14 +459,12 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
         q4 = v11 + pick_four(v11 <= -half_turn, all_four(turn), only_four(half_turn < v11, -turn)),
         q5 = v1 + e2 * angle3, q6 = v1 + (angle4 + v7 * v8);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle2, q2, all_four(q3), q4);
     store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
     const unsigned long long none1 = (bits_four(angle2 != angle2) * 0x204081ull & 0x1010101ull);
     const unsigned long long kind1 = none1 * SCARA_WRIST_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 4);
-    return 4 - __builtin_popcountll(none1);
+    return __builtin_popcountll(0x1010101ull & ~none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

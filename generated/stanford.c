@@ -47,7 +47,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -55,12 +58,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -225,9 +228,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -424,35 +429,37 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q6_mpm = angle9 - signed_wide(half_turn, s6_m);
 
     /* joint values */
-    const wide_mask v22 = beyond(angle1, 1), v23 = beyond(angle2, 1), v24 = beyond(w3, 3),
-        v25 = beyond(-w3, 3);
+    const wide_mask v22 = exceeds(angle1, 1), v23 = exceeds(angle2, 1), v24 = exceeds(angle3, 2),
+        v25 = exceeds(q2_pmp, 2), v26 = beyond(w3, 3), v27 = beyond(-w3, 3),
+        v28 = exceeds(angle4, 4), v29 = exceeds(q4_ppm, 4), v30 = exceeds(angle5, 4),
+        v31 = exceeds(q4_mpm, 4), v32 = exceeds(angle6, 5), v33 = exceeds(q5_pmp, 5),
+        v34 = exceeds(angle7, 5), v35 = exceeds(q5_mmp, 5);
     const wide q3_ppp = v1 + w3, q3_pmp = v1 - w3;
-    const wide_mask v26 = v24 | v22 | beyond(angle3, 2), v27 = v25 | v22 | beyond(q2_pmp, 2),
-        v28 = v24 | v23 | beyond(-angle3, 2), v29 = v25 | v23 | beyond(-q2_pmp, 2),
-        v30 = beyond(angle8, 6), v31 = beyond(q6_ppm, 6), v32 = beyond(angle9, 6),
-        v33 = beyond(q6_mpm, 6),
+    const wide_mask v36 = v26 | v22 | v24, v37 = v27 | v22 | v25, v38 = v26 | v23 | v24,
+        v39 = v27 | v23 | v25, v40 = exceeds(angle8, 6), v41 = exceeds(q6_ppm, 6),
+        v42 = exceeds(angle9, 6), v43 = exceeds(q6_mpm, 6),
         doubt1 = (v10 <= m1) | (abs_wide(D1) <= k3) | (v15 <= m3) | (v16 <= m3);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
-    kind[0] = kind_of(q[0], v30 | beyond(angle6, 5) | v26 | beyond(angle4, 4));
+    kind[0] = kind_of(q[0], v40 | v32 | v28 | v36);
     q[6] = angle1; q[7] = angle3; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle6; q[11] = q6_ppm;
-    kind[1] = kind_of(q[6], v31 | beyond(-angle6, 5) | v26 | beyond(q4_ppm, 4));
+    kind[1] = kind_of(q[6], v41 | v32 | v29 | v36);
     q[12] = angle1; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = -angle4; q[16] = q5_pmp; q[17] = q6_ppm;
-    kind[2] = kind_of(q[12], v31 | beyond(q5_pmp, 5) | v27 | beyond(-angle4, 4));
+    kind[2] = kind_of(q[12], v41 | v33 | v28 | v37);
     q[18] = angle1; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = -q4_ppm; q[22] = -q5_pmp;
     q[23] = angle8;
-    kind[3] = kind_of(q[18], v30 | beyond(-q5_pmp, 5) | v27 | beyond(-q4_ppm, 4));
+    kind[3] = kind_of(q[18], v40 | v33 | v29 | v37);
     q[24] = angle2; q[25] = -angle3; q[26] = q3_ppp; q[27] = angle5; q[28] = angle7; q[29] = angle9;
-    kind[4] = kind_of(q[24], v32 | beyond(angle7, 5) | v28 | beyond(angle5, 4));
+    kind[4] = kind_of(q[24], v42 | v34 | v30 | v38);
     q[30] = angle2; q[31] = -angle3; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle7;
     q[35] = q6_mpm;
-    kind[5] = kind_of(q[30], v33 | beyond(-angle7, 5) | v28 | beyond(q4_mpm, 4));
+    kind[5] = kind_of(q[30], v43 | v34 | v31 | v38);
     q[36] = angle2; q[37] = -q2_pmp; q[38] = q3_pmp; q[39] = -angle5; q[40] = q5_mmp;
     q[41] = q6_mpm;
-    kind[6] = kind_of(q[36], v33 | beyond(q5_mmp, 5) | v29 | beyond(-angle5, 4));
+    kind[6] = kind_of(q[36], v43 | v35 | v30 | v39);
     q[42] = angle2; q[43] = -q2_pmp; q[44] = q3_pmp; q[45] = -q4_mpm; q[46] = -q5_mmp;
     q[47] = angle9;
-    kind[7] = kind_of(q[42], v32 | beyond(-q5_mmp, 5) | v29 | beyond(-q4_mpm, 4));
+    kind[7] = kind_of(q[42], v42 | v35 | v31 | v39);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -502,9 +509,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v24 = e2 * w3;
-    const four_mask v26 = beyond_four(v24, 3);
+    const four_mask v27 = beyond_four(v24, 3);
     const four q3_p = v1 + v24;
     const int doubt1 = (fabs(D1) <= k3) | (v7 <= m1);
+
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+        return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2,
         Y2_2 }), ratio2 = ratio_four(shuffle(-v6, v13, 0, 5, 2, 7), shuffle(c1, c4, 0, 5, 2, 7)),
@@ -519,12 +529,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_ = angle2 + v8 * v10, q4__m = angle3 - signed_four(half_turn, v13),
         q5_p = e2 * angle4 + v16 * v17, q6_p = angle5 + v10 * v22, q6_m = angle5 - v22 * v23,
         q2_p = e1 * q2_, q4_p = e2 * angle3, q4_m = e2 * q4__m;
-    const four_mask v25 = beyond_four(angle1, 1), v27 = v26 | v25 | beyond_four(q2_p, 2),
-        outside_p = beyond_four(q6_p, 6) | beyond_four(q5_p, 5) | v27 | beyond_four(q4_p, 4),
-        outside_m = beyond_four(q6_m, 6) | beyond_four(-q5_p, 5) | v27 | beyond_four(q4_m, 4);
+    const four_mask v25 = exceeds_four(angle1, 1), v26 = exceeds_four(q2_, 2),
+        v28 = exceeds_four(angle3, 4), v29 = exceeds_four(q4__m, 4), v30 = exceeds_four(q5_p, 5),
+        v31 = v27 | v25 | v26, outside_p = exceeds_four(q6_p, 6) | v30 | v28 | v31,
+        outside_m = exceeds_four(q6_m, 6) | v30 | v29 | v31;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], angle1, q2_p, q3_p, q4_m);
@@ -536,7 +545,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * STANFORD_UNREACHABLE + (outside1 & ~none1) *
         STANFORD_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -128,17 +128,12 @@ k2 = 0.01787569  # k1^2 [m^2]
 k3 = 3.395980000001613e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
 k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604
 high1 = 2.9670597293903604
-low2 = -2.9670597293903604
 high2 = 2.9670597293903604
 low3 = 0.304799999
 high3 = 1.270000001
-low4 = -2.9670597293903604
 high4 = 2.9670597293903604
-low5 = -1.5707963277948966
 high5 = 1.5707963277948966
-low6 = -2.9670597293903604
 high6 = 2.9670597293903604
 m1 = 1.6129e-08  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999999e-09  # doubt_limit^2
@@ -328,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford a852f5fc4cf38956"
+_KEY = "stanford 78b8897d0b73abe4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -983,8 +978,8 @@ def _regular(pose, q, status):
     s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
 
     # joint values
-    v24 = w3 < low3 or high3 < w3
-    v25 = -w3 < low3 or high3 < -w3
+    v26 = w3 < low3 or high3 < w3
+    v27 = -w3 < low3 or high3 < -w3
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
     doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
@@ -1038,28 +1033,34 @@ def _regular(pose, q, status):
     q6_mpm = angle9 - math.copysign(half_turn, s6_m)
 
     # joint values
-    v22 = angle1 < low1 or high1 < angle1
-    v23 = angle2 < low1 or high1 < angle2
-    v26 = v24 or v22 or angle3 < low2 or high2 < angle3
-    v27 = v25 or v22 or q2_pmp < low2 or high2 < q2_pmp
-    v28 = v24 or v23 or -angle3 < low2 or high2 < -angle3
-    v29 = v25 or v23 or -q2_pmp < low2 or high2 < -q2_pmp
-    v30 = angle8 < low6 or high6 < angle8
-    outside_ppp = v30 or angle6 < low5 or high5 < angle6 or v26 or angle4 < low4 or high4 < angle4
-    v31 = q6_ppm < low6 or high6 < q6_ppm
-    outside_ppm = v31 or -angle6 < low5 or high5 < -angle6 or v26 or q4_ppm < low4 or high4 < q4_ppm
-    outside_pmp = v31 or q5_pmp < low5 or high5 < q5_pmp or v27 or -angle4 < low4 or high4 < -angle4
-    outside_pmm = (
-        v30 or -q5_pmp < low5 or high5 < -q5_pmp or v27 or -q4_ppm < low4 or high4 < -q4_ppm
-    )
-    v32 = angle9 < low6 or high6 < angle9
-    outside_mpp = v32 or angle7 < low5 or high5 < angle7 or v28 or angle5 < low4 or high4 < angle5
-    v33 = q6_mpm < low6 or high6 < q6_mpm
-    outside_mpm = v33 or -angle7 < low5 or high5 < -angle7 or v28 or q4_mpm < low4 or high4 < q4_mpm
-    outside_mmp = v33 or q5_mmp < low5 or high5 < q5_mmp or v29 or -angle5 < low4 or high4 < -angle5
-    outside_mmm = (
-        v32 or -q5_mmp < low5 or high5 < -q5_mmp or v29 or -q4_mpm < low4 or high4 < -q4_mpm
-    )
+    v22 = high1 < abs(angle1)
+    v23 = high1 < abs(angle2)
+    v24 = high2 < abs(angle3)
+    v25 = high2 < abs(q2_pmp)
+    v28 = high4 < abs(angle4)
+    v29 = high4 < abs(q4_ppm)
+    v30 = high4 < abs(angle5)
+    v31 = high4 < abs(q4_mpm)
+    v32 = high5 < abs(angle6)
+    v33 = high5 < abs(q5_pmp)
+    v34 = high5 < abs(angle7)
+    v35 = high5 < abs(q5_mmp)
+    v36 = v26 or v22 or v24
+    v37 = v27 or v22 or v25
+    v38 = v26 or v23 or v24
+    v39 = v27 or v23 or v25
+    v40 = high6 < abs(angle8)
+    outside_ppp = v40 or v32 or v28 or v36
+    v41 = high6 < abs(q6_ppm)
+    outside_ppm = v41 or v32 or v29 or v36
+    outside_pmp = v41 or v33 or v28 or v37
+    outside_pmm = v40 or v33 or v29 or v37
+    v42 = high6 < abs(angle9)
+    outside_mpp = v42 or v34 or v30 or v38
+    v43 = high6 < abs(q6_mpm)
+    outside_mpm = v43 or v34 or v31 or v38
+    outside_mmp = v43 or v35 or v30 or v39
+    outside_mmm = v42 or v35 or v31 or v39
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1414,8 +1415,8 @@ def _in_tiles(T, q, status):
             v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21))
             s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11)
             s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
-            v24 = w3 < low3 or high3 < w3
-            v25 = -w3 < low3 or high3 < -w3
+            v26 = w3 < low3 or high3 < w3
+            v27 = -w3 < low3 or high3 < -w3
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
             doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
@@ -1426,8 +1427,8 @@ def _in_tiles(T, q, status):
             work[336 + k] = v16
             work[352 + k] = s6_p
             work[368 + k] = s6_m
-            work[384 + k] = v24
-            work[400 + k] = v25
+            work[384 + k] = v26
+            work[400 + k] = v27
             work[416 + k] = q3_ppp
             work[432 + k] = q3_pmp
             work[448 + k] = doubt1
@@ -1459,8 +1460,8 @@ def _in_tiles(T, q, status):
             v16 = work[336 + k]
             s6_p = work[352 + k]
             s6_m = work[368 + k]
-            v24 = work[384 + k] != 0.0
-            v25 = work[400 + k] != 0.0
+            v26 = work[384 + k] != 0.0
+            v27 = work[400 + k] != 0.0
             q3_ppp = work[416 + k]
             q3_pmp = work[432 + k]
             doubt1 = work[448 + k] != 0.0
@@ -1480,40 +1481,34 @@ def _in_tiles(T, q, status):
             q5_mmp = math.copysign(half_turn, -math.sqrt(v16)) - angle7
             q6_ppm = angle8 - math.copysign(half_turn, s6_p)
             q6_mpm = angle9 - math.copysign(half_turn, s6_m)
-            v22 = angle1 < low1 or high1 < angle1
-            v23 = angle2 < low1 or high1 < angle2
-            v26 = v24 or v22 or angle3 < low2 or high2 < angle3
-            v27 = v25 or v22 or q2_pmp < low2 or high2 < q2_pmp
-            v28 = v24 or v23 or -angle3 < low2 or high2 < -angle3
-            v29 = v25 or v23 or -q2_pmp < low2 or high2 < -q2_pmp
-            v30 = angle8 < low6 or high6 < angle8
-            outside_ppp = (
-                v30 or angle6 < low5 or high5 < angle6 or v26 or angle4 < low4 or high4 < angle4
-            )
-            v31 = q6_ppm < low6 or high6 < q6_ppm
-            outside_ppm = (
-                v31 or -angle6 < low5 or high5 < -angle6 or v26 or q4_ppm < low4 or high4 < q4_ppm
-            )
-            outside_pmp = (
-                v31 or q5_pmp < low5 or high5 < q5_pmp or v27 or -angle4 < low4 or high4 < -angle4
-            )
-            outside_pmm = (
-                v30 or -q5_pmp < low5 or high5 < -q5_pmp or v27 or -q4_ppm < low4 or high4 < -q4_ppm
-            )
-            v32 = angle9 < low6 or high6 < angle9
-            outside_mpp = (
-                v32 or angle7 < low5 or high5 < angle7 or v28 or angle5 < low4 or high4 < angle5
-            )
-            v33 = q6_mpm < low6 or high6 < q6_mpm
-            outside_mpm = (
-                v33 or -angle7 < low5 or high5 < -angle7 or v28 or q4_mpm < low4 or high4 < q4_mpm
-            )
-            outside_mmp = (
-                v33 or q5_mmp < low5 or high5 < q5_mmp or v29 or -angle5 < low4 or high4 < -angle5
-            )
-            outside_mmm = (
-                v32 or -q5_mmp < low5 or high5 < -q5_mmp or v29 or -q4_mpm < low4 or high4 < -q4_mpm
-            )
+            v22 = high1 < abs(angle1)
+            v23 = high1 < abs(angle2)
+            v24 = high2 < abs(angle3)
+            v25 = high2 < abs(q2_pmp)
+            v28 = high4 < abs(angle4)
+            v29 = high4 < abs(q4_ppm)
+            v30 = high4 < abs(angle5)
+            v31 = high4 < abs(q4_mpm)
+            v32 = high5 < abs(angle6)
+            v33 = high5 < abs(q5_pmp)
+            v34 = high5 < abs(angle7)
+            v35 = high5 < abs(q5_mmp)
+            v36 = v26 or v22 or v24
+            v37 = v27 or v22 or v25
+            v38 = v26 or v23 or v24
+            v39 = v27 or v23 or v25
+            v40 = high6 < abs(angle8)
+            outside_ppp = v40 or v32 or v28 or v36
+            v41 = high6 < abs(q6_ppm)
+            outside_ppm = v41 or v32 or v29 or v36
+            outside_pmp = v41 or v33 or v28 or v37
+            outside_pmm = v40 or v33 or v29 or v37
+            v42 = high6 < abs(angle9)
+            outside_mpp = v42 or v34 or v30 or v38
+            v43 = high6 < abs(q6_mpm)
+            outside_mpm = v43 or v34 or v31 or v38
+            outside_mmp = v43 or v35 or v30 or v39
+            outside_mmm = v42 or v35 or v31 or v39
             _752 = angle1
             work[752 + k] = _752
             _768 = angle3

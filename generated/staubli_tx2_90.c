@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -232,9 +235,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -499,9 +504,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mmm = only_wide(-v79 <= -half_turn, turn) - v79, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask v80 = beyond(q2_ppp, 2) | beyond(q3_ppp, 3),
-        v81 = beyond(q2_pmp, 2) | beyond(q3_pmp, 3), v82 = beyond(q2_mpp, 2) | beyond(q3_mpp, 3),
-        v83 = beyond(q2_mmp, 2) | beyond(q3_mmp, 3),
+    const wide_mask v80 = beyond(q2_ppp, 2) | exceeds(q3_ppp, 3),
+        v81 = beyond(q2_pmp, 2) | exceeds(q3_pmp, 3), v82 = beyond(q2_mpp, 2) | exceeds(q3_mpp, 3),
+        v83 = beyond(q2_mmp, 2) | exceeds(q3_mmp, 3),
         doubt1 = (v45 <= m6) | (v27 <= m5) | (v44 <= m6) | (v26 <= m5) | (v43 <= m6) | (v25 <= m5) |
             (v42 <= m6) | (v24 <= m5) | (abs_wide(D3_m) <= m1) | (abs_wide(D1) <= k2) |
             (abs_wide(D3_p) <= m1);
@@ -587,6 +592,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v27 = signed_four(half_turn, -v16);
     const four_mask doubt3 = (v12 <= m5) | (v18 <= m6);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(S2, -v11),
         ratio2 = ratio_four(shuffle(s3, s1, 0, 5, 2, 7), shuffle(-v7, -v2, 0, 5, 2, 7)),
         ratio3 = ratio_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 * (v13 *
@@ -604,11 +612,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q4_m = v29 + only_four(v29 <= -half_turn, turn), v30 = angle5 - offset5,
         v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, turn),
         q5_m = only_four(-v31 <= -half_turn, turn) - v31, q1_p = angle6 + (w3 - w3);
-    const four_mask v32 = beyond_four(q2_p, 2) | beyond_four(q3_p, 3),
+    const four_mask v32 = beyond_four(q2_p, 2) | exceeds_four(q3_p, 3),
         outside_p = v32 | beyond_four(q5_p, 5), outside_m = v32 | beyond_four(q5_m, 5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -620,7 +626,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * STAUBLI_TX2_90_UNREACHABLE + (outside1 & ~none1) *
         STAUBLI_TX2_90_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

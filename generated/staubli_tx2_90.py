@@ -144,7 +144,6 @@ k5 = 7.662743501634321  # 1 / (k4^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 low2 = -2.2689280285926285
 high2 = 2.5743606476916363
-low3 = -2.530727416391778
 high3 = 2.530727416391778
 low5 = -2.007128640793479
 high5 = 2.4434609537920613
@@ -399,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 4cdd2642a57f5148"
+_KEY = "staubli_tx2_90 f444f944bf943fea"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1350,10 +1349,10 @@ def _regular(pose, q, status):
     q5_mmm = (turn if -v79 <= -half_turn else 0.0) - v79
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
-    v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp
-    v81 = q2_pmp < low2 or high2 < q2_pmp or q3_pmp < low3 or high3 < q3_pmp
-    v82 = q2_mpp < low2 or high2 < q2_mpp or q3_mpp < low3 or high3 < q3_mpp
-    v83 = q2_mmp < low2 or high2 < q2_mmp or q3_mmp < low3 or high3 < q3_mmp
+    v80 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
+    v81 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
+    v82 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
+    v83 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
     outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
     outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
     outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
@@ -1942,10 +1941,10 @@ def _in_tiles(T, q, status):
             q5_mmm = (turn if -v79 <= -half_turn else 0.0) - v79
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
-            v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp
-            v81 = q2_pmp < low2 or high2 < q2_pmp or q3_pmp < low3 or high3 < q3_pmp
-            v82 = q2_mpp < low2 or high2 < q2_mpp or q3_mpp < low3 or high3 < q3_mpp
-            v83 = q2_mmp < low2 or high2 < q2_mmp or q3_mmp < low3 or high3 < q3_mmp
+            v80 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
+            v81 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
+            v82 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
+            v83 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
             outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
             outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
             outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp

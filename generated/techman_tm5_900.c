@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -232,9 +235,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -492,38 +497,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v66 = v58 + pick_wide(v58 <= -half_turn, all_wide(turn), only_wide(half_turn < v58, -turn)),
         v67 = v59 + pick_wide(v59 <= -half_turn, all_wide(turn), only_wide(half_turn < v59, -turn)),
         v68 = v60 + pick_wide(v60 <= -half_turn, all_wide(turn), only_wide(half_turn < v60, -turn)),
-        v69 = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn)),
-        q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m, q1_mmp = v27 + q1__m,
-        q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26, q5_mmp = v27 - angle4,
-        q6_ppp = angle1 + v24, q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)),
-        q6_mpp = angle2 + v26, q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
+        v69 = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn));
+    const wide_mask outside_ppp = exceeds(angle7, 3), outside_pmp = exceeds(angle8, 3),
+        outside_mpp = exceeds(angle9, 3), outside_mmp = exceeds(angle10, 3);
+    const wide q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m,
+        q1_mmp = v27 + q1__m, q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26,
+        q5_mmp = v27 - angle4, q6_ppp = angle1 + v24,
+        q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v26,
+        q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
     const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
         m3) | (abs_wide(D3_pp) <= m3) | (v4 <= m1) | (abs_wide(D1) <= k2) | (v3 <= m1);
 
     q[0] = q1_ppp; q[1] = v46 + only_wide(v46 <= -half_turn, turn); q[2] = angle7;
     q[3] = v62 + only_wide(v62 <= -half_turn, turn); q[4] = q5_ppp; q[5] = q6_ppp;
-    kind[0] = kind_of(q[0], beyond(angle7, 3));
+    kind[0] = kind_of(q[0], outside_ppp);
     q[6] = q1_ppp; q[7] = v47 + only_wide(v47 <= -half_turn, turn); q[8] = -angle7;
     q[9] = v63 + only_wide(v63 <= -half_turn, turn); q[10] = q5_ppp; q[11] = q6_ppp;
-    kind[1] = kind_of(q[6], beyond(-angle7, 3));
+    kind[1] = kind_of(q[6], outside_ppp);
     q[12] = q1_pmp; q[13] = v48 + only_wide(v48 <= -half_turn, turn); q[14] = angle8;
     q[15] = v64 + only_wide(v64 <= -half_turn, turn); q[16] = q5_pmp; q[17] = q6_pmp;
-    kind[2] = kind_of(q[12], beyond(angle8, 3));
+    kind[2] = kind_of(q[12], outside_pmp);
     q[18] = q1_pmp; q[19] = v49 + only_wide(v49 <= -half_turn, turn); q[20] = -angle8;
     q[21] = v65 + only_wide(v65 <= -half_turn, turn); q[22] = q5_pmp; q[23] = q6_pmp;
-    kind[3] = kind_of(q[18], beyond(-angle8, 3));
+    kind[3] = kind_of(q[18], outside_pmp);
     q[24] = q1_mpp; q[25] = v50 + only_wide(v50 <= -half_turn, turn); q[26] = angle9;
     q[27] = v66 + only_wide(v66 <= -half_turn, turn); q[28] = q5_mpp; q[29] = q6_mpp;
-    kind[4] = kind_of(q[24], beyond(angle9, 3));
+    kind[4] = kind_of(q[24], outside_mpp);
     q[30] = q1_mpp; q[31] = v51 + only_wide(v51 <= -half_turn, turn); q[32] = -angle9;
     q[33] = v67 + only_wide(v67 <= -half_turn, turn); q[34] = q5_mpp; q[35] = q6_mpp;
-    kind[5] = kind_of(q[30], beyond(-angle9, 3));
+    kind[5] = kind_of(q[30], outside_mpp);
     q[36] = q1_mmp; q[37] = v52 + only_wide(v52 <= -half_turn, turn); q[38] = angle10;
     q[39] = v68 + only_wide(v68 <= -half_turn, turn); q[40] = q5_mmp; q[41] = q6_mmp;
-    kind[6] = kind_of(q[36], beyond(angle10, 3));
+    kind[6] = kind_of(q[36], outside_mmp);
     q[42] = q1_mmp; q[43] = v53 + only_wide(v53 <= -half_turn, turn); q[44] = -angle10;
     q[45] = v69 + only_wide(v69 <= -half_turn, turn); q[46] = q5_mmp; q[47] = q6_mmp;
-    kind[7] = kind_of(q[42], beyond(-angle10, 3));
+    kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -575,6 +583,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta2 */
     const four v18 = m5 + m4 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m4 * Z2_3);
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(shuffle(Y6, w6, 0, 5, 2, 7), shuffle(-X6, c5, 0, 5, 2, 7)),
         ratio2 = ratio_four(shuffle(v8, s1, 0, 5, 2, 7), shuffle(-v7, c1, 0, 5, 2, 7)),
         ratio3 = ratio_four(w3, N3 - k4), ratio4 = ratio_four(v19 - v21, v20 + w3 * (m4 * Z1_3)),
@@ -593,23 +604,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v28 = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26, -turn)),
         q4_p = v27 + only_four(v27 <= -half_turn, turn),
         q4_m = v28 + only_four(v28 <= -half_turn, turn);
-    const four_mask outside_p = beyond_four(angle4, 3), outside_m = beyond_four(-angle4, 3);
+    const four_mask outside_p = exceeds_four(angle4, 3);
     const four q1_p = v17 + q1_, q5_p = v17 + e2 * angle2, q6_p = v17 + (angle1 + v5 * v6);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle4, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -angle4, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
-        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x20204040808101ull &
+        0x101010101010101ull);
     const unsigned long long kind1 = none1 * TECHMAN_TM5_900_UNREACHABLE + (outside1 & ~none1) *
         TECHMAN_TM5_900_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

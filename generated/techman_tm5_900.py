@@ -144,7 +144,6 @@ k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-low3 = -2.705260341591211
 high3 = 2.705260341591211
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
@@ -398,7 +397,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 fa3b2bee6fe202ec"
+_KEY = "techman_tm5_900 224ffe57059444e8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1465,14 +1464,10 @@ def _regular(pose, q, status):
     q4_mpm = v67 + (turn if v67 <= -half_turn else 0.0)
     q4_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
     q4_mmm = v69 + (turn if v69 <= -half_turn else 0.0)
-    outside_ppp = angle7 < low3 or high3 < angle7
-    outside_ppm = -angle7 < low3 or high3 < -angle7
-    outside_pmp = angle8 < low3 or high3 < angle8
-    outside_pmm = -angle8 < low3 or high3 < -angle8
-    outside_mpp = angle9 < low3 or high3 < angle9
-    outside_mpm = -angle9 < low3 or high3 < -angle9
-    outside_mmp = angle10 < low3 or high3 < angle10
-    outside_mmm = -angle10 < low3 or high3 < -angle10
+    outside_ppp = high3 < abs(angle7)
+    outside_pmp = high3 < abs(angle8)
+    outside_mpp = high3 < abs(angle9)
+    outside_mmp = high3 < abs(angle10)
     q1_ppp = v24 + q1__p
     q1_pmp = v25 + q1__p
     q1_mpp = v26 + q1__m
@@ -1502,7 +1497,7 @@ def _regular(pose, q, status):
     q[1, 3] = q4_ppm
     q[1, 4] = q5_ppp
     q[1, 5] = q6_ppp
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[2, 0] = q1_pmp
     q[2, 1] = q2_pmp
     q[2, 2] = angle8
@@ -1516,7 +1511,7 @@ def _regular(pose, q, status):
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmp
     q[3, 5] = q6_pmp
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
     q[4, 2] = angle9
@@ -1530,7 +1525,7 @@ def _regular(pose, q, status):
     q[5, 3] = q4_mpm
     q[5, 4] = q5_mpp
     q[5, 5] = q6_mpp
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[6, 0] = q1_mmp
     q[6, 1] = q2_mmp
     q[6, 2] = angle10
@@ -1544,7 +1539,7 @@ def _regular(pose, q, status):
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmp
     q[7, 5] = q6_mmp
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     return True
 
 
@@ -2016,14 +2011,10 @@ def _in_tiles(T, q, status):
             q4_mpm = v67 + (turn if v67 <= -half_turn else 0.0)
             q4_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
             q4_mmm = v69 + (turn if v69 <= -half_turn else 0.0)
-            outside_ppp = angle7 < low3 or high3 < angle7
-            outside_ppm = -angle7 < low3 or high3 < -angle7
-            outside_pmp = angle8 < low3 or high3 < angle8
-            outside_pmm = -angle8 < low3 or high3 < -angle8
-            outside_mpp = angle9 < low3 or high3 < angle9
-            outside_mpm = -angle9 < low3 or high3 < -angle9
-            outside_mmp = angle10 < low3 or high3 < angle10
-            outside_mmm = -angle10 < low3 or high3 < -angle10
+            outside_ppp = high3 < abs(angle7)
+            outside_pmp = high3 < abs(angle8)
+            outside_mpp = high3 < abs(angle9)
+            outside_mmp = high3 < abs(angle10)
             q1_ppp = v24 + q1__p
             q1_pmp = v25 + q1__p
             q1_mpp = v26 + q1__m
@@ -2112,25 +2103,25 @@ def _in_tiles(T, q, status):
                 UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1648 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1664 + k] = (
                 UNREACHABLE if _1200 != _1200 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[1680 + k] = (
-                UNREACHABLE if _1200 != _1200 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _1200 != _1200 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[1696 + k] = (
                 UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[1712 + k] = (
-                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[1728 + k] = (
                 UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[1744 + k] = (
-                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(first, first + count):

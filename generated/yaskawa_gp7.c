@@ -54,7 +54,10 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
+ * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+#define added_four(x, m, y) pick_four(m, (x) + (y), x)
+#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -62,12 +65,12 @@ HELPER v##_ratio ratio_##v(v y, v x) \
     const v ax = abs_##v(x), ay = abs_##v(y); \
     const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
     const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
     const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
     const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
-    return (v##_ratio){ r, whole + turned * part, y }; \
+    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
+    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
 } \
 HELPER v angle_##v(v##_ratio of) \
 { \
@@ -231,9 +234,11 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -482,7 +487,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v67 = only_wide(half_turn < -v6, -turn) - v6,
         v68 = q3__mp + only_wide(half_turn < q3__mp, -turn),
         v69 = only_wide(half_turn < -v7, -turn) - v7;
-    const wide_mask v70 = beyond(angle1, 1), v71 = beyond(q1__m, 1);
+    const wide_mask v70 = exceeds(angle1, 1), v71 = exceeds(q1__m, 1);
     const wide v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
         v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn);
     const wide_mask v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3),
@@ -497,28 +502,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
     q[5] = v58 + only_wide(v58 <= -half_turn, turn);
-    kind[0] = kind_of(q[0], v80 | beyond(q5_ppp, 5));
+    kind[0] = kind_of(q[0], v80 | exceeds(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v35; q[10] = q5_ppm;
     q[11] = v59 + only_wide(v59 <= -half_turn, turn);
-    kind[1] = kind_of(q[6], v80 | beyond(q5_ppm, 5));
+    kind[1] = kind_of(q[6], v80 | exceeds(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp;
     q[17] = v60 + only_wide(v60 <= -half_turn, turn);
-    kind[2] = kind_of(q[12], v81 | beyond(q5_pmp, 5));
+    kind[2] = kind_of(q[12], v81 | exceeds(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v35; q[22] = q5_pmm;
     q[23] = v61 + only_wide(v61 <= -half_turn, turn);
-    kind[3] = kind_of(q[18], v81 | beyond(q5_pmm, 5));
+    kind[3] = kind_of(q[18], v81 | exceeds(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp;
     q[29] = v62 + only_wide(v62 <= -half_turn, turn);
-    kind[4] = kind_of(q[24], v82 | beyond(q5_mpp, 5));
+    kind[4] = kind_of(q[24], v82 | exceeds(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v36; q[34] = q5_mpm;
     q[35] = v63 + only_wide(v63 <= -half_turn, turn);
-    kind[5] = kind_of(q[30], v82 | beyond(q5_mpm, 5));
+    kind[5] = kind_of(q[30], v82 | exceeds(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp;
     q[41] = v64 + only_wide(v64 <= -half_turn, turn);
-    kind[6] = kind_of(q[36], v83 | beyond(q5_mmp, 5));
+    kind[6] = kind_of(q[36], v83 | exceeds(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v36; q[46] = q5_mmm;
     q[47] = v65 + only_wide(v65 <= -half_turn, turn);
-    kind[7] = kind_of(q[42], v83 | beyond(q5_mmm, 5));
+    kind[7] = kind_of(q[42], v83 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -572,6 +577,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const four v29 = e1 * (-X4 * v24 - v18 * (e1 * (c2m3 * v25) - s2m3 * T31));
 
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+        return -1;
+
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
         all_four(-wx), 0, 5, 2, 3)),
         ratio2 = ratio_four(-(v6 + w3 * (m4 * (e2 * v4))), w3 * v8 - v7),
@@ -590,15 +598,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q6_p = v30 + only_four(v30 <= -half_turn, turn),
         q6_m = v31 + only_four(v31 <= -half_turn, turn),
         v32 = q3_ + only_four(half_turn < q3_, -turn);
-    const four_mask v33 = beyond_four(q1_, 1);
+    const four_mask v33 = exceeds_four(q1_, 1);
     const four v34 = v32 + only_four(v32 < low(3), turn);
     const four_mask v35 = beyond_four(v34, 3);
     const four q3_p = pick_four(v35, v32, v34), q1_p = q1_ + (w3 - w3);
-    const four_mask v36 = v35 | v33 | beyond_four(q2_p, 2), outside_p = v36 | beyond_four(q5_p, 5),
-        outside_m = v36 | beyond_four(q5_m, 5);
+    const four_mask v36 = v35 | v33 | beyond_four(q2_p, 2), outside_p = v36 | exceeds_four(q5_p, 5),
+        outside_m = v36 | exceeds_four(q5_m, 5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
-        return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
@@ -610,7 +616,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const unsigned long long kind1 = none1 * YASKAWA_GP7_UNREACHABLE + (outside1 & ~none1) *
         YASKAWA_GP7_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
-    return 8 - __builtin_popcountll(none1 | outside1);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -142,13 +142,11 @@ k3 = 0.393225  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.467555636500607  # 1 / (k1^2 + k2^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4801364395941514  # a constant angle [rad]
-low1 = -2.967000001
 high1 = 2.967000001
 low2 = -1.1344000010000002
 high2 = 2.530700001
 low3 = -1.221700001
 high3 = 3.316100001
-low5 = -2.356100001
 high5 = 2.356100001
 m1 = 1.8906249999999994e-08  # doubt_limit1^2 [m^2]
 m3 = 1.9164816413959385e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -405,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 abbf46159b04dbc1"
+_KEY = "yaskawa_gp7 8578e5273b15b64b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1296,8 +1294,8 @@ def _regular(pose, q, status):
     v67 = (-turn if half_turn < -v6 else 0.0) - v6
     v68 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
     v69 = (-turn if half_turn < -v7 else 0.0) - v7
-    v70 = angle1 < low1 or high1 < angle1
-    v71 = q1__m < low1 or high1 < q1__m
+    v70 = high1 < abs(angle1)
+    v71 = high1 < abs(q1__m)
     v72 = v66 + (turn if v66 < low3 else 0.0)
     v73 = v67 + (turn if v67 < low3 else 0.0)
     v74 = v68 + (turn if v68 < low3 else 0.0)
@@ -1316,14 +1314,14 @@ def _regular(pose, q, status):
     v81 = v77 or v70 or q2_pmp < low2 or high2 < q2_pmp
     v82 = v78 or v71 or q2_mpp < low2 or high2 < q2_mpp
     v83 = v79 or v71 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
+    outside_ppp = v80 or high5 < abs(q5_ppp)
+    outside_ppm = v80 or high5 < abs(q5_ppm)
+    outside_pmp = v81 or high5 < abs(q5_pmp)
+    outside_pmm = v81 or high5 < abs(q5_pmm)
+    outside_mpp = v82 or high5 < abs(q5_mpp)
+    outside_mpm = v82 or high5 < abs(q5_mpm)
+    outside_mmp = v83 or high5 < abs(q5_mmp)
+    outside_mmm = v83 or high5 < abs(q5_mmm)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1845,8 +1843,8 @@ def _in_tiles(T, q, status):
             v67 = (-turn if half_turn < -v6 else 0.0) - v6
             v68 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
             v69 = (-turn if half_turn < -v7 else 0.0) - v7
-            v70 = angle1 < low1 or high1 < angle1
-            v71 = q1__m < low1 or high1 < q1__m
+            v70 = high1 < abs(angle1)
+            v71 = high1 < abs(q1__m)
             v72 = v66 + (turn if v66 < low3 else 0.0)
             v73 = v67 + (turn if v67 < low3 else 0.0)
             v74 = v68 + (turn if v68 < low3 else 0.0)
@@ -1865,14 +1863,14 @@ def _in_tiles(T, q, status):
             v81 = v77 or v70 or q2_pmp < low2 or high2 < q2_pmp
             v82 = v78 or v71 or q2_mpp < low2 or high2 < q2_mpp
             v83 = v79 or v71 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
+            outside_ppp = v80 or high5 < abs(q5_ppp)
+            outside_ppm = v80 or high5 < abs(q5_ppm)
+            outside_pmp = v81 or high5 < abs(q5_pmp)
+            outside_pmm = v81 or high5 < abs(q5_pmm)
+            outside_mpp = v82 or high5 < abs(q5_mpp)
+            outside_mpm = v82 or high5 < abs(q5_mpm)
+            outside_mmp = v83 or high5 < abs(q5_mmp)
+            outside_mmm = v83 or high5 < abs(q5_mmm)
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

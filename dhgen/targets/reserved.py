@@ -31,14 +31,14 @@ branch other_values own moves rows tell_once told worst joints serving serving_i
 
 _LANES = """
 APART ARCTANGENT EACH ENTRIES HELPER INLINED KNOWN SIGNED SIGNED_TWICE UNROLLED VECTOR abs_double
-cos_double sin_double sqrt_double beyond bits_four bits_wide four four_at
-four_mask from irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide
-store_1 store_2 store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_four
-copysign_four cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four
-abs_wide all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide minimum_wide
-sqrt_wide where_wide wrap_wide maximum_double only_four only_wide minimum_double signed_four
-signed_wide angle_four angle_wide beyond_four compare_four four_ratio negated_four negated_wide
-ratio_four ratio_wide shuffle where_all wide_ratio
+cos_double sin_double sqrt_double beyond bits_four bits_wide four four_at four_mask from
+irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide store_1 store_2
+store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_four copysign_four
+cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four abs_wide
+added_four added_wide all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide
+minimum_wide sqrt_wide where_wide wrap_wide maximum_double only_four only_wide minimum_double
+signed_four signed_wide angle_four angle_wide beyond_four compare_four exceeds exceeds_four
+four_ratio negated_four negated_wide ratio_four ratio_wide shuffle where_all wide_ratio
 """
 
 _PYTHON = """

@@ -154,3 +154,12 @@ def test_the_nearest_row_may_take_the_place_of_the_seed(name: str) -> None:
     function = in_c(name).library[f"{name}_ik_nearest"]
     assert function(*(each.ctypes.data_as(ctypes.c_void_p) for each in arrays)) == Status.OK
     np.testing.assert_allclose(q, expected, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["puma560", "scara", "ur5"])
+def test_irregular_poses_leave_before_the_angles(name: str) -> None:
+    """Arctangents are most of the work; and it is faster at regular poses, too."""
+    source = made(name).files[f"{name}.c"]
+    one_pose = source[source.index("HELPER int solve_regular(") :]
+    assert one_pose.index("irregularity_four(T)") < one_pose.index("angle_four(")
+    assert one_pose.index("return -1;") < one_pose.index("angle_four(")

@@ -98,9 +98,13 @@ class Builder(Graph):
         return self.apply("neg", operand)
 
     def absolute(self, operand: Node) -> Node:
-        """Its size; of a constant here and now."""
+        """Its size, without its sign and those of branches; of a constant here and now."""
         inner = self._negated(operand)
         operand = operand if inner is None else inner
+        entry = self.entries[operand]
+        if entry.operator == "mul" and any(self.is_sign(factor) for factor in entry.operands):
+            left, right = entry.operands
+            return self.absolute(right if self.is_sign(left) else left)
         value = self.entries[operand].value
         if value is None:
             return self.apply("abs", operand)

@@ -48,9 +48,9 @@ class Limiting:
         if limits is None or (limits.turns and limits.low <= -math.pi and limits.high >= math.pi):
             return value
         builder = self._builder
-        low, high = self._ends(joint, limits)
         moved = value
         if limits.turns:
+            low, high = self._ends(joint, limits)
             turn = whole_turn(builder)
             zero = builder.integer(0)
             for _ in range(_turns(limits.low + math.pi) if limits.high > math.pi else 0):
@@ -59,22 +59,23 @@ class Limiting:
             for _ in range(_turns(math.pi - limits.high) if limits.low < -math.pi else 0):
                 long = builder.select(builder.apply("less", high, moved), turn, zero)
                 moved = builder.sub(moved, long)
-        outside = self._beyond(moved, low, high)
+        outside = self.beyond(joint, moved, limits)
         self._outside.append(outside)
         return builder.select(outside, value, moved)
 
     def beyond(self, joint: int, value: Node, limits: Limits) -> Node:
-        """Whether a value that is given, which may be any number of turns away, is outside."""
-        return self._beyond(value, *self._ends(joint, limits))
+        """Whether a value is outside, where no whole turns are added."""
+        low, high = self._ends(joint, limits)
+        builder = self._builder
+        if limits.low == -limits.high:
+            return builder.apply("less", high, builder.absolute(value))
+        below = builder.apply("less", value, low)
+        return builder.apply("or", below, builder.apply("less", high, value))
 
     def _ends(self, joint: int, limits: Limits) -> tuple[Node, Node]:
         low = self._builder.constant(f"low{joint}", limits.low, "", role=LimitEnd(joint, "low"))
         high = self._builder.constant(f"high{joint}", limits.high, "", role=LimitEnd(joint, "high"))
         return low, high
-
-    def _beyond(self, value: Node, low: Node, high: Node) -> Node:
-        apply = self._builder.apply
-        return apply("or", apply("less", value, low), apply("less", high, value))
 
     def outside(self) -> Node | None:
         """Whether any joint is outside; None without limits. False where values are NaN."""

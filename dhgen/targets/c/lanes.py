@@ -99,11 +99,19 @@ class LaneText:
             case Apply("or", (Apply("less", (value, low)), Apply("less", (high, again)))) if (
                 value == again and (joint := self._limited_joint(low, high))
             ):
-                inside = self.text(value)
-                where = "_four" if inside.lanes and not self._wide else ""
-                return Text(f"beyond{where}({inside.text}, {joint})", ATOM, inside.lanes)
+                return self._limit_test("beyond", value, joint)
+            case Apply("less", (Variable(name), Apply("abs", (value,)))) if (
+                limit := self._limits.get(name)
+            ) and self.text(value).lanes:
+                return self._limit_test("exceeds", value, limit.joint)
             case Apply(operator, operands):
                 return self._apply(operator, [self.text(operand) for operand in operands])
+
+    def _limit_test(self, macro: str, value: Expression, joint: int) -> Text:
+        """Whether a value is outside the limits of a joint, by a macro."""
+        inside = self.text(value)
+        where = "_four" if inside.lanes and not self._wide else ""
+        return Text(f"{macro}{where}({inside.text}, {joint})", ATOM, inside.lanes)
 
     def _limited_joint(self, low: Expression, high: Expression) -> int | None:
         """The number of the joint of which these are the limits."""

@@ -188,8 +188,12 @@ def _row(module: SolverModule, flat: Flat, choice: Choice, lane: int) -> int:
     return row_of(module, signs)
 
 
-def _with_angles(flat: Flat, text: LaneText, shared: Shared) -> list[str]:
-    """Values, first those without angles, then the angles together, then the others."""
+def _with_angles(flat: Flat, text: LaneText, shared: Shared, misfit: str) -> list[str]:
+    """Values, first those without angles, then the angles together, then the others.
+
+    Irregular poses leave before the angles, as far as these aren't needed to tell: what waits for
+    a root meanwhile makes room for what waits for nothing.
+    """
     signs = range(len(flat.lanes) + 1)
     known = [line for k in signs for line in shared.stated(k, "four" if k else "double")]
     late: set[str] = set()
@@ -211,9 +215,23 @@ def _with_angles(flat: Flat, text: LaneText, shared: Shared) -> list[str]:
             first.append(statement)
     places = {axis: axis + 2 - len(flat.lanes) for axis in range(len(flat.lanes))}
     lines = [*known, *lets(first, text), ""]
+    early = [doubt for doubt in flat.doubts if not names_in(doubt) & late]
+    lines += [*_leaving([misfit], early, text), ""]
     vectors = in_order(packed_angles(angles, places), arrivals(flat.program))
     lines += dense(angle_declarations(vectors, text), INDENT)
-    return [*lines, *lets(last, text)]
+    lines += lets(last, text)
+    return lines + _leaving([], [doubt for doubt in flat.doubts if doubt not in early], text)
+
+
+def _leaving(misfits: list[str], doubts: list[Expression], text: LaneText) -> list[str]:
+    """Leaves an irregular pose to the other solver."""
+    told = [text.text(doubt) for doubt in doubts]
+    lanes = [*misfits, *(each.text for each in told if each.lanes)]
+    single = [f"(unsigned)({each.text})" for each in told if not each.lanes]
+    reasons = [*([f"bits_four({' | '.join(lanes)})"] if lanes else []), *single]
+    if not reasons:
+        return []
+    return [*wrapped(f"{INDENT}if ({' | '.join(reasons)})", INDENT), f"{INDENT}    return -1;"]
 
 
 def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -> LaneFunction:
@@ -224,15 +242,10 @@ def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -
         f"{INDENT}const four {axis.name} = {{ {signs} }};"
         for axis, signs in zip(flat.program.axes, values.get(len(flat.lanes), []), strict=True)
     ]
-    lines += [*entries, *_with_angles(flat, text, shared), ""]
     given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
     limit = repr(module.precision.tolerances.orthonormal)
-    doubts = [text.text(doubt) for doubt in flat.doubts]
-    lane = [f"((irregularity_four({given}) <= {limit}) == 0)", *(d.text for d in doubts if d.lanes)]
-    single = [f"(unsigned)({d.text})" for d in doubts if not d.lanes]
-    doubtful = " | ".join([f"bits_four({' | '.join(lane)})", *single])
-    lines += wrapped(f"{INDENT}if ({doubtful})", INDENT)
-    lines.append(f"{INDENT}    return -1;")
+    misfit = f"((irregularity_four({given}) <= {limit}) == 0)"
+    lines += [*entries, *_with_angles(flat, text, shared, misfit), ""]
     rows = [[_row(module, flat, choice, lane) for lane in range(4)] for choice in flat.choices]
     for group, row in zip(flat.groups, rows, strict=True):
         lines += stores(text, group, row)

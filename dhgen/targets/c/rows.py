@@ -87,22 +87,23 @@ def status_lines(
         outsides: The same for lanes outside the limits; empty without limits.
     """
     lines: list[str] = []
-    oks = [str(count)]
+    oks = []
     for first in range(0, count, WORD):
         none, outside = f"none{first // WORD + 1}", f"outside{first // WORD + 1}"
         lines += _word(none, first, rows, nones)
         word = f"{none} * {prefix}_UNREACHABLE"
-        failed = none
+        fine = f"~{none}"
         if outsides:
             lines += _word(outside, first, rows, outsides)
             word = f"{word} + ({outside} & ~{none}) * {prefix}_OUT_OF_LIMITS"
-            failed = f"{none} | {outside}"
+            fine = f"~({none} | {outside})"
         status = f"kind{first // WORD + 1}"
         lines += wrapped(f"{INDENT}const unsigned long long {status} = {word};", INDENT)
         size = min(WORD, count - first)
         lines.append(f"{INDENT}__builtin_memcpy(status + {first}, &{status}, {size});")
-        oks.append(f"__builtin_popcountll({failed})")
-    return [*lines, *wrapped(f"{INDENT}return {' - '.join(oks)};", INDENT)]
+        bytes_ = sum(1 << WORD * byte for byte in range(size))
+        oks.append(f"__builtin_popcountll({bytes_:#x}ull & {fine})")
+    return [*lines, *wrapped(f"{INDENT}return {' + '.join(oks)};", INDENT)]
 
 
 def _word(name: str, first: int, rows: list[list[int]], masks: list[str]) -> list[str]:
