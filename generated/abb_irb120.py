@@ -400,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 72b2401029817eeb"
+_KEY = "abb_irb120 39d1c56354fda912"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1166,6 +1166,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = abs(D3) <= m2 or v1 <= m1 or v25 <= m9 or v24 <= m9 or v22 <= m9 or v23 <= m9
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w3
     room[1] = -v16
@@ -1292,9 +1296,6 @@ def _regular(pose, q, status):
     outside_mmp = high5 < abs(q5_mmp) or v57 or high4 < abs(angle5)
     outside_mmm = high5 < abs(q5_mmm) or v57 or high4 < abs(q4_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

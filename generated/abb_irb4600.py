@@ -389,7 +389,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 46d9f686b056b271"
+_KEY = "abb_irb4600 b2967f13c86c061c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1154,6 +1154,10 @@ def _regular(pose, q, status):
         abs(D3_p) <= m3
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = Y1
     room[1] = w3_p
@@ -1267,9 +1271,6 @@ def _regular(pose, q, status):
     outside_mmp = v61 or angle15 < low5 or high5 < angle15
     outside_mmm = v61 or -angle15 < low5 or high5 < -angle15
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle4
     q[0, 2] = q3_ppp

@@ -268,7 +268,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept 7c195806655f2781"
+_KEY = "adept 30c352e73b100aa6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -636,6 +636,10 @@ def _regular(pose, q, status):
         v12 * v12 or v6 <= m3
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = v4
     room[1] = T32
@@ -652,9 +656,6 @@ def _regular(pose, q, status):
     v13 = angle2 - angle1
     q2 = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = q2
     q[0, 2] = q3

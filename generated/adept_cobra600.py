@@ -282,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 b82d5db76afb3ca5"
+_KEY = "adept_cobra600 a93489f0a70797c0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -674,6 +674,10 @@ def _regular(pose, q, status):
         m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or abs(D2) <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T21
     room[1] = w2
@@ -698,9 +702,6 @@ def _regular(pose, q, status):
     q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
     q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle3
     q[0, 1] = angle2
     q[0, 2] = q3_p

@@ -293,7 +293,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r eb1dc3add08de563"
+_KEY = "arm_3r bbe1cf8d234fe54a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -638,6 +638,10 @@ def _regular(pose, q, status):
         v10 <= m6 or v15 + v11 * v11 <= m6
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T24
     room[1] = -(k1 * (N3 - k2))
@@ -669,9 +673,6 @@ def _regular(pose, q, status):
     q1_pp = angle1 + v2
     q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = angle3
     q[0, 2] = angle2

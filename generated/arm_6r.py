@@ -369,7 +369,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r d25265af614bf2f1"
+_KEY = "arm_6r 7c36bc726eb3aa3a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -862,6 +862,10 @@ def _regular(pose, q, status):
         v1 <= m1 or abs(D3) <= m3 or v28 <= m6
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = Y1
     room[1] = -v4
@@ -941,9 +945,6 @@ def _regular(pose, q, status):
     q1_ppp = angle1 + v3
     q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle3
     q[0, 2] = angle2

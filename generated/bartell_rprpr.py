@@ -282,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr c5cc8c79a28af4b7"
+_KEY = "bartell_rprpr 4aeb74e5bc1963a7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -699,6 +699,10 @@ def _regular(pose, q, status):
         v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = v4
     room[1] = Z2_3
@@ -720,9 +724,6 @@ def _regular(pose, q, status):
     # theta5, type 3: U1[2, 2] and U1[2, 1]
     q5_m = angle3 - math.copysign(half_turn, v12)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = q2_p
     q[0, 2] = angle2

@@ -244,6 +244,7 @@ def _regular(pose, q, status):
 
     # joint values
     outside = T14 < low3 or high3 < T14 or T34 < low1 or high1 < T34 or T24 < low2 or high2 < T24
+
     q[0, 0] = T34
     q[0, 1] = T24
     q[0, 2] = T14

@@ -412,7 +412,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 0101b27da239ad24"
+_KEY = "comau_ns16 022c64db78ae71f2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1237,6 +1237,10 @@ def _regular(pose, q, status):
         m8 or v28 <= m8 or abs(D3_p) <= m1 or abs(D3_m) <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
@@ -1385,9 +1389,6 @@ def _regular(pose, q, status):
     outside_mmp = v82 or high5 < abs(q5_mmp)
     outside_mmm = v82 or high5 < abs(q5_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

@@ -322,7 +322,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 8906f60313a54700"
+_KEY = "craig_417 be2b0738052d3be4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -825,6 +825,10 @@ def _regular(pose, q, status):
         v80 <= m9)
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -S2
     room[1] = -v36
@@ -864,9 +868,6 @@ def _regular(pose, q, status):
     q4_p = v85 + (v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0)))
     q4_m = v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     q[0, 2] = q3_p

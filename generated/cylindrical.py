@@ -243,7 +243,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical 55e137db89dcb672"
+_KEY = "cylindrical 7250fa7cbe921691"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -589,11 +589,12 @@ def _regular(pose, q, status):
     doubt1 = (
         m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9
     )
-    angle1 = _atan2(T21, T11)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
+    angle1 = _atan2(T21, T11)
+
     q[0, 0] = angle1
     q[0, 1] = q2
     q[0, 2] = q3

@@ -305,7 +305,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist 2af19985d6d08e4d"
+_KEY = "cylindrical_wrist 4760fe215108cb96"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -681,6 +681,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = v1 <= m1 or v3 <= m3
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s1
     room[1] = T33
@@ -711,9 +715,6 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_pm = angle4 - math.copysign(half_turn, v4)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp

@@ -403,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 4f8c7c12f2c6e938"
+_KEY = "denso_vs060 90601e37867ee6ad"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1168,6 +1168,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -v14
     room[1] = -v14
@@ -1292,9 +1296,6 @@ def _regular(pose, q, status):
     outside_mmp = v57 or high5 < abs(q5_mmp)
     outside_mmm = v57 or high5 < abs(q5_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

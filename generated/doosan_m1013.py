@@ -390,7 +390,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 5f878aff5d362e3c"
+_KEY = "doosan_m1013 44ba0f2927d1219e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -946,6 +946,10 @@ def _regular(pose, q, status):
         abs(D1) <= k2 or abs(D3) <= m1 or v25 <= m4
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s6_pp
     room[1] = s6_pm
@@ -1063,9 +1067,6 @@ def _regular(pose, q, status):
     q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
     q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

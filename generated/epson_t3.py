@@ -285,7 +285,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 2148cf7d22887e0a"
+_KEY = "epson_t3 28d5ee8302c90c4d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -954,6 +954,10 @@ def _regular(pose, q, status):
     q3_p = T34 + (w2 - w2)
     doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T21
     room[1] = w2
@@ -981,9 +985,6 @@ def _regular(pose, q, status):
     outside_p = v11 or v10 or high1 < abs(angle3)
     outside_m = v11 or v10 or high1 < abs(angle4)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle3
     q[0, 1] = angle2
     q[0, 2] = q3_p

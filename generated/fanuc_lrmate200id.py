@@ -402,7 +402,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id d58543ce03cc3370"
+_KEY = "fanuc_lrmate200id e644b06508686073"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1172,6 +1172,10 @@ def _regular(pose, q, status):
         abs(D3_p) <= m3
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = Y1
     room[1] = w3_p
@@ -1314,9 +1318,6 @@ def _regular(pose, q, status):
     outside_mmp = v76 or high5 < abs(q5_mmp)
     outside_mmm = v76 or high5 < abs(q5_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

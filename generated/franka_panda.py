@@ -425,7 +425,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 89620f1224970cfc"
+_KEY = "franka_panda 1f0e04c41d667bab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1324,6 +1324,10 @@ def _regular(pose, q_free, q, status):
         doubt_limit_squared2
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w4
     room[1] = v24
@@ -1455,9 +1459,6 @@ def _regular(pose, q_free, q, status):
     outside_mmp = v135 or v127 or v123 or high3 < abs(angle11) or v121 or high1 < abs(angle19)
     outside_mmm = v135 or v127 or v123 or high3 < abs(q3_mmm) or v121 or high1 < abs(q1_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle16
     q[0, 1] = angle12
     q[0, 2] = angle8

@@ -277,7 +277,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "gantry_wrist a370cc7056ca53b8"
+_KEY = "gantry_wrist 3c469672caa01f5d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -625,6 +625,10 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v2 = T33 * T21 - T23 * T31
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T23
     room[1] = -math.sqrt(v1)
@@ -646,9 +650,6 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_m = angle3 - math.copysign(half_turn, v2)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     q[0, 2] = q3_p

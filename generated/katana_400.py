@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 c13b64238fc0d62a"
+_KEY = "katana_400 7fac3406512f73bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1115,6 +1115,10 @@ def _regular(pose, q, status):
         v49 + v50 * v50 or v28 <= m7
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = v3
     room[1] = -Z2_234
@@ -1177,9 +1181,6 @@ def _regular(pose, q, status):
     q5_mp = v80 + v85
     q5_mm = v81 + v85
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp

@@ -396,7 +396,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n 8691b8124ba11e5c"
+_KEY = "kawasaki_rs007n 59248f96466128b3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1193,6 +1193,10 @@ def _regular(pose, q, status):
         v1 <= m1 or abs(D3) <= m2 or v23 <= m5
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = wy
     room[1] = S2_pp
@@ -1339,9 +1343,6 @@ def _regular(pose, q, status):
     outside_mmp = v101 or high5 < abs(q5_mmp)
     outside_mmm = v101 or high5 < abs(q5_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

@@ -399,7 +399,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 61b7255d117b386c"
+_KEY = "kinova_j2s6s300 c99f709944bb5a8f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1230,6 +1230,10 @@ def _regular(pose, q, status):
         or abs(D3) <= m1 or v22 <= m4
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -v35
     room[1] = -v35
@@ -1387,9 +1391,6 @@ def _regular(pose, q, status):
     outside_mmp = v96 or v101
     outside_mmm = v97 or v101
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

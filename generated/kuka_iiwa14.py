@@ -419,7 +419,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 b253fa4d00a14387"
+_KEY = "kuka_iiwa14 fdd6a9ff39a68021"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1316,6 +1316,10 @@ def _regular(pose, q_free, q, status):
         high3 < abs(q_free[0]) or v25 <= m2
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = Y5_pp
     room[1] = -v47
@@ -1492,9 +1496,6 @@ def _regular(pose, q_free, q, status):
     outside_mmp = high7 < abs(angle8) or high6 < abs(q6_mmp) or v106 or high5 < abs(angle4)
     outside_mmm = high7 < abs(q7_mmm) or high6 < abs(q6_mmm) or v106 or high5 < abs(q5_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

@@ -475,7 +475,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 211a540a956b36f8"
+_KEY = "kuka_iiwa14_arm_angle 63f5472aff586717"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1105,6 +1105,10 @@ def _regular(pose, q_free, q, status):
     v92 = high4 < abs(q4_mpp)
     doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -v36
     room[1] = -v37
@@ -1215,9 +1219,6 @@ def _regular(pose, q_free, q, status):
     outside_mmp = v103 or v99 or v95 or v108
     outside_mmm = v104 or v100 or v96 or v108
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = angle1

@@ -335,7 +335,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa f3f1bcd90f84e6cc"
+_KEY = "kuka_kr40pa f300d3bac914ffa6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1379,6 +1379,10 @@ def _regular(pose, q, status):
         m7)
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T31
     room[1] = w3
@@ -1413,9 +1417,6 @@ def _regular(pose, q, status):
     q4_p = v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
     q4_m = v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     q[0, 2] = q3_p

@@ -366,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 5a8da7e7ac020cd2"
+_KEY = "kuka_youbot f7c9807de7fdde39"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1139,6 +1139,10 @@ def _regular(pose, q, status):
         + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = v3
     room[1] = Z2_234
@@ -1210,9 +1214,6 @@ def _regular(pose, q, status):
     q5_mp = v92 + v97
     q5_mm = v93 + v97
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp

@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 83c8f222bb7f134e"
+_KEY = "olson_pprrrr ce8d66969a17b67a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -951,6 +951,10 @@ def _regular(pose, q, status):
         or v1 <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T13
     room[1] = -w3
@@ -992,9 +996,6 @@ def _regular(pose, q, status):
     q6_pp = angle3 + v6
     q6_mp = v6 + (angle3 - math.copysign(half_turn, -v4))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp

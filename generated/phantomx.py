@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 793a4dfef22724bf"
+_KEY = "phantomx 69bddb1b56733b33"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1379,6 +1379,10 @@ def _regular(pose, q, status):
         m7)
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T33
     room[1] = w3
@@ -1415,9 +1419,6 @@ def _regular(pose, q, status):
     q4_p = v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
     q4_m = v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     q[0, 2] = q3_p

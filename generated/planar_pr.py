@@ -251,7 +251,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 9029d57846d7fec4"
+_KEY = "planar_pr 8b46ff84dd10b09b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -547,6 +547,10 @@ def _regular(pose, q, status):
     v5 = m1 * w2
     v6 = m2 * w2
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = v3 - v5
     room[1] = v3 + v5
@@ -559,9 +563,6 @@ def _regular(pose, q, status):
     angle1 = room[0]
     angle2 = room[1]
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = angle1
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK

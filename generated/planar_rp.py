@@ -250,7 +250,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp ca93f57da4fdbc55"
+_KEY = "planar_rp ff1424f877f89f59"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -759,6 +759,10 @@ def _regular(pose, q, status):
     # joint values
     outside_p = q2_p < low2 or high2 < q2_p
     outside_m = -q2_p < low2 or high2 < -q2_p
+
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
     angle1 = _atan2(T14, -T24)
 
     # joint values
@@ -767,9 +771,6 @@ def _regular(pose, q, status):
     q1_p = v2 + (turn if v2 <= -half_turn else 0.0)
     q1_m = v3 + (turn if v3 <= -half_turn else 0.0)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_p else OK)

@@ -258,7 +258,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rr 49a114a15819c04b"
+_KEY = "planar_rr bf7ddd2206fc712a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -562,6 +562,10 @@ def _regular(pose, q, status):
     v4 = w2 * (m2 * T14)
     v5 = w2 * (m2 * T24)
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w2
     room[1] = v2 - v4
@@ -577,9 +581,6 @@ def _regular(pose, q, status):
     angle2 = room[1]
     angle3 = room[2]
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle2
     q[0, 1] = angle1
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK

@@ -292,7 +292,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr ddabf65de092fb90"
+_KEY = "planar_rrr 7305408c8db3f132"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -929,6 +929,10 @@ def _regular(pose, q, status):
         * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8)
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T21
     room[1] = w2
@@ -957,9 +961,6 @@ def _regular(pose, q, status):
     q3_p = v22 + (v19 + (turn if v19 <= -half_turn else (-turn if half_turn < v19 else 0.0)))
     q3_m = v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     q[0, 2] = q3_p

@@ -379,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 32283ecb9140278f"
+_KEY = "prismatic_2_wrist b2f75a976b60163f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -954,6 +954,10 @@ def _regular(pose, q, status):
         v40 <= m5 or v41 <= m5
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -v36
     room[1] = -v36
@@ -1024,9 +1028,6 @@ def _regular(pose, q, status):
     q3_ppp = v3 + angle15
     q3_pmp = v3 + angle16
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = -(v20 + v22)
     q[0, 2] = q3_ppp

@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma 614d7d1bea920cbd"
+_KEY = "puma e74297500797d0c7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -907,6 +907,10 @@ def _regular(pose, q, status):
         or abs(D3_) <= m1 or v13 <= m3
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w3
     room[1] = -v9
@@ -988,9 +992,6 @@ def _regular(pose, q, status):
     q3_ppp = v1 + angle1
     q3_pmp = v1 - angle1
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle2
     q[0, 2] = q3_ppp

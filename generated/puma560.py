@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 eb474c59ef6e6bbf"
+_KEY = "puma560 acf1da7cbf2b3bfb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1165,6 +1165,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = abs(D3) <= m1 or abs(D1) <= k2 or v31 <= m8 or v30 <= m8 or v28 <= m8 or v29 <= m8
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
@@ -1264,9 +1268,6 @@ def _regular(pose, q, status):
     outside_mpp = high5 < abs(angle14) or v48 or v47 or high2 < abs(angle6)
     outside_mmp = high5 < abs(angle15) or v49 or v47 or high2 < abs(angle7)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle4
     q[0, 2] = q3_ppp

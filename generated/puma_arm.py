@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm ecb6623051e96521"
+_KEY = "puma_arm 2425896582f8a3fa"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -680,6 +680,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = abs(D1) <= k2 or abs(D3) <= m1
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w3
     room[1] = v14
@@ -717,9 +721,6 @@ def _regular(pose, q, status):
     q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
     q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = angle2
     q[0, 2] = q3_pp

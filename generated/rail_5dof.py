@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof b0618f420a6dbb5b"
+_KEY = "rail_5dof 13f39880f8e987f1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1155,6 +1155,10 @@ def _regular(pose, q, status):
         v25 * v25 + v27 * v27 + v28 * v28 or m6 < v20 * v20 + v23 * v23 + v26 * v26
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = v1
     room[1] = -T33
@@ -1179,9 +1183,6 @@ def _regular(pose, q, status):
     # theta5, type 3: U3[2, 2] and U3[2, 1]
     q5_m = angle4 - math.copysign(half_turn, -S5)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = angle1
     q[0, 2] = angle2

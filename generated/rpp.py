@@ -241,7 +241,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp 66247d45aaac66fd"
+_KEY = "rpp 38d2b4e73ee2d3a9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -527,14 +527,15 @@ def _regular(pose, q, status):
     v1 = T14 * T14 + T24 * T24
     q2_p = math.sqrt(v1)
     doubt1 = v1 <= m1
+
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
     angle1 = _atan2(-T14, T24)
 
     # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
     q1_m = angle1 - math.copysign(half_turn, -T14)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = q2_p
     q[0, 2] = q3_p

@@ -266,7 +266,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr 6cea1689751e2996"
+_KEY = "rpr f52df74be86c7aa3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -581,6 +581,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = v1 <= m1 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3))
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T14
     room[1] = -(a3 * w3)
@@ -597,9 +601,6 @@ def _regular(pose, q, status):
     q1_pp = angle1 + v2
     q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = angle2

@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rrprrr a07ec0f83c1326ab"
+_KEY = "rrprrr b5a7230126b6a088"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -707,6 +707,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = v2 <= m1 or v6 <= m1 or v1 <= m1
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T24
     room[1] = -w1
@@ -745,9 +749,6 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     q6_ppm = angle5 - math.copysign(half_turn, v9)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle2
     q[0, 2] = q3_ppp

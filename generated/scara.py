@@ -294,7 +294,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 9f5dfcfd1806dea3"
+_KEY = "scara 8848ff971adb2bd1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -970,6 +970,10 @@ def _regular(pose, q, status):
     q3_p = t34 + (w2 - w2)
     doubt1 = abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T21
     room[1] = w2
@@ -997,9 +1001,6 @@ def _regular(pose, q, status):
     outside_p = v9 or v8 or high1 < abs(angle3)
     outside_m = v9 or v8 or high1 < abs(angle4)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle3
     q[0, 1] = angle2
     q[0, 2] = q3_p

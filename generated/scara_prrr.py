@@ -278,7 +278,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr 9909885afecfb720"
+_KEY = "scara_prrr 14bc994de07ba625"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -660,6 +660,10 @@ def _regular(pose, q, status):
     q1_p = w3 - w3 + T34
     doubt1 = abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T21
     room[1] = w3
@@ -684,9 +688,6 @@ def _regular(pose, q, status):
     q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
     q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = angle3
     q[0, 2] = angle2

@@ -263,7 +263,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_rrp 58d93d58b515764a"
+_KEY = "scara_rrp 461962ad09bfddf6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -577,6 +577,10 @@ def _regular(pose, q, status):
     # joint values
     q3_p = T34 - d1 + (w2 - w2)
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w2
     room[1] = v2 - v4
@@ -592,9 +596,6 @@ def _regular(pose, q, status):
     angle2 = room[1]
     angle3 = room[2]
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle2
     q[0, 1] = angle1
     q[0, 2] = q3_p

@@ -331,7 +331,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_wrist 82c197404846de09"
+_KEY = "scara_wrist 434dd296179fc47d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -725,6 +725,10 @@ def _regular(pose, q, status):
     q3_pp = v1 + (T34 - d6 * T33 - d1)
     doubt1 = abs(D2) <= m1 or v5 <= m4
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w2
     room[1] = v3 - w2 * (m2 * wx)
@@ -768,9 +772,6 @@ def _regular(pose, q, status):
     q6_pp = v1 + angle5
     q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle2
     q[0, 1] = angle1
     q[0, 2] = q3_pp

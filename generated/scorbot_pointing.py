@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 84f3f0d2a61d8221"
+_KEY = "scorbot_pointing 79c92afe17c4dddf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1482,6 +1482,10 @@ def _regular(pose, q_free, q, status):
         (-m5 <= D3_m and D3_m <= m4)
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -v3
     room[1] = -v8
@@ -1538,9 +1542,6 @@ def _regular(pose, q_free, q, status):
     q4_mp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
     q4_mm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp

@@ -262,7 +262,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical 34258f6228a6f763"
+_KEY = "spherical a7419b9c933f19b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -570,6 +570,10 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = v1 <= m1 or v2 <= m1
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T24
     room[1] = -math.sqrt(v1)
@@ -588,9 +592,6 @@ def _regular(pose, q, status):
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     q2_pm = angle2 - math.copysign(half_turn, -math.sqrt(v1))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle2
     q[0, 2] = q3_pp

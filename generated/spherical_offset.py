@@ -268,7 +268,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset 50d8b79e896232e4"
+_KEY = "spherical_offset a411083ce85e493d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -588,6 +588,10 @@ def _regular(pose, q, status):
     q3_pm = v1 - w3
     doubt1 = abs(D1) <= k2 or v6 <= m1
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -(v2 + v5)
     room[1] = v5 - v2
@@ -606,9 +610,6 @@ def _regular(pose, q, status):
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     q2_pm = angle3 - math.copysign(half_turn, -w1)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle3
     q[0, 2] = q3_pp

@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets 97b1a22f882ffa5b"
+_KEY = "spherical_wrist_all_offsets adbb3e2935d21d98"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -913,6 +913,10 @@ def _regular(pose, q, status):
         abs(D3_p) <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = w3_p
     room[1] = w3_m
@@ -1013,9 +1017,6 @@ def _regular(pose, q, status):
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle3
     q[0, 2] = q3_ppp

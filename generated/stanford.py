@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 78b8897d0b73abe4"
+_KEY = "stanford c0cb9cd500ac70c6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -984,6 +984,10 @@ def _regular(pose, q, status):
     q3_pmp = v1 - w3
     doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -v8
     room[1] = -v9
@@ -1062,9 +1066,6 @@ def _regular(pose, q, status):
     outside_mmp = v43 or v35 or v30 or v39
     outside_mmm = v42 or v35 or v31 or v39
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle3
     q[0, 2] = q3_ppp

@@ -339,7 +339,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 b1311d912a4ebd9f"
+_KEY = "staubli_rx90 ff5d66496ef296db"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -841,6 +841,10 @@ def _regular(pose, q, status):
         abs(D3) <= m3 or v20 <= m5
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T24
     room[1] = -v4
@@ -920,9 +924,6 @@ def _regular(pose, q, status):
     q1_ppp = angle1 + v3
     q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle3
     q[0, 2] = angle2

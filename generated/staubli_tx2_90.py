@@ -398,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 f444f944bf943fea"
+_KEY = "staubli_tx2_90 59973d570598e1f7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1226,6 +1226,10 @@ def _regular(pose, q, status):
         v24 <= m5 or abs(D3_m) <= m1 or abs(D1) <= k2 or abs(D3_p) <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
     room[1] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
@@ -1362,9 +1366,6 @@ def _regular(pose, q, status):
     outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
     outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

@@ -395,7 +395,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 be513568f01bcf85"
+_KEY = "staubli_tx40 6ca039de51c00cb3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -935,6 +935,10 @@ def _regular(pose, q, status):
         abs(D1) <= k2 or abs(D3) <= m1 or v14 <= m3
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s6_pp
     room[1] = s6_pm
@@ -1054,9 +1058,6 @@ def _regular(pose, q, status):
     q3_ppp = v1 + (v46 + (turn if v46 <= -half_turn else 0.0))
     q3_pmp = v1 + (v47 + (turn if v47 <= -half_turn else 0.0))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

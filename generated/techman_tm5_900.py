@@ -397,7 +397,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 224ffe57059444e8"
+_KEY = "techman_tm5_900 b908e59b9b3cf04e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1349,6 +1349,10 @@ def _regular(pose, q, status):
         abs(D1) <= k2 or v3 <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = Y6_p
     room[1] = Y6_m
@@ -1481,9 +1485,6 @@ def _regular(pose, q, status):
     q6_mpp = angle2 + v26
     q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = angle7

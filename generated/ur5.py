@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5 b6cf29146a372b20"
+_KEY = "ur5 871842d215d349c3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1337,6 +1337,10 @@ def _regular(pose, q, status):
         abs(D1) <= k2 or v9 <= m1
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
@@ -1437,9 +1441,6 @@ def _regular(pose, q, status):
     q6_mpp = angle4 + v32
     q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8))
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle13
     q[0, 2] = angle9

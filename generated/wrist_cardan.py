@@ -249,7 +249,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_cardan 2a2168b2fd656975"
+_KEY = "wrist_cardan 3d57bd8ebac8ecc9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -573,6 +573,10 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     s3 = T11 * T32 - T31 * T12
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T31
     room[1] = T21
@@ -597,9 +601,6 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     q3_m = angle3 - math.copysign(half_turn, s3)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle2
     q[0, 2] = angle3

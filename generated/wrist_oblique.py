@@ -306,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 9fbfaec58d0d5e04"
+_KEY = "wrist_oblique 734bc31b23e42653"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -795,6 +795,10 @@ def _regular(pose, q, status):
         reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v67 and v67 <= m7)
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = s1_p
     room[1] = -v8
@@ -827,9 +831,6 @@ def _regular(pose, q, status):
     q3_p = v70 + angle5
     q3_m = v71 + angle6
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
     q[0, 2] = q3_p

@@ -248,7 +248,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zxz bb3d5884f176a13a"
+_KEY = "wrist_zxz 9db164053233828f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -570,6 +570,10 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     v2 = T13 * T22 - T23 * T12
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -T13
     room[1] = -math.sqrt(v1)
@@ -591,9 +595,6 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     q3_m = angle3 - math.copysign(half_turn, v2)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle2
     q[0, 2] = angle3

@@ -248,7 +248,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zyz f80f4734410f3d6c"
+_KEY = "wrist_zyz efaa032dba3a3726"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -571,6 +571,10 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[3, 2] and U1[3, 1]
     s3 = T13 * T21 - T23 * T11
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = T23
     room[1] = -math.sqrt(v1)
@@ -592,9 +596,6 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[3, 2] and U1[3, 1]
     q3_m = angle3 - math.copysign(half_turn, s3)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = angle1
     q[0, 1] = angle2
     q[0, 2] = angle3

@@ -377,7 +377,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 c551a28703e0278f"
+_KEY = "xarm5 38f4d8358abcbe50"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1127,6 +1127,10 @@ def _regular(pose, q, status):
         v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = -Z2_234
     room[1] = -Z2_5
@@ -1204,9 +1208,6 @@ def _regular(pose, q, status):
     q5_mp = v82 + v87
     q5_mm = v83 + v87
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp

@@ -403,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 8578e5273b15b64b"
+_KEY = "yaskawa_gp7 4a29a4dee280496c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1171,6 +1171,10 @@ def _regular(pose, q, status):
         abs(D3_p) <= m3
     )
 
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+
     # angles, side by side
     room[0] = Y1
     room[1] = w3_p
@@ -1323,9 +1327,6 @@ def _regular(pose, q, status):
     outside_mmp = v83 or high5 < abs(q5_mmp)
     outside_mmm = v83 or high5 < abs(q5_mmm)
 
-    # a joint is free, or branches meet
-    if doubt1:
-        return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp

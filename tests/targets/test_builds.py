@@ -159,7 +159,9 @@ def test_the_nearest_row_may_take_the_place_of_the_seed(name: str) -> None:
 @pytest.mark.parametrize("name", ["puma560", "scara", "ur5"])
 def test_irregular_poses_leave_before_the_angles(name: str) -> None:
     """Arctangents are most of the work; and it is faster at regular poses, too."""
-    source = made(name).files[f"{name}.c"]
-    one_pose = source[source.index("HELPER int solve_regular(") :]
-    assert one_pose.index("irregularity_four(T)") < one_pose.index("angle_four(")
-    assert one_pose.index("return -1;") < one_pose.index("angle_four(")
+    files = made(name).files
+    source = files[f"{name}.c"].partition("HELPER int solve_regular(")[2]
+    assert source.index("irregularity_four(T)") < source.index("angle_four(")
+    assert source.index("return -1;") < source.index("angle_four(")
+    module = files[f"{name}.py"].partition("def _regular(")[2]
+    assert module.index("return False") < module.index("_atan2(")

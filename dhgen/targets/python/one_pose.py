@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Heading, Let
+from dhgen.program.walk import names_in
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import INDENT, WIDTH
 from dhgen.targets.python.language import Python
@@ -47,11 +48,20 @@ def single(flat: Flat) -> Single:
     stages = staged(flat.program)
     titles = _titles(flat.program)
     together = [_together(stage) for stage in stages.stages]
+    values = stages.outputs[: flat.joints * len(flat.choices)]
+    rest = stages.outputs[len(values) :]
+    leaving = [] if flat.doubt is None else _leaving(rest[-1])
+    awaited = set() if flat.doubt is None else names_in(rest[-1])
+    awaited -= {constant.name for constant in flat.program.constants}
     lines: list[str] = []
     for stage, calls in zip(stages.stages, together, strict=True):
-        lines += _stage(stage, calls, titles)
-    values = stages.outputs[: flat.joints * len(flat.choices)]
-    lines += _results(flat, values, stages.outputs[len(values) :])
+        lines += _arithmetic(stage, titles)
+        awaited -= {let.name for let in stage.lets}
+        if not awaited:
+            lines, leaving = lines + leaving, []
+        lines += _called(stage, calls)
+        awaited -= {call.name for call in stage.calls}
+    lines += [*leaving, "", *_results(flat, values, rest)]
     while lines and not lines[0]:
         lines = lines[1:]
     return Single(tuple(lines), max((2 * _padded(len(calls)) for calls in together), default=0))
@@ -92,8 +102,7 @@ def _padded(count: int) -> int:
     return -(-count // LANES) * LANES
 
 
-def _stage(stage: Stage, together: tuple[Call, ...], titles: dict[str, str]) -> list[str]:
-    """Arithmetic, and then what is called."""
+def _arithmetic(stage: Stage, titles: dict[str, str]) -> list[str]:
     language = Python()
     lines: list[str] = []
     title = ""
@@ -102,6 +111,12 @@ def _stage(stage: Stage, together: tuple[Call, ...], titles: dict[str, str]) -> 
             title = titles[let.name]
             lines += ["", f"{INDENT}# {title}"]
         lines += assigned(let.name, expression_text(let.expression, language), INDENT)
+    return lines
+
+
+def _called(stage: Stage, together: tuple[Call, ...]) -> list[str]:
+    language = Python()
+    lines: list[str] = []
     for call in stage.calls:
         if call not in together:
             operands = ", ".join(expression_text(each, language) for each in call.operands)
@@ -132,14 +147,18 @@ def _side_by_side(calls: tuple[Call, ...]) -> list[str]:
     return lines + [f"{INDENT}{call.name} = room[{place}]" for place, call in enumerate(calls)]
 
 
+def _leaving(doubt: Expression) -> list[str]:
+    """Leaves a pose that is none of these rows', as soon as that is known."""
+    language = Python()
+    leave = language.leave(expression_text(doubt, language), "", 0, [])
+    reason = ["", f"{INDENT}# a joint is free, or branches meet"]
+    return [*reason, *(INDENT + line for line in leave[:-1]), f"{INDENT * 2}return False"]
+
+
 def _results(flat: Flat, values: Sequence[Expression], rest: Sequence[Expression]) -> list[str]:
-    """The rows, or that the pose is none of theirs; `rest` is what is beyond limits, and doubt."""
+    """The rows; `rest` begins with what is beyond limits."""
     language = Python()
     lines: list[str] = []
-    if flat.doubt is not None:
-        lines += ["", f"{INDENT}# a joint is free, or branches meet"]
-        leave = language.leave(expression_text(rest[-1], language), "", 0, [])
-        lines += [INDENT + line for line in leave[:-1]] + [f"{INDENT * 2}return False"]
     for row in range(len(flat.choices)):
         for joint in range(flat.joints):
             text = expression_text(values[row * flat.joints + joint], language)
