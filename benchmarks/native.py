@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from benchmarks.contestant import AbsentError
+from benchmarks.memory import lined_up, room
 from dhgen.verify.native import c_compiler
 
 if TYPE_CHECKING:
@@ -114,9 +115,9 @@ class Native:
 
     def prepare(self, T: Array) -> Run:
         """Solves the poses (N, 4, 4) again and again, and tells the CPU time."""
-        poses = np.ascontiguousarray(T)
+        poses = lined_up(T)
         count = len(T) if self.interface.batch else 1
-        q = np.zeros((count, self.interface.rows, self.interface.dof))
+        q = room((count, self.interface.rows, self.interface.dof))
 
         def run(repeats: int) -> float:
             sizes = ctypes.c_size_t(len(poses)), ctypes.c_size_t(repeats)

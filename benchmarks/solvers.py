@@ -9,6 +9,7 @@ import numpy as np
 
 from benchmarks.arms import CHECKOUT
 from benchmarks.contestant import Absentee, AbsentError, Contestant, imported, timed
+from benchmarks.memory import lined_up, room
 from benchmarks.native import AVX2, NATIVE, Interface, compiled
 
 if TYPE_CHECKING:
@@ -107,8 +108,13 @@ def _python(module: Any) -> list[Contestant]:  # noqa: ANN401 - a generated modu
         return timed(work)
 
     def batch(T: Array) -> Run:
-        out = module.ik_batch(T)  # as a loop holds them: fresh memory would be measured too
-        return timed(lambda: module.ik_batch(T, out=out))
+        # As a loop holds them: fresh memory would be measured too.
+        out = (
+            room((len(T), module.MAX_SOLUTIONS, module.DOF)),
+            np.empty((len(T), module.MAX_SOLUTIONS), np.uint8),
+        )
+        poses = lined_up(T)
+        return timed(lambda: module.ik_batch(poses, out=out))
 
     ways = (("ik_into", single, into), ("ik_all", single, fresh), ("ik_batch", together, batch))
     return [
