@@ -30,7 +30,7 @@ def test_a_value_is_outside_beyond_either_end(low: float, high: float) -> None:
 def test_limits_that_are_alike_on_both_sides_hold_for_both_signs_at_once() -> None:
     builder = Builder()
     sign = builder.sign(("up", "down"), 1)
-    angle = builder.mul(builder.mul(sign, builder.pose(1, 1)), builder.pose(1, 2))
+    angle = builder.mul(sign, builder.mul(builder.pose(1, 1), builder.pose(1, 2)))
     alike = Limiting(builder).beyond(1, angle, Limits(-1.0, 1.0, turns=False))
     other = Limiting(builder).beyond(2, angle, Limits(-1.0, 2.0, turns=False))
     assert builder.axes_of(alike) == ()
