@@ -135,6 +135,7 @@ offset1 = 3.141592653589793  # offset of joint 1 [rad]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -352,7 +353,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 0529cf17147a5b26"
+_KEY = "abb_gofa_5 654e93c858ef7b88"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

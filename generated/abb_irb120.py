@@ -139,7 +139,6 @@ k2 = 0.03780000000000001  # 2 * a3 * a2 [m^2]
 k3 = 0.16900400000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 35.683793403054324  # 1 / (k1^2 + k2^2) [m^-4]
 turn1 = 1.3430303610541368  # a constant angle [rad]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.879790001
 high2 = 1.919860001
 low3 = -1.919860001
@@ -157,6 +156,7 @@ m8 = 0.04297037037037035  # a coefficient of X1_2
 m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -400,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 39d1c56354fda912"
+_KEY = "abb_irb120 3c693ec3c2990685"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

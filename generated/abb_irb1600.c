@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,14 +232,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -266,7 +269,6 @@ static const double
     k1 = 0.84, /* 2 * d4 * a2 [m^2] */
     k2 = 0.8499999999999999, /* a2^2 + d4^2 [m^2] */
     k3 = 1.4172335600907033, /* 1 / (k1^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m3 = 8.740208556903756e-13,
@@ -439,17 +441,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle6 - offset2, angle7 = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14)),
         v61 = angle7 - offset2, angle8 = atan2_wide(w3_m * (m4 * v5) - v12, -(v16 + w3_m * v13)),
         v62 = angle8 - offset2, angle9 = atan2_wide(w3_m * (m4 * -v5) - v12, -(v16 + w3_m * v14)),
-        v63 = angle9 - offset2, q2_ppp = v60 + only_wide(half_turn < v60, -turn),
-        q2_pmp = v61 + only_wide(half_turn < v61, -turn),
-        q2_mpp = v62 + only_wide(half_turn < v62, -turn),
-        q2_mmp = v63 + only_wide(half_turn < v63, -turn), angle10 = atan2_wide(v7, -(k1 * w3_p)),
-        angle11 = atan2_wide(v8, -(k1 * w3_m)), v64 = angle10 - offset3,
-        v65 = signed_wide(half_turn, v7) - angle10 - offset3, v66 = angle11 - offset3,
-        v67 = signed_wide(half_turn, v8) - angle11 - offset3,
-        q3_ppp = v64 + only_wide(v64 <= -half_turn, turn),
-        q3_pmp = v65 + only_wide(v65 <= -half_turn, turn),
-        q3_mpp = v66 + only_wide(v66 <= -half_turn, turn),
-        q3_mmp = v67 + only_wide(v67 <= -half_turn, turn), angle12 = atan2_wide(-v29, -v31),
+        v63 = angle9 - offset2, q2_ppp = lowered_wide(v60), q2_pmp = lowered_wide(v61),
+        q2_mpp = lowered_wide(v62), q2_mmp = lowered_wide(v63),
+        angle10 = atan2_wide(v7, -(k1 * w3_p)), angle11 = atan2_wide(v8, -(k1 * w3_m)),
+        v64 = angle10 - offset3, v65 = signed_wide(half_turn, v7) - angle10 - offset3,
+        v66 = angle11 - offset3, v67 = signed_wide(half_turn, v8) - angle11 - offset3,
+        q3_ppp = raised_wide(v64), q3_pmp = raised_wide(v65), q3_mpp = raised_wide(v66),
+        q3_mmp = raised_wide(v67), angle12 = atan2_wide(-v29, -v31),
         angle13 = atan2_wide(-v29, -v32), angle14 = atan2_wide(v29, -v33),
         angle15 = atan2_wide(v29, -v34), v68 = signed_wide(half_turn, -v29),
         v69 = signed_wide(half_turn, v29), v70 = angle12 - offset4, v71 = angle12 - v68 - offset4,
@@ -468,34 +466,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask doubt1 = (v38 <= m8) | (v37 <= m8) | (v36 <= m8) | (v35 <= m8) | (abs_wide(D3_m)
         <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, turn);
-    q[4] = v80 + only_wide(v80 <= -half_turn, turn); q[5] = angle2;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v70); q[4] = raised_wide(v80);
+    q[5] = angle2;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v71);
     q[10] = only_wide(-v81 <= -half_turn, turn) - v81; q[11] = angle2 - signed_wide(half_turn, v55);
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v72 + only_wide(v72 <= -half_turn, turn);
-    q[16] = v82 + only_wide(v82 <= -half_turn, turn); q[17] = angle3;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v72);
+    q[16] = raised_wide(v82); q[17] = angle3;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v73 + only_wide(v73 <= -half_turn, turn);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v73);
     q[22] = only_wide(-v83 <= -half_turn, turn) - v83; q[23] = angle3 - signed_wide(half_turn, v56);
     kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
-    q[27] = v74 + only_wide(v74 <= -half_turn, turn);
-    q[28] = v84 + only_wide(v84 <= -half_turn, turn); q[29] = angle4;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v74);
+    q[28] = raised_wide(v84); q[29] = angle4;
     kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
-    q[33] = v75 + only_wide(v75 <= -half_turn, turn);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v75);
     q[34] = only_wide(-v85 <= -half_turn, turn) - v85; q[35] = angle4 - signed_wide(half_turn, v57);
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
-    q[39] = v76 + only_wide(v76 <= -half_turn, turn);
-    q[40] = v86 + only_wide(v86 <= -half_turn, turn); q[41] = angle5;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v76);
+    q[40] = raised_wide(v86); q[41] = angle5;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
-    q[45] = v77 + only_wide(v77 <= -half_turn, turn);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v77);
     q[46] = only_wide(-v87 <= -half_turn, turn) - v87; q[47] = angle5 - signed_wide(half_turn, v58);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -572,12 +564,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle5 = angle_four(ratio3), angle2 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q6_m = angle2 - signed_four(half_turn, v36), v37 = angle3 - offset2,
-        q2_p = v37 + only_four(half_turn < v37, -turn), v40 = e2 * angle4 + v38 * v39 - offset3,
-        q3_p = v40 + only_four(v40 <= -half_turn, turn), v42 = angle5 - offset4,
-        v43 = angle5 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, turn),
-        q4_m = v43 + only_four(v43 <= -half_turn, turn), v44 = angle6 - offset5,
-        v45 = offset5 + angle6, q5_p = v44 + only_four(v44 <= -half_turn, turn),
-        q5_m = only_four(-v45 <= -half_turn, turn) - v45,
+        q2_p = lowered_four(v37), v40 = e2 * angle4 + v38 * v39 - offset3, q3_p = raised_four(v40),
+        v42 = angle5 - offset4, v43 = angle5 - v41 - offset4, q4_p = raised_four(v42),
+        q4_m = raised_four(v43), v44 = angle6 - offset5, v45 = offset5 + angle6,
+        q5_p = raised_four(v44), q5_m = only_four(-v45 <= -half_turn, turn) - v45,
         q1_p = angle1 + v4 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
@@ -883,8 +873,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

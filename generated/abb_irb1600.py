@@ -139,7 +139,6 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.84  # 2 * d4 * a2 [m^2]
 k2 = 0.8499999999999999  # a2^2 + d4^2 [m^2]
 k3 = 1.4172335600907033  # 1 / (k1^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.006002249999999e-08  # doubt_limit1^2 [m^2]
 m3 = 8.740208556903756e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m4 = 0.7142857142857144  # a coefficient of S2
@@ -149,6 +148,7 @@ m7 = 0.10833333333333327  # a coefficient of v9
 m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -392,7 +392,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb1600 f7245e2b0306f5e1"
+_KEY = "abb_irb1600 b4b46df5c5d1e199"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -48,8 +49,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -225,14 +226,21 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -258,7 +266,6 @@ static const double
     k2 = 0.38325, /* 2 * a3 * a2 [m^2] */
     k3 = 2.84255, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.1268631397825131, /* 1 / (k1^2 + k2^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.4338633792358526, /* a constant angle [rad] */
     m1 = 1.0240152378064056e-07, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -462,12 +469,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v45, v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38);
 
     /* joint values */
-    const wide v46 = q3__pp + only_wide(q3__pp <= -half_turn, turn),
-        v47 = only_wide(-v6 <= -half_turn, turn) - v6,
-        v48 = q3__mp + only_wide(q3__mp <= -half_turn, turn),
-        v49 = only_wide(-v7 <= -half_turn, turn) - v7, v50 = v46 - only_wide(high(3) < v46, turn),
-        v51 = v47 - only_wide(high(3) < v47, turn), v52 = v48 - only_wide(high(3) < v48, turn),
-        v53 = v49 - only_wide(high(3) < v49, turn);
+    const wide v46 = raised_wide(q3__pp), v47 = only_wide(-v6 <= -half_turn, turn) - v6,
+        v48 = raised_wide(q3__mp), v49 = only_wide(-v7 <= -half_turn, turn) - v7,
+        v50 = v46 - only_wide(high(3) < v46, turn), v51 = v47 - only_wide(high(3) < v47, turn),
+        v52 = v48 - only_wide(high(3) < v48, turn), v53 = v49 - only_wide(high(3) < v49, turn);
     const wide_mask v54 = beyond(v50, 3), v55 = beyond(v51, 3), v56 = beyond(v52, 3),
         v57 = beyond(v53, 3);
     const wide q3_ppp = pick_wide(v54, v46, v50), q3_pmp = pick_wide(v55, v47, v51),
@@ -566,7 +571,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
-        q6_m = angle6 - signed_four(half_turn, v26), v27 = q3_ + only_four(q3_ <= -half_turn, turn),
+        q6_m = angle6 - signed_four(half_turn, v26), v27 = raised_four(q3_),
         v28 = v27 - only_four(high(3) < v27, turn);
     const four_mask v29 = beyond_four(v28, 3);
     const four q3_p = pick_four(v29, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
@@ -942,8 +947,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -999,8 +1003,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1023,8 +1026,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1080,8 +1083,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,13 +232,23 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -266,7 +277,6 @@ static const double
     k2 = 0.43, /* 2 * a3 * a2 [m^2] */
     k3 = 3.1332889999999995, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.10938822421589604, /* 1 / (k1^2 + k2^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.4280947671350148, /* a constant angle [rad] */
     m1 = 1.5737089000000004e-07, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -458,27 +468,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v45 = angle12 - offset2, angle13 = atan2_wide(v8 - v44, -(v10 + w3_p * v13)),
         v46 = angle13 - offset2, angle14 = atan2_wide(v9 + w3_m * (m4 * v4), -(v11 + w3_m * v12)),
         v47 = angle14 - offset2, angle15 = atan2_wide(v9 + w3_m * (m4 * -v4), -(v11 + w3_m * v13)),
-        v48 = angle15 - offset2, q2_ppp = v45 + only_wide(half_turn < v45, -turn),
-        q2_pmp = v46 + only_wide(half_turn < v46, -turn),
-        q2_mpp = v47 + only_wide(half_turn < v47, -turn),
-        q2_mmp = v48 + only_wide(half_turn < v48, -turn),
+        v48 = angle15 - offset2, q2_ppp = lowered_wide(v45), q2_pmp = lowered_wide(v46),
+        q2_mpp = lowered_wide(v47), q2_mmp = lowered_wide(v48),
         angle16 = atan2_wide(sqrt_wide(v30), T33 * c23_pp + s23_pp * v28),
         angle17 = atan2_wide(sqrt_wide(v31), T33 * c23_pm + s23_pm * v28),
         angle18 = atan2_wide(sqrt_wide(v32), T33 * c23_mp - s23_mp * v28),
         angle19 = atan2_wide(sqrt_wide(v33), T33 * c23_mm - s23_mm * v28), v49 = angle16 - offset5,
         v50 = offset5 + angle16, v51 = angle17 - offset5, v52 = offset5 + angle17,
         v53 = angle18 - offset5, v54 = offset5 + angle18, v55 = angle19 - offset5,
-        v56 = offset5 + angle19, q5_ppp = v49 + only_wide(v49 <= -half_turn, turn),
-        q5_ppm = only_wide(-v50 <= -half_turn, turn) - v50,
-        q5_pmp = v51 + only_wide(v51 <= -half_turn, turn),
-        q5_pmm = only_wide(-v52 <= -half_turn, turn) - v52,
-        q5_mpp = v53 + only_wide(v53 <= -half_turn, turn),
-        q5_mpm = only_wide(-v54 <= -half_turn, turn) - v54,
-        q5_mmp = v55 + only_wide(v55 <= -half_turn, turn),
-        q5_mmm = only_wide(-v56 <= -half_turn, turn) - v56,
-        v57 = q3__pp + only_wide(q3__pp <= -half_turn, turn),
-        v58 = only_wide(-v6 <= -half_turn, turn) - v6,
-        v59 = q3__mp + only_wide(q3__mp <= -half_turn, turn),
+        v56 = offset5 + angle19, q5_ppp = raised_wide(v49),
+        q5_ppm = only_wide(-v50 <= -half_turn, turn) - v50, q5_pmp = raised_wide(v51),
+        q5_pmm = only_wide(-v52 <= -half_turn, turn) - v52, q5_mpp = raised_wide(v53),
+        q5_mpm = only_wide(-v54 <= -half_turn, turn) - v54, q5_mmp = raised_wide(v55),
+        q5_mmm = only_wide(-v56 <= -half_turn, turn) - v56, v57 = raised_wide(q3__pp),
+        v58 = only_wide(-v6 <= -half_turn, turn) - v6, v59 = raised_wide(q3__mp),
         v60 = only_wide(-v7 <= -half_turn, turn) - v7;
     const wide_mask v61 = exceeds(angle1, 1), v62 = exceeds(q1__m, 1);
     const wide v63 = v57 - only_wide(high(3) < v57, turn),
@@ -579,10 +582,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = angle_four(ratio3), angle4 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
         q4_m = angle3 - v21, q6_m = angle4 - signed_four(half_turn, v26), v27 = angle5 - offset2,
-        q2_p = v27 + only_four(half_turn < v27, -turn), v28 = angle6 - offset5,
-        v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, turn),
-        q5_m = only_four(-v29 <= -half_turn, turn) - v29,
-        v30 = q3_ + only_four(q3_ <= -half_turn, turn);
+        q2_p = lowered_four(v27), v28 = angle6 - offset5, v29 = offset5 + angle6,
+        q5_p = raised_four(v28), q5_m = only_four(-v29 <= -half_turn, turn) - v29,
+        v30 = raised_four(q3_);
     const four_mask v31 = exceeds_four(q1_, 1);
     const four v32 = v30 - only_four(high(3) < v30, turn);
     const four_mask v33 = beyond_four(v32, 3);
@@ -964,8 +966,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1021,8 +1022,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1045,8 +1045,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1102,8 +1102,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

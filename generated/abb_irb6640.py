@@ -139,7 +139,6 @@ k1 = 2.9927999999999995  # 2 * d4 * a2 [m^2]
 k2 = 0.43  # 2 * a3 * a2 [m^2]
 k3 = 3.1332889999999995  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.10938822421589604  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4280947671350148  # a constant angle [rad]
 high1 = 2.967000001
 low2 = -1.134000001
@@ -158,6 +157,7 @@ m9 = 0.04156616088476098  # a coefficient of c23
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -401,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 c7a902b7ecc05bff"
+_KEY = "abb_irb6640 f4d17fd0b403e255"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -53,8 +54,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -239,14 +240,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -263,7 +268,6 @@ static const double
     free_limit_squared2 = 5.7599999999999994e-18,
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 0.024, /* a pose may be rounded by this [mm] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m3 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
     m4 = 0.000576, /* pose_slack1^2 [mm^2] */
     m5 = 1.0000000000000002e-10; /* pose_slack^2 */
@@ -372,9 +376,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide_mask doubt1 = (m4 < v8 * v8 + v10 * v10 + v11 * v11) | (m5 < v9 * v9 + T12 * T12 +
         T33 * T33 + T23 * T23 + v12 * v12) | (v6 <= m3);
 
-    q[0] = angle1;
-    q[1] = v13 + pick_wide(v13 <= -half_turn, all_wide(turn), only_wide(half_turn < v13, -turn));
-    q[2] = q3;
+    q[0] = angle1; q[1] = centred_wide(v13); q[2] = q3;
     kind[0] = kind_of(q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -414,8 +416,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const four_ratio ratio1 = ratio_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1);
-    const four v13 = angle2 - angle1,
-        q2 = v13 + pick_four(v13 <= -half_turn, all_four(turn), only_four(half_turn < v13, -turn));
+    const four v13 = angle2 - angle1, q2 = centred_four(v13);
 
     store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], angle1, q2);
     store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(q3));
@@ -641,8 +642,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3], unsigned char
-    status[1])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
     const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -116,7 +116,6 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no angle [mm^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 330000.0  # a coefficient of v5
 m2 = 600.0  # a coefficient of v5
 m3 = 0.003317759999999999  # doubt_limit_squared2^2 [mm^4]
@@ -124,6 +123,7 @@ m4 = 0.000576  # pose_slack1^2 [mm^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -268,7 +268,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept 30c352e73b100aa6"
+_KEY = "adept d6426c462c89f423"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

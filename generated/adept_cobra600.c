@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -85,8 +86,8 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DADEPT_COBRA600_SCALAR. With -DADEPT_COBRA600_LIBM the arctangents are those of <math.h>, too.
- * */
+ * -DADEPT_COBRA600_SCALAR. With -DADEPT_COBRA600_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(ADEPT_COBRA600_SCALAR) && !defined(ADEPT_COBRA600_LIBM)
 #include <immintrin.h>
@@ -221,14 +222,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -250,7 +255,6 @@ static const double
     pose_slack1 = 9.87e-06, /* a pose may be rounded by this [m] */
     k1 = 0.18125000000000002, /* a1^2 + a2^2 [m^2] */
     k2 = 5.594405594405594, /* 1 / (2 * a2 * a1) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 4.23497348300968e-14,
     m4 = 9.74169e-11, /* pose_slack1^2 [m^2] */
@@ -364,11 +368,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide_mask doubt1 = (m4 < v6 * v6) | (m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8
         * v8) | (abs_wide(D2) <= m1);
 
-    q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = centred_wide(v9);
     kind[0] = kind_of(q[0], 0);
-    q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = centred_wide(v10);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -409,8 +411,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = e1 * angle2, v7 = angle3 + q2 - angle1,
-        q4 = v7 + pick_four(v7 <= -half_turn, all_four(turn), only_four(half_turn < v7, -turn));
+    const four q2 = e1 * angle2, v7 = angle3 + q2 - angle1, q4 = centred_four(v7);
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
     const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
@@ -668,8 +669,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
-    status[2])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
     const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -48,10 +48,8 @@ void adept_cobra600_fk(const double q[4], double T[16]);
 void adept_cobra600_jacobian(const double q[4], double J[24]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -ADEPT_COBRA600_INVALID_POSE, also for a seed that
- * is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -ADEPT_COBRA600_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int adept_cobra600_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 

@@ -124,7 +124,6 @@ free_limit_squared2 = 1.3224999999999997e-24  # square of a length that fixes no
 k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.3224999999999998e-08  # doubt_limit1^2 [m^2]
 m3 = 9.661604849500939e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m4 = 1.2499999999999998  # a coefficient of S2
@@ -132,6 +131,7 @@ m5 = 0.04687500000000003  # a coefficient of S2
 m6 = 1.749006249999999e-16  # doubt_limit_squared2^2 [m^4]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -293,7 +293,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r bbe1cf8d234fe54a"
+_KEY = "arm_3r c07b13415b842a57"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

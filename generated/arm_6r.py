@@ -133,7 +133,6 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.5625e-08  # doubt_limit1^2 [m^2]
 m3 = 1.0500933456118097e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m4 = 1.2499999999999998  # a coefficient of S2
@@ -142,6 +141,7 @@ m6 = 2.44140625e-16  # doubt_limit_squared2^2 [m^4]
 m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -369,7 +369,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r 7c36bc726eb3aa3a"
+_KEY = "arm_6r 2636e6fa5ea18a55"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -48,10 +48,8 @@ void bartell_rprpr_fk(const double q[5], double T[16]);
 void bartell_rprpr_jacobian(const double q[5], double J[30]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -BARTELL_RPRPR_INVALID_POSE, also for a seed that
- * is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -BARTELL_RPRPR_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 

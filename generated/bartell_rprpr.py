@@ -117,13 +117,13 @@ free_limit = 1e-12  # a length that fixes no angle
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 2e-05  # a pose may be rounded by this [m]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 9.999999999999997e-17  # doubt_limit_squared^2
 m4 = 4.0000000000000007e-10  # pose_slack1^2 [m^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -282,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr 4aeb74e5bc1963a7"
+_KEY = "bartell_rprpr 69627e252be9be99"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

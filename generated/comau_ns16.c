@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,13 +232,23 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -274,7 +285,6 @@ static const double
     k6 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k7 = 1.204444941425193, /* 1 / (k4^2 + k5^2) [m^-4] */
     doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.2825771957649381, /* a constant angle [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 1.3523315824983721e-12,
@@ -465,16 +475,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m2 * -Z2_3_p), v7 + v40),
         v42 = angle4 - offset2, v43 = w3_m * (m2 * v3), v44 = w3_m * v9,
         angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
-        angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2,
-        q2_ppp = v41 + only_wide(half_turn < v41, -turn),
-        q2_pmp = v42 + only_wide(half_turn < v42, -turn),
-        q2_mpp = v45 + only_wide(half_turn < v45, -turn),
-        q2_mmp = v46 + only_wide(half_turn < v46, -turn), angle7 = atan2_wide(w3_p, N3_p - k6),
-        angle8 = atan2_wide(w3_m, N3_m - k6), v47 = angle7 - turn1 - offset3,
-        v48 = offset3 + (turn1 + angle7), v49 = angle8 - turn1 - offset3,
-        v50 = offset3 + (turn1 + angle8), q3_ppp = v47 + only_wide(v47 <= -half_turn, turn),
-        q3_pmp = only_wide(-v48 <= -half_turn, turn) - v48,
-        q3_mpp = v49 + only_wide(v49 <= -half_turn, turn),
+        angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2, q2_ppp = lowered_wide(v41),
+        q2_pmp = lowered_wide(v42), q2_mpp = lowered_wide(v45), q2_mmp = lowered_wide(v46),
+        angle7 = atan2_wide(w3_p, N3_p - k6), angle8 = atan2_wide(w3_m, N3_m - k6),
+        v47 = angle7 - turn1 - offset3, v48 = offset3 + (turn1 + angle7),
+        v49 = angle8 - turn1 - offset3, v50 = offset3 + (turn1 + angle8), q3_ppp = raised_wide(v47),
+        q3_pmp = only_wide(-v48 <= -half_turn, turn) - v48, q3_mpp = raised_wide(v49),
         q3_mmp = only_wide(-v50 <= -half_turn, turn) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
         angle10 = atan2_wide(Y4_p, -X4_pm), angle11 = atan2_wide(Y4_m, -X4_mp),
         angle12 = atan2_wide(Y4_m, -X4_mm), v51 = signed_wide(half_turn, Y4_p),
@@ -487,14 +493,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle16 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25),
         v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5,
         v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15,
-        v67 = angle16 - offset5, v68 = offset5 + angle16,
-        q5_ppp = v61 + only_wide(v61 <= -half_turn, turn),
-        q5_ppm = only_wide(-v62 <= -half_turn, turn) - v62,
-        q5_pmp = v63 + only_wide(v63 <= -half_turn, turn),
-        q5_pmm = only_wide(-v64 <= -half_turn, turn) - v64,
-        q5_mpp = v65 + only_wide(v65 <= -half_turn, turn),
-        q5_mpm = only_wide(-v66 <= -half_turn, turn) - v66,
-        q5_mmp = v67 + only_wide(v67 <= -half_turn, turn),
+        v67 = angle16 - offset5, v68 = offset5 + angle16, q5_ppp = raised_wide(v61),
+        q5_ppm = only_wide(-v62 <= -half_turn, turn) - v62, q5_pmp = raised_wide(v63),
+        q5_pmm = only_wide(-v64 <= -half_turn, turn) - v64, q5_mpp = raised_wide(v65),
+        q5_mpm = only_wide(-v66 <= -half_turn, turn) - v66, q5_mmp = raised_wide(v67),
         q5_mmm = only_wide(-v68 <= -half_turn, turn) - v68,
         angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)),
         angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)),
@@ -513,35 +515,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v31 <= m8) | (v30 <=
             m8) | (v29 <= m8) | (v28 <= m8) | (abs_wide(D3_p) <= m1) | (abs_wide(D3_m) <= m1);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v53 + only_wide(v53 <= -half_turn, turn);
-    q[4] = q5_ppp; q[5] = v69 + only_wide(v69 <= -half_turn, turn);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v53); q[4] = q5_ppp;
+    q[5] = raised_wide(v69);
     kind[0] = kind_of(q[0], v79 | exceeds(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v54 + only_wide(v54 <= -half_turn, turn);
-    q[10] = q5_ppm; q[11] = v70 + only_wide(v70 <= -half_turn, turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v54); q[10] = q5_ppm;
+    q[11] = raised_wide(v70);
     kind[1] = kind_of(q[6], v79 | exceeds(q5_ppm, 5));
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v55 + only_wide(v55 <= -half_turn, turn); q[16] = q5_pmp;
-    q[17] = v71 + only_wide(v71 <= -half_turn, turn);
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v55); q[16] = q5_pmp;
+    q[17] = raised_wide(v71);
     kind[2] = kind_of(q[12], v80 | exceeds(q5_pmp, 5));
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v56 + only_wide(v56 <= -half_turn, turn); q[22] = q5_pmm;
-    q[23] = v72 + only_wide(v72 <= -half_turn, turn);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v56); q[22] = q5_pmm;
+    q[23] = raised_wide(v72);
     kind[3] = kind_of(q[18], v80 | exceeds(q5_pmm, 5));
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
-    q[27] = v57 + only_wide(v57 <= -half_turn, turn); q[28] = q5_mpp;
-    q[29] = v73 + only_wide(v73 <= -half_turn, turn);
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v57); q[28] = q5_mpp;
+    q[29] = raised_wide(v73);
     kind[4] = kind_of(q[24], v81 | exceeds(q5_mpp, 5));
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
-    q[33] = v58 + only_wide(v58 <= -half_turn, turn); q[34] = q5_mpm;
-    q[35] = v74 + only_wide(v74 <= -half_turn, turn);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v58); q[34] = q5_mpm;
+    q[35] = raised_wide(v74);
     kind[5] = kind_of(q[30], v81 | exceeds(q5_mpm, 5));
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
-    q[39] = v59 + only_wide(v59 <= -half_turn, turn); q[40] = q5_mmp;
-    q[41] = v75 + only_wide(v75 <= -half_turn, turn);
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v59); q[40] = q5_mmp;
+    q[41] = raised_wide(v75);
     kind[6] = kind_of(q[36], v82 | exceeds(q5_mmp, 5));
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
-    q[45] = v60 + only_wide(v60 <= -half_turn, turn); q[46] = q5_mmm;
-    q[47] = v76 + only_wide(v76 <= -half_turn, turn);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v60); q[46] = q5_mmm;
+    q[47] = raised_wide(v76);
     kind[7] = kind_of(q[42], v82 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -604,16 +600,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle3 = shuffle(packed1, packed1, 1, 1, 3, 3), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
-    const four v22 = angle2 - offset2, q2_p = v22 + only_four(half_turn < v22, -turn),
-        v23 = e2 * angle3 - turn1 - offset3, q3_p = v23 + only_four(v23 <= -half_turn, turn),
-        v25 = angle4 - offset4, v26 = angle4 - v24 - offset4,
-        q4_p = v25 + only_four(v25 <= -half_turn, turn),
-        q4_m = v26 + only_four(v26 <= -half_turn, turn), v27 = angle5 - offset5,
-        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, turn),
+    const four v22 = angle2 - offset2, q2_p = lowered_four(v22),
+        v23 = e2 * angle3 - turn1 - offset3, q3_p = raised_four(v23), v25 = angle4 - offset4,
+        v26 = angle4 - v24 - offset4, q4_p = raised_four(v25), q4_m = raised_four(v26),
+        v27 = angle5 - offset5, v28 = offset5 + angle5, q5_p = raised_four(v27),
         q5_m = only_four(-v28 <= -half_turn, turn) - v28, v29 = angle6 - offset6,
-        v30 = angle6 - signed_four(half_turn, s6) - offset6,
-        q6_p = v29 + only_four(v29 <= -half_turn, turn),
-        q6_m = v30 + only_four(v30 <= -half_turn, turn);
+        v30 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = raised_four(v29),
+        q6_m = raised_four(v30);
     const four_mask v31 = exceeds_four(angle1, 1);
     const four q1_p = angle1 + (w3 - w3);
     const four_mask v32 = beyond_four(q3_p, 3) | v31 | beyond_four(q2_p, 2),
@@ -1000,8 +993,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1057,8 +1049,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1081,8 +1072,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1156,8 +1147,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

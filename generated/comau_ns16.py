@@ -146,7 +146,6 @@ k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k7 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-08  # square of a length that fixes no angle [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.2825771957649381  # a constant angle [rad]
 high1 = 3.141590001
 low2 = -0.872660001
@@ -164,6 +163,7 @@ m7 = 0.01449927526138983  # a coefficient of c2m3
 m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -412,7 +412,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 022c64db78ae71f2"
+_KEY = "comau_ns16 fa86186a794b8a31"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

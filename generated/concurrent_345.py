@@ -186,6 +186,7 @@ f6 = 0.12940952255126037  # 1 / 2 * f1
 f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -580,7 +581,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 dce5384622a2142d"
+_KEY = "concurrent_345 cf6d62129d22a4b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -219,14 +220,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -247,7 +252,6 @@ static const double
     k5 = 1.4142135623731051e-14, /* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
     k6 = 2.0, /* d3 + d4 [m] */
     k7 = 2.8284271247461903, /* sqrt2 * k6 [m] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     m5 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
@@ -418,13 +422,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v81) & (v81 <= m9)) | (abs_wide(D1) <=
         k4) | (v16 <= m1) | ((m8 < v80) & (v80 <= m9));
 
-    q[0] = v85 + angle6; q[1] = angle1 + v85; q[2] = angle2 + v85;
-    q[3] = v85 + (v82 + pick_wide(v82 <= -half_turn, all_wide(turn), only_wide(half_turn < v82,
-        -turn)));
+    q[0] = v85 + angle6; q[1] = angle1 + v85; q[2] = angle2 + v85; q[3] = v85 + centred_wide(v82);
     kind[0] = kind_of(q[0], 0);
-    q[4] = v86 + angle7; q[5] = v86 - angle1; q[6] = angle3 + v86;
-    q[7] = v86 + (v83 + pick_wide(v83 <= -half_turn, all_wide(turn), only_wide(half_turn < v83,
-        -turn)));
+    q[4] = v86 + angle7; q[5] = v86 - angle1; q[6] = angle3 + v86; q[7] = v86 + centred_wide(v83);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -504,8 +504,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle2 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle3 = shuffle(packed2, packed2, 2, 3, 2, 3);
     const four v54 = angle3 - angle2, q1 = v56 + angle4, q2 = v56 + e1 * angle1, q3 = angle2 + v56,
-        q4 = v56 + (v54 + pick_four(v54 <= -half_turn, all_four(turn), only_four(half_turn < v54,
-            -turn)));
+        q4 = v56 + centred_four(v54);
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -772,8 +771,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
-    status[2])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
     const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -123,7 +123,6 @@ k4 = 1.4142135623731953e-13  # reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack)
 k5 = 1.4142135623731051e-14  # merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack)
 k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * k6 [m]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 0.7071067811865476  # a coefficient of v6
 m3 = 0.5  # a coefficient of v12
@@ -135,6 +134,7 @@ m8 = 1.0000000000000002e-10  # pose_slack^2
 m9 = 6.000000000000001e-10  # 6 * pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -322,7 +322,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 be2b0738052d3be4"
+_KEY = "craig_417 38857c1564d0f203"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

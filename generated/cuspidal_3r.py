@@ -129,6 +129,7 @@ k7 = 81.0  # (a3 * 2 * a3 * a2)^2 [m^6]
 k8 = 0.1111111111111111  # 1 / (a3 * 2 * a3 * a2) [m^-3]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -406,7 +407,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 6d2f1d43728af0c5"
+_KEY = "cuspidal_3r 4e7bb96b571bdac3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -48,19 +48,15 @@ void cylindrical_wrist_fk(const double q[6], double T[16]);
 void cylindrical_wrist_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -CYLINDRICAL_WRIST_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -CYLINDRICAL_WRIST_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int cylindrical_wrist_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns CYLINDRICAL_WRIST_OK or CYLINDRICAL_WRIST_FREE_JOINT, or, with NaN in q,
- * minus CYLINDRICAL_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
- * that is not finite. */
+ * q_seed. Returns CYLINDRICAL_WRIST_OK or CYLINDRICAL_WRIST_FREE_JOINT, or, with NaN in q, minus
+ * CYLINDRICAL_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
 int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* cylindrical_wrist_ik without a seed for n poses: T holds n x 16 numbers,

@@ -119,11 +119,11 @@ d1 = 0.3  # joint offset 1 [m]
 d6 = 0.1  # joint offset 6 [m]
 free_limit1 = 4e-13  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.6000000000000003e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -305,7 +305,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist 4760fe215108cb96"
+_KEY = "cylindrical_wrist 43c8f7982a9624eb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

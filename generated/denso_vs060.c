@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,13 +232,23 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -267,7 +278,6 @@ static const double
     k2 = 0.0061, /* 2 * a3 * a2 [m^2] */
     k3 = 0.18312499999999998, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 29.827409659487312, /* 1 / (k1^2 + k2^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.5374753309166493, /* a constant angle [rad] */
     m1 = 1.0609000000000003e-08, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -454,18 +464,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide angle9 = atan2_wide(wy, -X1), v34 = angle9 - offset1,
-        v35 = angle9 - signed_wide(half_turn, wy) - offset1,
-        q1__p = v34 + only_wide(v34 <= -half_turn, turn),
-        q1__m = v35 + only_wide(v35 <= -half_turn, turn), angle10 = atan2_wide(S2_pp, C2_pp),
-        v36 = angle10 - offset2, angle11 = atan2_wide(S2_pm, C2_pm), v37 = angle11 - offset2,
+        v35 = angle9 - signed_wide(half_turn, wy) - offset1, q1__p = raised_wide(v34),
+        q1__m = raised_wide(v35), angle10 = atan2_wide(S2_pp, C2_pp), v36 = angle10 - offset2,
+        angle11 = atan2_wide(S2_pm, C2_pm), v37 = angle11 - offset2,
         angle12 = atan2_wide(S2_pm, C2_mp), v38 = angle12 - offset2,
-        angle13 = atan2_wide(S2_pp, C2_mm), v39 = angle13 - offset2,
-        q2_ppp = v36 + only_wide(v36 <= -half_turn, turn),
-        q2_pmp = v37 + only_wide(v37 <= -half_turn, turn),
-        q2_mpp = v38 + only_wide(v38 <= -half_turn, turn),
-        q2_mmp = v39 + only_wide(v39 <= -half_turn, turn), angle14 = atan2_wide(w3, N3 - k3),
-        v40 = angle14 - turn1 - offset3, v41 = offset3 + (turn1 + angle14),
-        q3_ppp = v40 + only_wide(half_turn < v40, -turn),
+        angle13 = atan2_wide(S2_pp, C2_mm), v39 = angle13 - offset2, q2_ppp = raised_wide(v36),
+        q2_pmp = raised_wide(v37), q2_mpp = raised_wide(v38), q2_mmp = raised_wide(v39),
+        angle14 = atan2_wide(w3, N3 - k3), v40 = angle14 - turn1 - offset3,
+        v41 = offset3 + (turn1 + angle14), q3_ppp = lowered_wide(v40),
         q3_pmp = only_wide(half_turn < -v41, -turn) - v41,
         angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp)),
         angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm)),
@@ -473,14 +479,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle18 = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm))),
         v42 = angle15 - offset5, v43 = offset5 + angle15, v44 = angle16 - offset5,
         v45 = offset5 + angle16, v46 = angle17 - offset5, v47 = offset5 + angle17,
-        v48 = angle18 - offset5, v49 = offset5 + angle18,
-        q5_ppp = v42 + only_wide(v42 <= -half_turn, turn),
-        q5_ppm = only_wide(-v43 <= -half_turn, turn) - v43,
-        q5_pmp = v44 + only_wide(v44 <= -half_turn, turn),
-        q5_pmm = only_wide(-v45 <= -half_turn, turn) - v45,
-        q5_mpp = v46 + only_wide(v46 <= -half_turn, turn),
-        q5_mpm = only_wide(-v47 <= -half_turn, turn) - v47,
-        q5_mmp = v48 + only_wide(v48 <= -half_turn, turn),
+        v48 = angle18 - offset5, v49 = offset5 + angle18, q5_ppp = raised_wide(v42),
+        q5_ppm = only_wide(-v43 <= -half_turn, turn) - v43, q5_pmp = raised_wide(v44),
+        q5_pmm = only_wide(-v45 <= -half_turn, turn) - v45, q5_mpp = raised_wide(v46),
+        q5_mpm = only_wide(-v47 <= -half_turn, turn) - v47, q5_mmp = raised_wide(v48),
         q5_mmm = only_wide(-v49 <= -half_turn, turn) - v49;
     const wide_mask v50 = exceeds(q1__p, 1), v51 = exceeds(q1__m, 1), v52 = beyond(q3_ppp, 3),
         v53 = beyond(q3_pmp, 3);
@@ -572,12 +574,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle2 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_m = angle1 - v14, q6_m = angle2 - signed_four(half_turn, v19),
-        v21 = angle3 + v20 * (m10 * (e1 - 1.0)) - offset1,
-        q1_ = v21 + only_four(v21 <= -half_turn, turn), v22 = angle4 - offset2,
-        q2_p = v22 + only_four(v22 <= -half_turn, turn), v23 = e2 * angle5 - turn1 - offset3,
-        q3_p = v23 + only_four(half_turn < v23, -turn), v24 = angle6 - offset5,
-        v25 = offset5 + angle6, q5_p = v24 + only_four(v24 <= -half_turn, turn),
-        q5_m = only_four(-v25 <= -half_turn, turn) - v25;
+        v21 = angle3 + v20 * (m10 * (e1 - 1.0)) - offset1, q1_ = raised_four(v21),
+        v22 = angle4 - offset2, q2_p = raised_four(v22), v23 = e2 * angle5 - turn1 - offset3,
+        q3_p = lowered_four(v23), v24 = angle6 - offset5, v25 = offset5 + angle6,
+        q5_p = raised_four(v24), q5_m = only_four(-v25 <= -half_turn, turn) - v25;
     const four_mask v26 = exceeds_four(q1_, 1), v27 = beyond_four(q3_p, 3);
     const four q1_p = v3 + q1_;
     const four_mask v28 = v27 | v26 | exceeds_four(q2_p, 2),
@@ -958,8 +958,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1015,8 +1014,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1039,8 +1037,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1096,8 +1094,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

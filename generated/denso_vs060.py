@@ -140,7 +140,6 @@ k1 = 0.183  # 2 * d4 * a2 [m^2]
 k2 = 0.0061  # 2 * a3 * a2 [m^2]
 k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5374753309166493  # a constant angle [rad]
 high1 = 2.967060001
 high2 = 2.094395001
@@ -158,6 +157,7 @@ m8 = 0.004795081967213119  # a coefficient of X1_2
 m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -403,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 90601e37867ee6ad"
+_KEY = "denso_vs060 493b54e8d056ca30"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,14 +232,15 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -268,7 +270,6 @@ static const double
     k4 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
     k5 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
     k6 = 2.081291995206794, /* 1 / (k4^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 4.863633051856008e-13,
     m4 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
@@ -439,18 +440,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle5 = atan2_wide(S2_pp, C2_pp), v58 = angle5 - offset2,
         angle6 = atan2_wide(S2_pm, C2_pm), v59 = angle6 - offset2,
         angle7 = atan2_wide(S2_pm, C2_mp), v60 = angle7 - offset2,
-        angle8 = atan2_wide(S2_pp, C2_mm), v61 = angle8 - offset2,
-        q2_ppp = v58 + only_wide(v58 <= -half_turn, turn),
-        q2_pmp = v59 + only_wide(v59 <= -half_turn, turn),
-        q2_mpp = v60 + only_wide(v60 <= -half_turn, turn),
-        q2_mmp = v61 + only_wide(v61 <= -half_turn, turn), angle9 = atan2_wide(v7, -v8),
-        v62 = angle9 - offset3, v63 = signed_wide(half_turn, v7) - angle9 - offset3,
-        angle10 = atan2_wide(Y4_p, -X4_pp), angle11 = atan2_wide(Y4_p, -X4_pm),
-        angle12 = atan2_wide(Y4_m, -X4_mp), angle13 = atan2_wide(Y4_m, -X4_mm),
-        v64 = signed_wide(half_turn, Y4_p), v65 = signed_wide(half_turn, Y4_m),
-        v66 = angle10 - offset4, v67 = angle10 - v64 - offset4, v68 = angle11 - offset4,
-        v69 = angle11 - v64 - offset4, v70 = angle12 - offset4, v71 = angle12 - v65 - offset4,
-        v72 = angle13 - offset4, v73 = angle13 - v65 - offset4,
+        angle8 = atan2_wide(S2_pp, C2_mm), v61 = angle8 - offset2, q2_ppp = raised_wide(v58),
+        q2_pmp = raised_wide(v59), q2_mpp = raised_wide(v60), q2_mmp = raised_wide(v61),
+        angle9 = atan2_wide(v7, -v8), v62 = angle9 - offset3,
+        v63 = signed_wide(half_turn, v7) - angle9 - offset3, angle10 = atan2_wide(Y4_p, -X4_pp),
+        angle11 = atan2_wide(Y4_p, -X4_pm), angle12 = atan2_wide(Y4_m, -X4_mp),
+        angle13 = atan2_wide(Y4_m, -X4_mm), v64 = signed_wide(half_turn, Y4_p),
+        v65 = signed_wide(half_turn, Y4_m), v66 = angle10 - offset4, v67 = angle10 - v64 - offset4,
+        v68 = angle11 - offset4, v69 = angle11 - v64 - offset4, v70 = angle12 - offset4,
+        v71 = angle12 - v65 - offset4, v72 = angle13 - offset4, v73 = angle13 - v65 - offset4,
         angle14 = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42)),
         angle15 = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42)),
         angle16 = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43)),
@@ -458,43 +456,36 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v75 = offset5 + angle14, v76 = angle15 - offset5, v77 = offset5 + angle15,
         v78 = angle16 - offset5, v79 = offset5 + angle16, v80 = angle17 - offset5,
         v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
-        angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19,
-        q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, turn)),
-        q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, turn));
+        angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19, q3_ppp = v1 + raised_wide(v62),
+        q3_pmp = v1 + raised_wide(v63);
     const wide_mask doubt1 = (v49 <= m5) | (v29 <= m4) | (v48 <= m5) | (v28 <= m4) | (v47 <= m5) |
         (v27 <= m4) | (v46 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1) | (v25 <= m4);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v66 + only_wide(v66 <= -half_turn, turn);
-    q[4] = v74 + only_wide(v74 <= -half_turn, turn); q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v66); q[4] = raised_wide(v74);
+    q[5] = angle1;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v67 + only_wide(v67 <= -half_turn, turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v67);
     q[10] = only_wide(-v75 <= -half_turn, turn) - v75;
     q[11] = angle1 - signed_wide(half_turn, s6_pp);
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v68 + only_wide(v68 <= -half_turn, turn);
-    q[16] = v76 + only_wide(v76 <= -half_turn, turn); q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v68);
+    q[16] = raised_wide(v76); q[17] = angle2;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v69 + only_wide(v69 <= -half_turn, turn);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v69);
     q[22] = only_wide(-v77 <= -half_turn, turn) - v77;
     q[23] = angle2 - signed_wide(half_turn, s6_pm);
     kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
-    q[27] = v70 + only_wide(v70 <= -half_turn, turn);
-    q[28] = v78 + only_wide(v78 <= -half_turn, turn); q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = raised_wide(v70);
+    q[28] = raised_wide(v78); q[29] = angle3;
     kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
-    q[33] = v71 + only_wide(v71 <= -half_turn, turn);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = raised_wide(v71);
     q[34] = only_wide(-v79 <= -half_turn, turn) - v79;
     q[35] = angle3 - signed_wide(half_turn, s6_mp);
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
-    q[39] = v72 + only_wide(v72 <= -half_turn, turn);
-    q[40] = v80 + only_wide(v80 <= -half_turn, turn); q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = raised_wide(v72);
+    q[40] = raised_wide(v80); q[41] = angle4;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
-    q[45] = v73 + only_wide(v73 <= -half_turn, turn);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = raised_wide(v73);
     q[46] = only_wide(-v81 <= -half_turn, turn) - v81;
     q[47] = angle4 - signed_wide(half_turn, s6_mm);
     kind[7] = kind_of(q[42], 0);
@@ -562,13 +553,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle1 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
-        q2_p = v33 + only_four(v33 <= -half_turn, turn),
-        v35 = e2 * angle3 + v34 * (m6 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
-        v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, turn),
-        q4_m = v38 + only_four(v38 <= -half_turn, turn), v39 = angle5 - offset5,
-        v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, turn),
-        q5_m = only_four(-v40 <= -half_turn, turn) - v40, q1_p = v5 + angle6,
-        q3_p = v1 + (v35 + only_four(v35 <= -half_turn, turn));
+        q2_p = raised_four(v33), v35 = e2 * angle3 + v34 * (m6 * (1.0 - e2)) - offset3,
+        v37 = angle4 - offset4, v38 = angle4 - v36 - offset4, q4_p = raised_four(v37),
+        q4_m = raised_four(v38), v39 = angle5 - offset5, v40 = offset5 + angle5,
+        q5_p = raised_four(v39), q5_m = only_four(-v40 <= -half_turn, turn) - v40,
+        q1_p = v5 + angle6, q3_p = v1 + raised_four(v35);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
@@ -891,8 +880,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

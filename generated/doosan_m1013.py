@@ -141,7 +141,6 @@ k3 = 1.0260300000002213e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
 k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k6 = 2.081291995206794  # 1 / (k4^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.863633051856008e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 0.8064516129032259  # a coefficient of S2
 m3 = 0.057999193548387  # a coefficient of S2
@@ -149,6 +148,7 @@ m4 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
 m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -390,7 +390,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 44ba0f2927d1219e"
+_KEY = "doosan_m1013 54138c3b356e6333"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

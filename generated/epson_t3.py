@@ -123,7 +123,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 4.000000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.08125  # a1^2 + a2^2 [m^2]
 k2 = 12.6984126984127  # 1 / (2 * a2 * a1) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.303834613632515
 high2 = 2.460914246312005
 low3 = -0.150000001
@@ -134,6 +133,7 @@ m3 = 0.04444444444444444  # a coefficient of S1
 m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -285,7 +285,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 28d5ee8302c90c4d"
+_KEY = "epson_t3 8d20c6905615398a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

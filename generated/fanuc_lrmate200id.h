@@ -48,19 +48,15 @@ void fanuc_lrmate200id_fk(const double q[6], double T[16]);
 void fanuc_lrmate200id_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -FANUC_LRMATE200ID_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -FANUC_LRMATE200ID_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int fanuc_lrmate200id_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns FANUC_LRMATE200ID_OK or FANUC_LRMATE200ID_FREE_JOINT, or, with NaN in q,
- * minus FANUC_LRMATE200ID_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
- * that is not finite. */
+ * q_seed. Returns FANUC_LRMATE200ID_OK or FANUC_LRMATE200ID_FREE_JOINT, or, with NaN in q, minus
+ * FANUC_LRMATE200ID_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
 int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* fanuc_lrmate200id_ik without a seed for n poses: T holds n x 16 numbers,

@@ -140,7 +140,6 @@ k1 = 0.22110000000000002  # 2 * d4 * a2 [m^2]
 k2 = 0.023100000000000002  # 2 * a3 * a2 [m^2]
 k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 20.235205939761407  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4666963886852973  # a constant angle [rad]
 high1 = 2.9670597293903604
 low2 = -1.7453292529943296
@@ -159,6 +158,7 @@ m9 = 0.0007018510356985458  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -402,7 +402,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id e644b06508686073"
+_KEY = "fanuc_lrmate200id 57c7d3a2b1fdb9aa"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

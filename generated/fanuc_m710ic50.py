@@ -139,7 +139,6 @@ k1 = 1.76784  # 2 * d4 * a2 [m^2]
 k2 = 0.2958  # 2 * a3 * a2 [m^2]
 k3 = 1.8180560000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.31125925198890714  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4050092836833894  # a constant angle [rad]
 high1 = 3.1415000010000003
 low2 = -1.570700001
@@ -158,6 +157,7 @@ m9 = 0.024371308271356914  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -401,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 19c1195e1c649d04"
+_KEY = "fanuc_m710ic50 0437ca998864ea6e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -48,8 +49,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -225,13 +226,22 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -259,7 +269,6 @@ static const double
     k5 = 15.193911990243306, /* 1 / k3 [m^-4] */
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m8 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
     m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
@@ -512,8 +521,7 @@ HELPER wide_mask solve_wide(
         q1_mmm = angle19 - signed_wide(half_turn, s1_mm);
 
     /* joint values */
-    const wide v116 = q4__p + only_wide(q4__p <= -half_turn, turn),
-        v117 = only_wide(-v9 <= -half_turn, turn) - v9;
+    const wide v116 = raised_wide(q4__p), v117 = only_wide(-v9 <= -half_turn, turn) - v9;
     const wide_mask v118 = exceeds(angle12, 2), v119 = exceeds(angle13, 2),
         v120 = exceeds(angle14, 2), v121 = exceeds(angle15, 2), v122 = beyond(v116, 4),
         v123 = beyond(v117, 4), v124 = exceeds(angle2, 5), v125 = exceeds(q5_pmp, 5),
@@ -654,7 +662,7 @@ HELPER int solve_regular(
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
         q3_m = angle4 - signed_four(half_turn, -v36), q1_m = angle6 - signed_four(half_turn, s1),
-        v61 = q4_ + only_four(q4_ <= -half_turn, turn);
+        v61 = raised_four(q4_);
     const four_mask v62 = exceeds_four(angle5, 2), v63 = beyond_four(v61, 4),
         v64 = exceeds_four(q5_p, 5);
     const four v65 = angle3 + only_four(angle3 < low(6), turn);
@@ -1095,8 +1103,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);

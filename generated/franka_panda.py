@@ -140,7 +140,6 @@ k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k5 = 15.193911990243306  # 1 / k3 [m^-4]
 doubt_limit_squared2 = 1.940449e-08  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.897300001
 high2 = 1.762800001
 high3 = 2.897300001
@@ -160,6 +159,7 @@ m8 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -425,7 +425,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 1f0e04c41d667bab"
+_KEY = "franka_panda 42d947dab74ba8f6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

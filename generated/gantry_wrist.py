@@ -115,10 +115,10 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 d4 = 0.1  # joint offset 4 [m]
 d6 = 0.12  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -277,7 +277,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "gantry_wrist 3c469672caa01f5d"
+_KEY = "gantry_wrist 2f75e382f9b4c6e9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -48,10 +48,8 @@ void general_5r1p_fk(const double q[6], double T[16]);
 void general_5r1p_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -GENERAL_5R1P_INVALID_POSE, also for a seed that
- * is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -GENERAL_5R1P_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int general_5r1p_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 

@@ -156,6 +156,7 @@ f2 = 0.003641301204630023  # ca1 * sa2
 f3 = 0.011647453457089682  # ca1 * ca2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -433,7 +434,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p d88c41e807ecfff1"
+_KEY = "general_5r1p 846e07b5ea0d7933"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -118,11 +119,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -163,8 +162,7 @@ static void damped_step(
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -323,9 +321,8 @@ static double sideways(const struct descent *d, double along[6])
 }
 
 /* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
 static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], end[2][6];
@@ -396,8 +393,7 @@ static int known_as(
 }
 
 /* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
- * just
- * beyond an end there; returns how far one was beyond. */
+ * just beyond an end there; returns how far one was beyond. */
 static double clamped(const struct descent *d, const double u[6], double inside[6])
 {
     double most = 0.0;
@@ -417,8 +413,7 @@ static double clamped(const struct descent *d, const double u[6], double inside[
 }
 
 /* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
- * has to
- * be, farther on if steps lead back; returns if it can. */
+ * has to be, farther on if steps lead back; returns if it can. */
 static int leads_inside(struct descent *d, const double u[6], double end[6])
 {
     double way[6], start[6], inside[6];
@@ -437,10 +432,8 @@ static int leads_inside(struct descent *d, const double u[6], double end[6])
 }
 
 /* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
- * inside
- * the limits leads to one, from there or from the seed; where it stands alone to one that is taken
- * for it
- * and as exact as a row has to be. */
+ * inside the limits leads to one, from there or from the seed; where it stands alone to one that is
+ * taken for it and as exact as a row has to be. */
 static void move_inside(
     struct descent *d, const struct kept *kept, int alone, double enough, double u[6])
 {
@@ -530,13 +523,12 @@ static void sorted_rows(
 }
 
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
- * parallel
- * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
- * determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+ * parallel axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two
+ * partners, a determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
  *
- * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
- * below that has the type general_5r1p_pair_lane does GENERAL_5R1P_PAIR_LANES angles or candidates
- * at once.
+ * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything below
+ * that has the type general_5r1p_pair_lane does GENERAL_5R1P_PAIR_LANES angles or candidates at
+ * once.
  */
 /* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
  * machine's are slow: compile for the machine, or set GENERAL_5R1P_PAIR_LANES to 1, 2, 4 or 8. */
@@ -904,8 +896,7 @@ static inline int general_5r1p_pair_slides(int joint)
 }
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose
- * values are given, what stands before, between and behind these. */
+ * whose values are given, what stands before, between and behind these. */
 static const double general_5r1p_pair_constant[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.6897887111965271, 0.0, 0.0, -1.0,
         0.25467491748554627, 0.9230769230769231, 0.38461538461538464, 0.0, 0.0 },
@@ -1741,8 +1732,7 @@ static inline void general_5r1p_pair_to_unit(general_5r1p_pair_lane *c, general_
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
  * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half
- * as many operations wait for each other. */
+ * that half as many operations wait for each other. */
 static inline general_5r1p_pair_lane general_5r1p_pair_reflect(general_5r1p_pair_lane *const *row,
     int rows, int column, int columns)
 {
@@ -1772,8 +1762,7 @@ static inline general_5r1p_pair_lane general_5r1p_pair_reflect(general_5r1p_pair
 }
 
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
- * and
- * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
+ * and (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
 static inline void general_5r1p_pair_act(const double K[12], general_5r1p_pair_lane x[15])
 {
     const double t[3] = {K[3], K[7], K[11]};
@@ -1865,8 +1854,7 @@ static void general_5r1p_pair_pass(const double K[12], double from[15][40], int 
 }
 
 /* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say
- * how to reflect others. */
+ * say how to reflect others. */
 static inline void general_5r1p_pair_clear(double A[8][14], int rows, int columns, double
     axis[8][14],
                                  double factor[8])
@@ -1911,8 +1899,7 @@ static inline void general_5r1p_pair_mirror(double axis[8][14], const double fac
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
  * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
- * left
- * side's features have columns like these. */
+ * left side's features have columns like these. */
 static void general_5r1p_pair_equations(const general_5r1p_pair_formulation *form, double
     link[6][12], const double (*left)[32],
                          double E[192])
@@ -2012,8 +1999,7 @@ typedef struct {
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
  * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where
- * a closer look shows no root. `complete` says that no cell was given up. */
+ * where a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, complete;
     double c[GENERAL_5R1P_PAIR_ROOTS + 8], s[GENERAL_5R1P_PAIR_ROOTS + 8];
@@ -2021,8 +2007,7 @@ typedef struct {
 } general_5r1p_pair_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the
- * value of a parabola over its bend where two complex roots count as a double one. */
+ * the value of a parabola over its bend where two complex roots count as a double one. */
 typedef struct {
     int middle, reach;
     double lifted;
@@ -2103,8 +2088,7 @@ static void general_5r1p_pair_fill_grids(const general_5r1p_pair_trigonometric *
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and
- * f' at both edges are not all of the sign of the first beyond doubt. */
+ * and f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long general_5r1p_pair_open_cells(const general_5r1p_pair_grid *g, int from,
     double doubt)
 {
@@ -2166,8 +2150,7 @@ static void general_5r1p_pair_add_root(general_5r1p_pair_roots *roots, double c,
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about
- * where what is looked for lies, in parts of the width. */
+ * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
     double c[48], s[48], width[48], start[48];
@@ -2224,8 +2207,7 @@ static void general_5r1p_pair_take_parts(general_5r1p_pair_parts *parts, int fro
 }
 
 /* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in
- * parts of the width. */
+ * 1), in parts of the width. */
 static inline general_5r1p_pair_lane general_5r1p_pair_on_quintic(int order, const
     general_5r1p_pair_spans *part)
 {
@@ -2290,10 +2272,8 @@ static inline void general_5r1p_pair_turn_on(general_5r1p_pair_lane x, general_5
 }
 
 /* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where
- * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
- * f''
- * there, as far as an extremum is concerned. */
+ * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
+ * f, f', f'' there, as far as an extremum is concerned. */
 static inline general_5r1p_pair_lane general_5r1p_pair_between(const general_5r1p_pair_trigonometric
     *f, int order, double settled,
                                            const general_5r1p_pair_spans *part,
@@ -2443,8 +2423,8 @@ static inline void general_5r1p_pair_kinds(const general_5r1p_pair_trigonometric
         least[2] = general_5r1p_pair_min(least[2], second);
         most[2] = general_5r1p_pair_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     * */
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
+     * ends */
     GENERAL_5R1P_PAIR_STORE(bounds[0], least[0]);
     GENERAL_5R1P_PAIR_STORE(bounds[1], most[0]);
     GENERAL_5R1P_PAIR_STORE(bounds[2], general_5r1p_pair_max(least[1], -most[1]) - doubt * share);
@@ -2627,17 +2607,14 @@ static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps
- * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
- * all
- * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+ * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
+ * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
 typedef struct {
     double x, y;
 } general_5r1p_pair_lens;
 
 /* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a
- * polynomial in psi. */
+ * f a polynomial in psi. */
 static inline general_5r1p_pair_lane general_5r1p_pair_through(const general_5r1p_pair_lens *a,
     general_5r1p_pair_lane *c, general_5r1p_pair_lane *s)
 {
@@ -2658,9 +2635,8 @@ static inline general_5r1p_pair_lane general_5r1p_pair_weighted(general_5r1p_pai
 }
 
 /* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f|
- * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
- * circle, that of its mirror image for z outside. */
+ * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+ * the circle, that of its mirror image for z outside. */
 static int general_5r1p_pair_spread(const double samples[24], general_5r1p_pair_lens *a)
 {
     double x = 0.0, y = 0.0, square, part;
@@ -2719,8 +2695,7 @@ static int general_5r1p_pair_keep_roots(int near, double cosine, double sine, co
 }
 
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were
- * known. Returns 0, and leaves these, where that does not show all. */
+ * were known. Returns 0, and leaves these, where that does not show all. */
 static int general_5r1p_pair_magnify(general_5r1p_pair_sampler sample, const void *of, double
     cosine, double sine,
                            general_5r1p_pair_roots *roots)
@@ -2771,8 +2746,7 @@ static int general_5r1p_pair_any_near(const general_5r1p_pair_roots *roots, doub
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was
- * given up stands among them. */
+ * was given up stands among them. */
 static void general_5r1p_pair_look_closer(general_5r1p_pair_sampler sample, const void *of,
     general_5r1p_pair_roots *roots)
 {
@@ -2850,12 +2824,10 @@ static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const 
 }
 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
- * simple
- * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular: it has
- * no
- * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
- * the determinant does not tell. */
+ * simple roots come first, one candidate each; after them those of roots that may be double,
+ * `group` being the same for all that belong to one such root, which is none where the matrix is
+ * regular: it has no singular value that is next to nothing, and not two small ones, as where so
+ * many roots crowd that the determinant does not tell. */
 typedef struct {
     int count, groups, group[GENERAL_5R1P_PAIR_CANDIDATES], regular[GENERAL_5R1P_PAIR_CANDIDATES];
     double c[GENERAL_5R1P_PAIR_CANDIDATES], s[GENERAL_5R1P_PAIR_CANDIDATES],
@@ -3061,8 +3033,7 @@ static void general_5r1p_pair_null_plane(const double *E, double c, double s,
 }
 
 /* The terms a c + b s + w of invariants of B = Rz K Rz(phi5) M Tz, its third row; or, where phi5 is
- * a
- * length, the terms b d + w of those of B = Rz K Tz(d) M Rz that are linear in it, p_z, p.l and
+ * a length, the terms b d + w of those of B = Rz K Tz(d) M Rz that are linear in it, p_z, p.l and
  * (p x l)_z; and the matrix that solves them for c and s by least squares. */
 static void general_5r1p_pair_invariants(const int joint[6], const double K[12], const double M[12],
     double w[3],
@@ -3400,9 +3371,8 @@ static int general_5r1p_pair_keep(general_5r1p_pair_found *found, double theta[6
 }
 
 /* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the
- * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
- * candidates singular solutions are marked. */
+ * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
+ * `doubtful` candidates singular solutions are marked. */
 static unsigned general_5r1p_pair_offer(const general_5r1p_pair_loop *loop, general_5r1p_pair_lane
     c[6], general_5r1p_pair_lane s[6], int count,
                               int steps, int doubtful, general_5r1p_pair_found *found,
@@ -3495,12 +3465,10 @@ static void general_5r1p_pair_close_roots(const double *E, const general_5r1p_pa
 }
 
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
- * there
- * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
- * nearly vanishes all around, rounding of the equations may lift it off a double root, which
- * nothing
- * but they tell. */
+ * there is another one for each of them and two more for each double root, or a singular one; and
+ * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
+ * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
+ * which nothing but they tell. */
 static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, const
     general_5r1p_pair_loop *loop,
                           double link[6][12], const general_5r1p_pair_candidates *all,
@@ -3627,10 +3595,8 @@ static unsigned general_5r1p_pair_follow_back(const general_5r1p_pair_loop *loop
 }
 
 /* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side
- * only: both sides have to have as many as are found. Around a singular pose none of them has to
- * have
- * all solutions: then all are looked at. */
+ * side only: both sides have to have as many as are found. Around a singular pose none of them has
+ * to have all solutions: then all are looked at. */
 static int general_5r1p_pair_from_nearby(const general_5r1p_pair_loop *loop, general_5r1p_pair_found
     *found)
 {
@@ -3700,8 +3666,8 @@ static void general_5r1p_pair_merge(general_5r1p_pair_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
- * */
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+ * next. */
 static int general_5r1p_pair_before(const double a[6], const double b[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -3714,12 +3680,10 @@ static int general_5r1p_pair_before(const double a[6], const double b[6])
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
- * are
- * all: for want of a certificate of its own (where every polynomial vanishes identically there may
- * be a
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
+ * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
+ * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
+ * for want of a certificate of its own (where every polynomial vanishes identically there may be a
  * continuum, which poses close by do not have), or because roots met or the arm is singular at a
  * solution, or nearly, so that steps did not make it exact. */
 static int general_5r1p_pair_general(const double T[16], double q[16][6],
@@ -4093,8 +4057,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[16][6], const unsigned char status[16])
 {
     double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);

@@ -48,19 +48,15 @@ void general_5r1p_pair_fk(const double q[6], double T[16]);
 void general_5r1p_pair_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -GENERAL_5R1P_PAIR_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -GENERAL_5R1P_PAIR_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int general_5r1p_pair_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns GENERAL_5R1P_PAIR_OK or GENERAL_5R1P_PAIR_FREE_JOINT, or, with NaN in q,
- * minus GENERAL_5R1P_PAIR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
- * that is not finite. */
+ * q_seed. Returns GENERAL_5R1P_PAIR_OK or GENERAL_5R1P_PAIR_FREE_JOINT, or, with NaN in q, minus
+ * GENERAL_5R1P_PAIR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
 int general_5r1p_pair_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* general_5r1p_pair_ik without a seed for n poses: T holds n x 16 numbers,

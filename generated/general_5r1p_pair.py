@@ -141,6 +141,7 @@ f4 = 0.45466333698683026  # d4 * 1 / 2 * sqrt3 [m]
 f5 = 0.7071067811865476  # 1 / 2 * sqrt2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -354,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair 45fb2139831f0a90"
+_KEY = "general_5r1p_pair 7459885e46dd5952"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

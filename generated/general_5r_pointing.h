@@ -49,19 +49,15 @@ void general_5r_pointing_fk(const double q[5], double T[16]);
 void general_5r_pointing_jacobian(const double q[5], double J[30]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -GENERAL_5R_POINTING_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -GENERAL_5R_POINTING_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int general_5r_pointing_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns GENERAL_5R_POINTING_OK or GENERAL_5R_POINTING_FREE_JOINT, or, with NaN in q,
+ * q_seed. Returns GENERAL_5R_POINTING_OK or GENERAL_5R_POINTING_FREE_JOINT, or, with NaN in q,
  * minus GENERAL_5R_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
- * that is not finite. */
+ * seed that is not finite. */
 int general_5r_pointing_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* general_5r_pointing_ik without a seed for n poses: T holds n x 16 numbers,

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -117,11 +118,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -162,8 +161,7 @@ static void damped_step(
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -322,9 +320,8 @@ static double sideways(const struct descent *d, double along[6])
 }
 
 /* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
 static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], end[2][6];
@@ -395,8 +392,7 @@ static int known_as(
 }
 
 /* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
- * just
- * beyond an end there; returns how far one was beyond. */
+ * just beyond an end there; returns how far one was beyond. */
 static double clamped(const struct descent *d, const double u[6], double inside[6])
 {
     double most = 0.0;
@@ -416,8 +412,7 @@ static double clamped(const struct descent *d, const double u[6], double inside[
 }
 
 /* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
- * has to
- * be, farther on if steps lead back; returns if it can. */
+ * has to be, farther on if steps lead back; returns if it can. */
 static int leads_inside(struct descent *d, const double u[6], double end[6])
 {
     double way[6], start[6], inside[6];
@@ -436,10 +431,8 @@ static int leads_inside(struct descent *d, const double u[6], double end[6])
 }
 
 /* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
- * inside
- * the limits leads to one, from there or from the seed; where it stands alone to one that is taken
- * for it
- * and as exact as a row has to be. */
+ * inside the limits leads to one, from there or from the seed; where it stands alone to one that is
+ * taken for it and as exact as a row has to be. */
 static void move_inside(
     struct descent *d, const struct kept *kept, int alone, double enough, double u[6])
 {
@@ -530,12 +523,10 @@ static void sorted_rows(
 
 /* All solutions, at most 8, of an arm with four turns and two slides. The directions give three
  * turns by the fourth, and the slides a determinant that has to vanish: the product over both
- * branches
- * is of degree 4 in the hidden turn; here it is sampled at 24 angles.
+ * branches is of degree 4 in the hidden turn; here it is sampled at 24 angles.
  *
- * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
- * below that has the type general_prrprr_lane does GENERAL_PRRPRR_LANES angles or candidates at
- * once.
+ * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything below
+ * that has the type general_prrprr_lane does GENERAL_PRRPRR_LANES angles or candidates at once.
  */
 /* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
  * machine's are slow: compile for the machine, or set GENERAL_PRRPRR_LANES to 1, 2, 4 or 8. */
@@ -715,8 +706,7 @@ static inline int general_prrprr_slides(int joint)
 }
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose
- * values are given, what stands before, between and behind these. */
+ * whose values are given, what stands before, between and behind these. */
 static const double general_prrprr_constant[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.3468966650378003, 0.5737938168652287,
         0.23908075702717863, -0.7833269096274834, -0.24071198299688865, 0.7230709935022924,
@@ -1556,8 +1546,7 @@ static inline void general_prrprr_to_unit(general_prrprr_lane *c, general_prrprr
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
  * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half
- * as many operations wait for each other. */
+ * that half as many operations wait for each other. */
 static inline general_prrprr_lane general_prrprr_reflect(general_prrprr_lane *const *row, int rows,
     int column, int columns)
 {
@@ -1602,8 +1591,7 @@ typedef struct {
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
  * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where
- * a closer look shows no root. `complete` says that no cell was given up. */
+ * where a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, complete;
     double c[GENERAL_PRRPRR_ROOTS + 8], s[GENERAL_PRRPRR_ROOTS + 8];
@@ -1611,8 +1599,7 @@ typedef struct {
 } general_prrprr_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the
- * value of a parabola over its bend where two complex roots count as a double one. */
+ * the value of a parabola over its bend where two complex roots count as a double one. */
 typedef struct {
     int middle, reach;
     double lifted;
@@ -1692,8 +1679,7 @@ static void general_prrprr_fill_grids(const general_prrprr_trigonometric *f, gen
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and
- * f' at both edges are not all of the sign of the first beyond doubt. */
+ * and f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long general_prrprr_open_cells(const general_prrprr_grid *g, int from, double
     doubt)
 {
@@ -1753,8 +1739,7 @@ static void general_prrprr_add_root(general_prrprr_roots *roots, double c, doubl
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about
- * where what is looked for lies, in parts of the width. */
+ * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
     double c[48], s[48], width[48], start[48];
@@ -1811,8 +1796,7 @@ static void general_prrprr_take_parts(general_prrprr_parts *parts, int from, gen
 }
 
 /* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in
- * parts of the width. */
+ * 1), in parts of the width. */
 static inline general_prrprr_lane general_prrprr_on_quintic(int order, const general_prrprr_spans
     *part)
 {
@@ -1877,10 +1861,8 @@ static inline void general_prrprr_turn_on(general_prrprr_lane x, general_prrprr_
 }
 
 /* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where
- * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
- * f''
- * there, as far as an extremum is concerned. */
+ * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
+ * f, f', f'' there, as far as an extremum is concerned. */
 static inline general_prrprr_lane general_prrprr_between(const general_prrprr_trigonometric *f, int
     order, double settled,
                                            const general_prrprr_spans *part, general_prrprr_lane *c,
@@ -2026,8 +2008,8 @@ static inline void general_prrprr_kinds(const general_prrprr_trigonometric *f, c
         least[2] = general_prrprr_min(least[2], second);
         most[2] = general_prrprr_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     * */
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
+     * ends */
     GENERAL_PRRPRR_STORE(bounds[0], least[0]);
     GENERAL_PRRPRR_STORE(bounds[1], most[0]);
     GENERAL_PRRPRR_STORE(bounds[2], general_prrprr_max(least[1], -most[1]) - doubt * share);
@@ -2209,17 +2191,14 @@ static void general_prrprr_find_roots(const general_prrprr_trigonometric *f, con
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps
- * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
- * all
- * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+ * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
+ * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
 typedef struct {
     double x, y;
 } general_prrprr_lens;
 
 /* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a
- * polynomial in psi. */
+ * f a polynomial in psi. */
 static inline general_prrprr_lane general_prrprr_through(const general_prrprr_lens *a,
     general_prrprr_lane *c, general_prrprr_lane *s)
 {
@@ -2240,9 +2219,8 @@ static inline general_prrprr_lane general_prrprr_weighted(general_prrprr_lane f,
 }
 
 /* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f|
- * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
- * circle, that of its mirror image for z outside. */
+ * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+ * the circle, that of its mirror image for z outside. */
 static int general_prrprr_spread(const double samples[24], general_prrprr_lens *a)
 {
     double x = 0.0, y = 0.0, square, part;
@@ -2300,8 +2278,7 @@ static int general_prrprr_keep_roots(int near, double cosine, double sine, const
 }
 
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were
- * known. Returns 0, and leaves these, where that does not show all. */
+ * were known. Returns 0, and leaves these, where that does not show all. */
 static int general_prrprr_magnify(general_prrprr_sampler sample, const void *of, double cosine,
     double sine,
                            general_prrprr_roots *roots)
@@ -2351,8 +2328,7 @@ static int general_prrprr_any_near(const general_prrprr_roots *roots, double cos
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was
- * given up stands among them. */
+ * was given up stands among them. */
 static void general_prrprr_look_closer(general_prrprr_sampler sample, const void *of,
     general_prrprr_roots *roots)
 {
@@ -2642,9 +2618,8 @@ static int general_prrprr_keep(general_prrprr_found *found, double theta[6], dou
 }
 
 /* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the
- * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
- * candidates singular solutions are marked. */
+ * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
+ * `doubtful` candidates singular solutions are marked. */
 static unsigned general_prrprr_offer(const general_prrprr_loop *loop, general_prrprr_lane c[6],
     general_prrprr_lane s[6], int count,
                               int steps, int doubtful, general_prrprr_found *found,
@@ -2723,8 +2698,7 @@ static void general_prrprr_around(const general_prrprr_formulation *form, const 
 }
 
 /* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
- * square
- * roots; `group` is the number of the root, and `far` how many more ways it has that lead to
+ * square roots; `group` is the number of the root, and `far` how many more ways it has that lead to
  * infinity. */
 typedef struct {
     int count, group[GENERAL_PRRPRR_CANDIDATES], far[2 * GENERAL_PRRPRR_ROOTS];
@@ -2733,14 +2707,12 @@ typedef struct {
 } general_prrprr_ways;
 
 /* Four turns and two slides: J(phi1) L0 J(phi2) L1 ... J(phi6) L5 = 1 with phi1 a turn. Slides
- * leave
- * directions alone, Rz(phi1) A Rz Rz B Rz C Rz D = 1 for the rotations between the turns: with phi1
- * given,
- * Rz N Rz = M = A' Rz(-phi1) D', N = B Rz C. Both have the same entry zz, which gives the middle
- * turn, a
- * square root; what turns N's third column and row to those of M are the others. The translation is
- * linear in the slides' lengths: the determinant of it and of their directions is zero. Numbers
- * x + y sqrt(delta), with delta the discriminant, are pairs of x and y. */
+ * leave directions alone, Rz(phi1) A Rz Rz B Rz C Rz D = 1 for the rotations between the turns:
+ * with phi1 given, Rz N Rz = M = A' Rz(-phi1) D', N = B Rz C. Both have the same entry zz, which
+ * gives the middle turn, a square root; what turns N's third column and row to those of M are the
+ * others. The translation is linear in the slides' lengths: the determinant of it and of their
+ * directions is zero. Numbers x + y sqrt(delta), with delta the discriminant, are pairs of x and
+ * y. */
 typedef struct {
     const general_prrprr_formulation *form;
     double link[6][12];
@@ -2750,8 +2722,7 @@ typedef struct {
 typedef general_prrprr_lane general_prrprr_pair[2];
 
 /* What the hidden turn fixes: delta, what the polynomial is multiplied by, cosines and sines of the
- * other
- * turns, the directions of the slides, the translation and their determinant. */
+ * other turns, the directions of the slides, the translation and their determinant. */
 typedef struct {
     general_prrprr_lane delta, w;
     general_prrprr_pair c[3], s[3], direction[2][3], translation[3], determinant;
@@ -2773,8 +2744,7 @@ static void general_prrprr_prepare(general_prrprr_setting *set, int which, const
 }
 
 /* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
- * behind
- * it, the entry zz does not give this turn, and roots tell nothing. */
+ * behind it, the entry zz does not give this turn, and roots tell nothing. */
 static int general_prrprr_tells_all(const general_prrprr_setting *set)
 {
     const double *const B = set->between[1], *const C = set->between[2];
@@ -2790,8 +2760,8 @@ static inline void general_prrprr_add_product(const general_prrprr_pair a, const
     out[1] += sign * (a[0] * b[1] + a[1] * b[0]);
 }
 
-/* The first two entries of R v; R's entries lie `row` apart from row to row, and `entry` in a row.
- * */
+/* The first two entries of R v; R's entries lie `row` apart from row to row, and `entry` in a
+ * row. */
 static inline void general_prrprr_rotated(const double *R, int row, int entry, general_prrprr_pair
     v[3], general_prrprr_pair out[2])
 {
@@ -2955,10 +2925,8 @@ static inline double general_prrprr_across(general_prrprr_pair a[3], general_prr
 }
 
 /* At every root the better branch, and the other one where its determinant is small, too: a double
- * root
- * may be one of each. Where the slides are parallel and the translation is not along them, they
- * would
- * have to reach too far. */
+ * root may be one of each. Where the slides are parallel and the translation is not along them,
+ * they would have to reach too far. */
 static void general_prrprr_find_ways(const general_prrprr_setting *set, const double *c, const
     double *s, int count, int group,
                               general_prrprr_ways *out)
@@ -3001,8 +2969,8 @@ static void general_prrprr_find_ways(const general_prrprr_setting *set, const do
     }
 }
 
-/* The cosines and sines of all turns and the lengths of the slides, on the branch with this sign.
- * */
+/* The cosines and sines of all turns and the lengths of the slides, on the branch with this
+ * sign. */
 static inline void general_prrprr_way_joints(const general_prrprr_setting *set, general_prrprr_lane
     c1, general_prrprr_lane s1, general_prrprr_lane sign,
                                       general_prrprr_lane unused, general_prrprr_lane c[6],
@@ -3165,10 +3133,8 @@ static unsigned general_prrprr_follow_back(const general_prrprr_loop *loop, doub
 }
 
 /* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side
- * only: both sides have to have as many as are found. Around a singular pose none of them has to
- * have
- * all solutions: then all are looked at. */
+ * side only: both sides have to have as many as are found. Around a singular pose none of them has
+ * to have all solutions: then all are looked at. */
 static int general_prrprr_from_nearby(const general_prrprr_loop *loop, general_prrprr_found *found)
 {
     int followed = 0, before = -1;
@@ -3237,8 +3203,8 @@ static void general_prrprr_merge(general_prrprr_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
- * */
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+ * next. */
 static int general_prrprr_before(const double a[6], const double b[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -3251,12 +3217,10 @@ static int general_prrprr_before(const double a[6], const double b[6])
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 8.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
- * are
- * all: for want of a certificate of its own (where every polynomial vanishes identically there may
- * be a
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
+ * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
+ * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
+ * for want of a certificate of its own (where every polynomial vanishes identically there may be a
  * continuum, which poses close by do not have), or because roots met or the arm is singular at a
  * solution, or nearly, so that steps did not make it exact. */
 static int general_prrprr_general(const double T[16], double q[8][6],
@@ -3686,8 +3650,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);

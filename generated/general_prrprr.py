@@ -170,6 +170,7 @@ g14 = 0.8569186234130046  # sa2 * cat1 * ca1 + sa1 * ca2
 g15 = 0.4605467924491282  # ca2 * ca1 - sa2 * cat1 * sa1
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -402,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr d5be0ee43634f71b"
+_KEY = "general_prrprr 5b427ffbb1f69b6d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -139,7 +139,6 @@ k1 = 0.081056  # 2 * d4 * a2 [m^2]
 k2 = 0.0567392  # 2 * a3 * a2 [m^2]
 k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = 0.960070362405688  # a constant angle [rad]
 m1 = 8.049678400000001e-09  # doubt_limit1^2 [m^2]
 m3 = 1.582896478598658e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -152,6 +151,7 @@ m9 = 0.019031764705882342  # a coefficient of c23
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -397,7 +397,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "igus_rebel 30d7191b3de302e9"
+_KEY = "igus_rebel 816a1fe4d75bd3a8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

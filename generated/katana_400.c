@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -227,14 +228,19 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -260,7 +266,6 @@ static const double
     pose_slack1 = 6.778e-06, /* a pose may be rounded by this [m] */
     k1 = 0.055421000000000005, /* a2^2 + a3^2 [m^2] */
     k2 = 18.932222642938278, /* 1 / (2 * a3 * a2) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -430,9 +435,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* joint values */
     const wide v69 = angle2 - (angle4 + angle5) - offset4,
         v70 = angle2 - (angle6 - angle4) - offset4, v71 = offset4 + (angle2 + (angle4 + angle7)),
-        v72 = offset4 + (angle2 + (angle8 - angle4)),
-        v73 = v69 + pick_wide(v69 <= -half_turn, all_wide(turn), only_wide(half_turn < v69, -turn)),
-        v74 = v70 + pick_wide(v70 <= -half_turn, all_wide(turn), only_wide(half_turn < v70, -turn)),
+        v72 = offset4 + (angle2 + (angle8 - angle4)), v73 = centred_wide(v69),
+        v74 = centred_wide(v70),
         v75 = pick_wide(-v71 <= -half_turn, all_wide(turn), only_wide(half_turn < -v71, -turn)) -
             v71,
         v76 = pick_wide(-v72 <= -half_turn, all_wide(turn), only_wide(half_turn < -v72, -turn)) -
@@ -447,17 +451,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v45 * v45 + v46 *
         v46 + v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50) | (v28 <= m7);
 
-    q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
-    q[3] = v78 + (v73 + only_wide(half_turn < v73, -turn)); q[4] = v78 + v84;
+    q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78; q[3] = v78 + lowered_wide(v73);
+    q[4] = v78 + v84;
     kind[0] = kind_of(q[0], 0);
-    q[5] = v79 + v82; q[6] = angle6 + v79; q[7] = v79 - angle4;
-    q[8] = v79 + (v74 + only_wide(half_turn < v74, -turn)); q[9] = v79 + v84;
+    q[5] = v79 + v82; q[6] = angle6 + v79; q[7] = v79 - angle4; q[8] = v79 + lowered_wide(v74);
+    q[9] = v79 + v84;
     kind[1] = kind_of(q[5], 0);
-    q[10] = v80 + v83; q[11] = angle7 + v80; q[12] = angle4 + v80;
-    q[13] = v80 + (v75 + only_wide(half_turn < v75, -turn)); q[14] = v80 + v85;
+    q[10] = v80 + v83; q[11] = angle7 + v80; q[12] = angle4 + v80; q[13] = v80 + lowered_wide(v75);
+    q[14] = v80 + v85;
     kind[2] = kind_of(q[10], 0);
-    q[15] = v81 + v83; q[16] = angle8 + v81; q[17] = v81 - angle4;
-    q[18] = v81 + (v76 + only_wide(half_turn < v76, -turn)); q[19] = v81 + v85;
+    q[15] = v81 + v83; q[16] = angle8 + v81; q[17] = v81 - angle4; q[18] = v81 + lowered_wide(v76);
+    q[19] = v81 + v85;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -536,9 +540,8 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle3 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = shuffle(packed1, packed1, 3, 3, 3, 3), angle5 = angle_four(ratio2);
     const four v47 = e2 * angle4, v48 = e1 * angle2, v49 = v48 - (angle5 + v47) - offset4,
-        v50 = v49 + pick_four(v49 <= -half_turn, all_four(turn), only_four(half_turn < v49, -turn)),
-        v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52, q3 = v47 + v52,
-        q4 = v52 + (v50 + only_four(half_turn < v50, -turn)), v54 = v16 + (angle3 + v7 * v13),
+        v50 = centred_four(v49), v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52,
+        q3 = v47 + v52, q4 = v52 + lowered_four(v50), v54 = v16 + (angle3 + v7 * v13),
         q5 = v52 + v54;
 
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
@@ -818,8 +821,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -839,8 +842,8 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
+/* Several joints are free and none serves alone: in turn each goes to where the arm came
+ * nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 1, 2, 3 };
@@ -865,7 +868,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
@@ -1002,8 +1005,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
-    status[4])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
     const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -131,7 +131,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.778e-06  # a pose may be rounded by this [m]
 k1 = 0.055421000000000005  # a2^2 + a3^2 [m^2]
 k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.594128399999999e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999997e-17  # doubt_limit_squared^2
 m4 = 4.711883105914297e-15  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -145,6 +144,7 @@ m11 = 4.5941284e-11  # pose_slack1^2 [m^2]
 m12 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 7fac3406512f73bd"
+_KEY = "katana_400 ab667babe102489d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -85,8 +86,8 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>, too.
- * */
+ * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(KAWASAKI_RS007N_SCALAR) && !defined(KAWASAKI_RS007N_LIBM)
 #include <immintrin.h>
@@ -232,13 +233,20 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -268,7 +276,6 @@ static const double
     k1 = 0.26625, /* 2 * d4 * a2 [m^2] */
     k2 = 0.26665, /* a2^2 + d4^2 [m^2] */
     k3 = 14.106548524322777, /* 1 / (k1^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m2 = 9.080736163016987e-14,
@@ -456,32 +463,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v61 = angle1 - signed_wide(half_turn, wy) - offset1, angle2 = atan2_wide(S2_pp, C2_pp),
         v62 = angle2 - offset2, angle3 = atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
         angle4 = atan2_wide(S2_pm, C2_mp), v64 = angle4 - offset2,
-        angle5 = atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2,
-        q2_ppp = v62 + only_wide(half_turn < v62, -turn),
-        q2_pmp = v63 + only_wide(half_turn < v63, -turn),
-        q2_mpp = v64 + only_wide(half_turn < v64, -turn),
-        q2_mmp = v65 + only_wide(half_turn < v65, -turn), angle6 = atan2_wide(v5, -v6),
-        v66 = angle6 - offset3, v67 = signed_wide(half_turn, v5) - angle6 - offset3,
-        q3_ppp = v66 + only_wide(v66 <= -half_turn, turn),
-        q3_pmp = v67 + only_wide(v67 <= -half_turn, turn), angle7 = atan2_wide(-v46, v41),
-        angle8 = atan2_wide(-v46, v42), angle9 = atan2_wide(v46, v43),
-        angle10 = atan2_wide(v46, v44), v68 = signed_wide(half_turn, -v46),
-        v69 = signed_wide(half_turn, v46), v70 = angle7 - offset4, v71 = angle7 - v68 - offset4,
-        v72 = angle8 - offset4, v73 = angle8 - v68 - offset4, v74 = angle9 - offset4,
-        v75 = angle9 - v69 - offset4, v76 = angle10 - offset4, v77 = angle10 - v69 - offset4,
+        angle5 = atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2, q2_ppp = lowered_wide(v62),
+        q2_pmp = lowered_wide(v63), q2_mpp = lowered_wide(v64), q2_mmp = lowered_wide(v65),
+        angle6 = atan2_wide(v5, -v6), v66 = angle6 - offset3,
+        v67 = signed_wide(half_turn, v5) - angle6 - offset3, q3_ppp = raised_wide(v66),
+        q3_pmp = raised_wide(v67), angle7 = atan2_wide(-v46, v41), angle8 = atan2_wide(-v46, v42),
+        angle9 = atan2_wide(v46, v43), angle10 = atan2_wide(v46, v44),
+        v68 = signed_wide(half_turn, -v46), v69 = signed_wide(half_turn, v46),
+        v70 = angle7 - offset4, v71 = angle7 - v68 - offset4, v72 = angle8 - offset4,
+        v73 = angle8 - v68 - offset4, v74 = angle9 - offset4, v75 = angle9 - v69 - offset4,
+        v76 = angle10 - offset4, v77 = angle10 - v69 - offset4,
         angle11 = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40),
         angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40),
         angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40),
         angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40), v78 = angle11 - offset5,
         v79 = offset5 + angle11, v80 = angle12 - offset5, v81 = offset5 + angle12,
         v82 = angle13 - offset5, v83 = offset5 + angle13, v84 = angle14 - offset5,
-        v85 = offset5 + angle14, q5_ppp = v78 + only_wide(v78 <= -half_turn, turn),
-        q5_ppm = only_wide(-v79 <= -half_turn, turn) - v79,
-        q5_pmp = v80 + only_wide(v80 <= -half_turn, turn),
-        q5_pmm = only_wide(-v81 <= -half_turn, turn) - v81,
-        q5_mpp = v82 + only_wide(v82 <= -half_turn, turn),
-        q5_mpm = only_wide(-v83 <= -half_turn, turn) - v83,
-        q5_mmp = v84 + only_wide(v84 <= -half_turn, turn),
+        v85 = offset5 + angle14, q5_ppp = raised_wide(v78),
+        q5_ppm = only_wide(-v79 <= -half_turn, turn) - v79, q5_pmp = raised_wide(v80),
+        q5_pmm = only_wide(-v81 <= -half_turn, turn) - v81, q5_mpp = raised_wide(v82),
+        q5_mpm = only_wide(-v83 <= -half_turn, turn) - v83, q5_mmp = raised_wide(v84),
         q5_mmm = only_wide(-v85 <= -half_turn, turn) - v85,
         v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59)),
         v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59)),
@@ -498,42 +499,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v95 = angle18 - signed_wide(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
             v59)))) - offset6;
     const wide_mask v96 = exceeds(q3_ppp, 3), v97 = exceeds(q3_pmp, 3);
-    const wide q1_ppp = v4 + (v60 + only_wide(half_turn < v60, -turn)),
-        q1_mpp = v4 + (v61 + only_wide(half_turn < v61, -turn));
+    const wide q1_ppp = v4 + lowered_wide(v60), q1_mpp = v4 + lowered_wide(v61);
     const wide_mask v98 = v96 | exceeds(q2_ppp, 2), v99 = v97 | exceeds(q2_pmp, 2),
         v100 = v96 | exceeds(q2_mpp, 2), v101 = v97 | exceeds(q2_mmp, 2),
         doubt1 = (v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) | (v25 <= m5) |
             (v48 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m2) | (v23 <= m5);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, turn);
-    q[4] = q5_ppp; q[5] = v88 + only_wide(v88 <= -half_turn, turn);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v70); q[4] = q5_ppp;
+    q[5] = raised_wide(v88);
     kind[0] = kind_of(q[0], v98 | exceeds(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, turn);
-    q[10] = q5_ppm; q[11] = v89 + only_wide(v89 <= -half_turn, turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v71); q[10] = q5_ppm;
+    q[11] = raised_wide(v89);
     kind[1] = kind_of(q[6], v98 | exceeds(q5_ppm, 5));
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v72 + only_wide(v72 <= -half_turn, turn); q[16] = q5_pmp;
-    q[17] = v90 + only_wide(v90 <= -half_turn, turn);
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v72); q[16] = q5_pmp;
+    q[17] = raised_wide(v90);
     kind[2] = kind_of(q[12], v99 | exceeds(q5_pmp, 5));
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v73 + only_wide(v73 <= -half_turn, turn); q[22] = q5_pmm;
-    q[23] = v91 + only_wide(v91 <= -half_turn, turn);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v73); q[22] = q5_pmm;
+    q[23] = raised_wide(v91);
     kind[3] = kind_of(q[18], v99 | exceeds(q5_pmm, 5));
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
-    q[27] = v74 + only_wide(v74 <= -half_turn, turn); q[28] = q5_mpp;
-    q[29] = v92 + only_wide(v92 <= -half_turn, turn);
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = raised_wide(v74); q[28] = q5_mpp;
+    q[29] = raised_wide(v92);
     kind[4] = kind_of(q[24], v100 | exceeds(q5_mpp, 5));
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
-    q[33] = v75 + only_wide(v75 <= -half_turn, turn); q[34] = q5_mpm;
-    q[35] = v93 + only_wide(v93 <= -half_turn, turn);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = raised_wide(v75); q[34] = q5_mpm;
+    q[35] = raised_wide(v93);
     kind[5] = kind_of(q[30], v100 | exceeds(q5_mpm, 5));
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
-    q[39] = v76 + only_wide(v76 <= -half_turn, turn); q[40] = q5_mmp;
-    q[41] = v94 + only_wide(v94 <= -half_turn, turn);
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = raised_wide(v76); q[40] = q5_mmp;
+    q[41] = raised_wide(v94);
     kind[6] = kind_of(q[36], v101 | exceeds(q5_mmp, 5));
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
-    q[45] = v77 + only_wide(v77 <= -half_turn, turn); q[46] = q5_mmm;
-    q[47] = v95 + only_wide(v95 <= -half_turn, turn);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = raised_wide(v77); q[46] = q5_mmm;
+    q[47] = raised_wide(v95);
     kind[7] = kind_of(q[42], v101 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -601,18 +595,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four v37 = angle1 + v36 * (m7 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
-        q2_p = v38 + only_four(half_turn < v38, -turn),
-        v40 = e2 * angle3 + v39 * (m7 * (1.0 - e2)) - offset3,
-        q3_p = v40 + only_four(v40 <= -half_turn, turn), v42 = angle4 - offset4,
-        v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, turn),
-        q4_m = v43 + only_four(v43 <= -half_turn, turn), v44 = angle5 - offset5,
-        v45 = offset5 + angle5, q5_p = v44 + only_four(v44 <= -half_turn, turn),
+        q2_p = lowered_four(v38), v40 = e2 * angle3 + v39 * (m7 * (1.0 - e2)) - offset3,
+        q3_p = raised_four(v40), v42 = angle4 - offset4, v43 = angle4 - v41 - offset4,
+        q4_p = raised_four(v42), q4_m = raised_four(v43), v44 = angle5 - offset5,
+        v45 = offset5 + angle5, q5_p = raised_four(v44),
         q5_m = only_four(-v45 <= -half_turn, turn) - v45, v47 = angle6 - offset6,
-        v48 = angle6 - signed_four(half_turn, v46) - offset6,
-        q6_p = v47 + only_four(v47 <= -half_turn, turn),
-        q6_m = v48 + only_four(v48 <= -half_turn, turn);
+        v48 = angle6 - signed_four(half_turn, v46) - offset6, q6_p = raised_four(v47),
+        q6_m = raised_four(v48);
     const four_mask v49 = exceeds_four(q3_p, 3);
-    const four q1_p = v4 + (v37 + only_four(half_turn < v37, -turn));
+    const four q1_p = v4 + lowered_four(v37);
     const four_mask v50 = v49 | exceeds_four(q2_p, 2), outside_p = v50 | exceeds_four(q5_p, 5),
         outside_m = v50 | exceeds_four(q5_m, 5);
 
@@ -995,8 +986,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1052,8 +1042,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1076,8 +1065,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1133,8 +1122,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -140,7 +140,6 @@ offset6 = 1.5707963267948966  # offset of joint 6 [rad]
 k1 = 0.26625  # 2 * d4 * a2 [m^2]
 k2 = 0.26665  # a2^2 + d4^2 [m^2]
 k3 = 14.106548524322777  # 1 / (k1^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 high2 = 2.356194491192345
 high3 = 2.705260341591211
 high5 = 2.181661565992912
@@ -152,6 +151,7 @@ m5 = 1.8611071221759995e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -396,7 +396,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n 59248f96466128b3"
+_KEY = "kawasaki_rs007n ae1ca7e8df28df16"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -49,10 +49,8 @@ void kinova_gen3_7_fk(const double q[7], double T[16]);
 void kinova_gen3_7_jacobian(const double q[7], double J[42]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -KINOVA_GEN3_7_INVALID_POSE, also for a seed that
- * is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -KINOVA_GEN3_7_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16]);

@@ -143,6 +143,7 @@ offset6 = 3.141592653589793  # offset of joint 6 [rad]
 offset7 = 3.141592653589793  # offset of joint 7 [rad]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -393,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 42e1dcffefbaaade"
+_KEY = "kinova_gen3_7 09e0b98b3bb1f8f0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

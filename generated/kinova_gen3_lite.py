@@ -141,6 +141,7 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 offset6 = 1.5707963267948966  # offset of joint 6 [rad]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -358,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite 29f35be43c78e1fd"
+_KEY = "kinova_gen3_lite fda6b3aa9c026cdd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -85,8 +86,8 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>, too.
- * */
+ * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(KINOVA_J2S6S300_SCALAR) && !defined(KINOVA_J2S6S300_LIBM)
 #include <immintrin.h>
@@ -232,14 +233,22 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -271,7 +280,6 @@ static const double
     k5 = 0.255061, /* 2 * d4 * a2 [m^2] */
     k6 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
     k7 = 15.371345486276748, /* 1 / (k5^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 9.367415598763348e-14,
     m4 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
@@ -474,14 +482,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle11 = atan2_wide(S2_pp, C2_pp), v56 = angle11 - offset2,
         angle12 = atan2_wide(S2_pm, C2_pm), v57 = angle12 - offset2,
         angle13 = atan2_wide(S2_pm, -C2_pm), v58 = angle13 - offset2,
-        angle14 = atan2_wide(S2_pp, -C2_pp), v59 = angle14 - offset2,
-        q2__pp = v56 + only_wide(v56 <= -half_turn, turn),
-        q2__pm = v57 + only_wide(v57 <= -half_turn, turn),
-        q2__mp = v58 + only_wide(v58 <= -half_turn, turn),
-        q2__mm = v59 + only_wide(v59 <= -half_turn, turn), angle15 = atan2_wide(-v5, v7),
-        v60 = angle15 - offset3, v61 = signed_wide(half_turn, -v5) - angle15 - offset3,
-        q3__p = v60 + only_wide(v60 <= -half_turn, turn),
-        q3__m = v61 + only_wide(v61 <= -half_turn, turn),
+        angle14 = atan2_wide(S2_pp, -C2_pp), v59 = angle14 - offset2, q2__pp = raised_wide(v56),
+        q2__pm = raised_wide(v57), q2__mp = raised_wide(v58), q2__mm = raised_wide(v59),
+        angle15 = atan2_wide(-v5, v7), v60 = angle15 - offset3,
+        v61 = signed_wide(half_turn, -v5) - angle15 - offset3, q3__p = raised_wide(v60),
+        q3__m = raised_wide(v61),
         angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) + X4_pp * v46),
         angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)),
         angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)),
@@ -512,36 +517,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v90 = beyond(v82, 5), v91 = beyond(v83, 5), v92 = beyond(v84, 5),
         v93 = beyond(v85, 5), v94 = beyond(v86, 5), v95 = beyond(v87, 5), v96 = beyond(v88, 5),
         v97 = beyond(v89, 5);
-    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, turn)),
-        q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, turn)),
+    const wide q1_ppp = v4 + raised_wide(v54), q1_mpp = v4 + raised_wide(v55),
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
         doubt1 = (v42 <= m5) | (v24 <= m4) | (v41 <= m5) | (v40 <= m5) | (v23 <= m4) | (v39 <= m5) |
             (abs_wide(D1) <= k3) | (abs_wide(D3) <= m1) | (v22 <= m4);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
-    q[5] = v62 + only_wide(half_turn < v62, -turn);
+    q[5] = lowered_wide(v62);
     kind[0] = kind_of(q[0], v90 | v98);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
-    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 + only_wide(half_turn < v63, -turn);
+    q[10] = pick_wide(v91, -angle5, v83); q[11] = lowered_wide(v63);
     kind[1] = kind_of(q[6], v91 | v98);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
-    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 + only_wide(half_turn < v64, -turn);
+    q[16] = pick_wide(v92, angle6, v84); q[17] = lowered_wide(v64);
     kind[2] = kind_of(q[12], v92 | v99);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
-    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 + only_wide(half_turn < v65, -turn);
+    q[22] = pick_wide(v93, -angle6, v85); q[23] = lowered_wide(v65);
     kind[3] = kind_of(q[18], v93 | v99);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
-    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 + only_wide(half_turn < v66, -turn);
+    q[28] = pick_wide(v94, angle7, v86); q[29] = lowered_wide(v66);
     kind[4] = kind_of(q[24], v94 | v100);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
-    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 + only_wide(half_turn < v67, -turn);
+    q[34] = pick_wide(v95, -angle7, v87); q[35] = lowered_wide(v67);
     kind[5] = kind_of(q[30], v95 | v100);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
-    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 + only_wide(half_turn < v68, -turn);
+    q[40] = pick_wide(v96, angle8, v88); q[41] = lowered_wide(v68);
     kind[6] = kind_of(q[36], v96 | v101);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
-    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 + only_wide(half_turn < v69, -turn);
+    q[46] = pick_wide(v97, -angle8, v89); q[47] = lowered_wide(v69);
     kind[7] = kind_of(q[42], v97 | v101);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -607,12 +611,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle6 = angle_four(ratio4), angle2 = angle_four(ratio5);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = v34 + only_four(v34 <= -half_turn, turn),
-        v36 = e2 * angle5 + v35 * (m6 * (1.0 - e2)) - offset3,
-        q3_ = v36 + only_four(v36 <= -half_turn, turn), v37 = angle6 - offset6,
-        v38 = angle6 - signed_four(half_turn, s6) - offset6,
-        q6_p = v37 + only_four(half_turn < v37, -turn),
-        q6_m = v38 + only_four(half_turn < v38, -turn), v39 = q2_ + only_four(q2_ < low(2), turn);
+        q2_ = raised_four(v34), v36 = e2 * angle5 + v35 * (m6 * (1.0 - e2)) - offset3,
+        q3_ = raised_four(v36), v37 = angle6 - offset6,
+        v38 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = lowered_four(v37),
+        q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn);
     const four_mask v40 = beyond_four(v39, 2);
     const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low(3), turn);
     const four_mask v42 = beyond_four(v41, 3);
@@ -620,8 +622,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v44 = only_four(-angle2 < low(5), turn) - angle2;
     const four_mask v45 = beyond_four(v43, 5), v46 = beyond_four(v44, 5);
     const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44),
-        q1_p = v4 + (v33 + only_four(v33 <= -half_turn, turn)),
-        q3_p = v1 + pick_four(v42, q3_, v41);
+        q1_p = v4 + raised_four(v33), q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42, outside_p = v45 | v47, outside_m = v46 | v47;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
@@ -1003,8 +1004,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1060,8 +1060,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1084,8 +1083,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1159,8 +1158,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -143,7 +143,6 @@ k4 = 2.4956680000016213e-16  # merge_slack1 * (merge_slack1 - k1 * 2) [m^2]
 k5 = 0.255061  # 2 * d4 * a2 [m^2]
 k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
 k7 = 15.371345486276748  # 1 / (k5^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 low2 = 0.820304747437335
 high2 = 5.462880559742252
 low3 = 0.3316125568789226
@@ -157,6 +156,7 @@ m4 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
 m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -399,7 +399,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 c99f709944bb5a8f"
+_KEY = "kinova_j2s6s300 eacb5bf49de07925"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

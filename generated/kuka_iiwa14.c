@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -61,8 +62,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -238,13 +239,19 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -274,7 +281,6 @@ static const double
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
     m1 = 1.4391687841457539e-13,
     m2 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
@@ -300,24 +306,26 @@ static const double highest[7] = {
     2.9670597283903604, 2.0943951023931953, 3.0543261909900767,
 };
 
+/* What follows from joint values: what the pose and the Jacobian are made of. */
+#define MOTION \
+    const double v1 = q[0] + offset1, c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2, \
+        c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2, \
+        z2_y = s1 * s2, c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3, \
+        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, \
+        z3_x = x2_x * s3 - s1 * c3, v3 = q[3] + offset4, c4 = cos(v3), s4 = sin(v3), \
+        x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, \
+        z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4, \
+        c5 = cos(q[4]), s5 = sin(q[4]), z5_x = x4_x * s5 - z3_x * c5, \
+        z5_y = x4_y * s5 - z3_y * c5, z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6, \
+        c6 = cos(v4), s6 = sin(v4)
+
 void kuka_iiwa14_fk(const double q[7], double T[16])
 {
-    const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
-        z2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3,
-        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3,
-        z3_x = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
-    const double c4 = cos(v3), s4 = sin(v3), x4_x = x3_x * c4 + z2_x * s4,
-        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4,
-        z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + z3_x * s5,
-        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, z5_x = x4_x * s5 - z3_x * c5,
-        z5_y = x4_y * s5 - z3_y * c5, z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6;
-    const double c6 = cos(v4), s6 = sin(v4), x6_x = x5_x * c6 + z4_x * s6,
-        x6_y = x5_y * c6 + z4_y * s6, x6_z = x5_z * c6 + z4_z * s6, z6_x = x5_x * s6 - z4_x * c6,
-        z6_y = x5_y * s6 - z4_y * c6, z6_z = x5_z * s6 - z4_z * c6;
+    MOTION;
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5, x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
+        x6_z = x5_z * c6 + z4_z * s6, z6_x = x5_x * s6 - z4_x * c6, z6_y = x5_y * s6 - z4_y * c6,
+        z6_z = x5_z * s6 - z4_z * c6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
     T[0] = x6_x * c7 + z5_x * s7; T[1] = z5_x * c7 - x6_x * s7; T[2] = z6_x;
     T[3] = z2_x * d3 + z4_x * d5 + z6_x * d7;
@@ -331,21 +339,10 @@ void kuka_iiwa14_fk(const double q[7], double T[16])
 
 void kuka_iiwa14_jacobian(const double q[7], double J[42])
 {
-    const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
-        z2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3,
-        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3,
-        p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = d1 - c2 * d3, z3_x = x2_x * s3 - s1 * c3,
-        v3 = q[3] + offset4;
-    const double c4 = cos(v3), s4 = sin(v3), x4_x = x3_x * c4 + z2_x * s4,
-        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4,
-        z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]), p5_x = p3_x + z4_x * d5, p5_y = p3_y + z4_y * d5,
-        p5_z = p3_z + z4_z * d5, z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
-        z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6;
-    const double c6 = cos(v4), s6 = sin(v4), z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6,
+    MOTION;
+    const double p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = d1 - c2 * d3, p5_x = p3_x + z4_x * d5,
+        p5_y = p3_y + z4_y * d5, p5_z = p3_z + z4_z * d5,
+        z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6,
         z6_y = (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6,
         z6_z = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6, p7_x = p5_x + z6_x * d7,
         p7_y = p5_y + z6_y * d7, p7_z = p5_z + z6_z * d7, v5 = p7_z - d1, v6 = p7_x - p3_x,
@@ -499,7 +496,7 @@ HELPER wide_mask solve_wide(
         SIGNED(wide);
 
         /* joint values */
-        const wide v67 = e1 * angle5 - offset4, q4_ = v67 + only_wide(v67 <= -half_turn, turn);
+        const wide v67 = e1 * angle5 - offset4, q4_ = raised_wide(v67);
         const wide_mask v70 = exceeds(q4_, 4);
         const wide q4_p = v6 + q4_;
 
@@ -522,13 +519,11 @@ HELPER wide_mask solve_wide(
                     - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))));
 
             /* joint values */
-            const wide angle3 = atan2_wide(s1, c1), v65 = angle3 - offset1,
-                q1_p = v65 + only_wide(v65 <= -half_turn, turn), angle4 = atan2_wide(S2, -v22),
-                v66 = angle4 - offset2, q2_p = v66 + only_wide(v66 <= -half_turn, turn),
+            const wide angle3 = atan2_wide(s1, c1), v65 = angle3 - offset1, q1_p = raised_wide(v65),
+                angle4 = atan2_wide(S2, -v22), v66 = angle4 - offset2, q2_p = raised_wide(v66),
                 angle6 = atan2_wide(sqrt_wide(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1
                     * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
-                v68 = angle6 - offset6, v69 = offset6 + angle6,
-                q6_p = v68 + only_wide(v68 <= -half_turn, turn),
+                v68 = angle6 - offset6, v69 = offset6 + angle6, q6_p = raised_wide(v68),
                 q6_m = only_wide(-v69 <= -half_turn, turn) - v69;
             const wide_mask v71 = v70 | exceeds(q1_p, 1) | exceeds(q2_p, 2),
                 doubt2 = (v23 <= m2) | (v39 <= m3);
@@ -588,10 +583,9 @@ HELPER int solve_regular(
         q7_m = angle2 - signed_four(half_turn, -(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 *
             (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 +
             s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62)))))), v65 = angle3 - offset1,
-        q1_p = v65 + only_four(v65 <= -half_turn, turn), v66 = angle4 - offset2,
-        q2_p = v66 + only_four(v66 <= -half_turn, turn), v67 = e1 * angle5 - offset4,
-        q4_ = v67 + only_four(v67 <= -half_turn, turn), v68 = angle6 - offset6,
-        v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, turn),
+        q1_p = raised_four(v65), v66 = angle4 - offset2, q2_p = raised_four(v66),
+        v67 = e1 * angle5 - offset4, q4_ = raised_four(v67), v68 = angle6 - offset6,
+        v69 = offset6 + angle6, q6_p = raised_four(v68),
         q6_m = only_four(-v69 <= -half_turn, turn) - v69;
     const four_mask v70 = exceeds_four(q4_, 4);
     const four q4_p = v6 + q4_;
@@ -1042,8 +1036,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);

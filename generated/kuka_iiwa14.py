@@ -142,7 +142,6 @@ k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-08  # square of a length that fixes no angle [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.9670597293903604
 high2 = 2.0943951033931953
 high3 = 2.9670597293903604
@@ -155,6 +154,7 @@ m2 = 2.909194164496e-16  # doubt_limit_squared2^2 [m^4]
 m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -419,7 +419,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 fdd6a9ff39a68021"
+_KEY = "kuka_iiwa14 38ec721625ed229b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -10,6 +10,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -55,8 +56,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -233,13 +234,19 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -266,7 +273,6 @@ static const double
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
     m1 = 1.4391687841457539e-13,
     m2 = 1e-24, /* free_limit^2 */
@@ -526,25 +532,19 @@ HELPER wide_mask solve_wide(
     const wide angle7 = atan2_wide(b22_p, -X1_p), angle8 = atan2_wide(b22_m, v29),
         v77 = angle7 - offset1, v78 = angle7 - signed_wide(half_turn, b22_p) - offset1,
         v79 = angle8 - offset1, v80 = angle8 - signed_wide(half_turn, b22_m) - offset1,
-        q1_ppp = v77 + only_wide(v77 <= -half_turn, turn),
-        q1_pmp = v78 + only_wide(v78 <= -half_turn, turn),
-        q1_mpp = v79 + only_wide(v79 <= -half_turn, turn),
-        q1_mmp = v80 + only_wide(v80 <= -half_turn, turn), angle9 = atan2_wide(w1_p, c2_p),
+        q1_ppp = raised_wide(v77), q1_pmp = raised_wide(v78), q1_mpp = raised_wide(v79),
+        q1_mmp = raised_wide(v80), angle9 = atan2_wide(w1_p, c2_p),
         angle10 = atan2_wide(w1_m, -v35), v81 = angle9 - offset2, v82 = offset2 + angle9,
-        v83 = angle10 - offset2, v84 = offset2 + angle10,
-        q2_ppp = v81 + only_wide(v81 <= -half_turn, turn),
-        q2_pmp = only_wide(-v82 <= -half_turn, turn) - v82,
-        q2_mpp = v83 + only_wide(v83 <= -half_turn, turn),
+        v83 = angle10 - offset2, v84 = offset2 + angle10, q2_ppp = raised_wide(v81),
+        q2_pmp = only_wide(-v82 <= -half_turn, turn) - v82, q2_mpp = raised_wide(v83),
         q2_mmp = only_wide(-v84 <= -half_turn, turn) - v84, angle11 = atan2_wide(-v4, -v2),
-        v85 = angle11 - offset4, v86 = offset4 + angle11,
-        q4_ppp = v85 + only_wide(v85 <= -half_turn, turn),
+        v85 = angle11 - offset4, v86 = offset4 + angle11, q4_ppp = raised_wide(v85),
         q4_mpp = only_wide(-v86 <= -half_turn, turn) - v86,
         angle12 = atan2_wide(w5_p, -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))),
         angle13 = atan2_wide(w5_m, v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53),
         v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6,
-        v90 = offset6 + angle13, q6_ppp = v87 + only_wide(v87 <= -half_turn, turn),
-        q6_ppm = only_wide(-v88 <= -half_turn, turn) - v88,
-        q6_mpp = v89 + only_wide(v89 <= -half_turn, turn),
+        v90 = offset6 + angle13, q6_ppp = raised_wide(v87),
+        q6_ppm = only_wide(-v88 <= -half_turn, turn) - v88, q6_mpp = raised_wide(v89),
         q6_mpm = only_wide(-v90 <= -half_turn, turn) - v90;
     const wide_mask v91 = exceeds(q4_ppp, 4), v92 = exceeds(q4_mpp, 4), v93 = exceeds(angle3, 5),
         v94 = exceeds(q5_ppm, 5), v95 = exceeds(angle4, 5), v96 = exceeds(q5_mpm, 5),
@@ -678,10 +678,9 @@ HELPER int solve_regular(
         angle4 = shuffle(packed4, packed4, 1, 1, 3, 3);
     const four q3_p = angle1 + v34 * v35, q5_m = angle2 - signed_four(half_turn, Y5),
         q7_m = angle3 - signed_four(half_turn, v51), v53 = angle4 + v35 * v52 - offset1,
-        q1_p = v53 + only_four(v53 <= -half_turn, turn), v54 = e2 * angle5 - offset2,
-        q2_p = v54 + only_four(v54 <= -half_turn, turn), v55 = e1 * angle6 - offset4,
-        q4_p = v55 + only_four(v55 <= -half_turn, turn), v56 = angle7 - offset6,
-        v57 = offset6 + angle7, q6_p = v56 + only_four(v56 <= -half_turn, turn),
+        q1_p = raised_four(v53), v54 = e2 * angle5 - offset2, q2_p = raised_four(v54),
+        v55 = e1 * angle6 - offset4, q4_p = raised_four(v55), v56 = angle7 - offset6,
+        v57 = offset6 + angle7, q6_p = raised_four(v56),
         q6_m = only_four(-v57 <= -half_turn, turn) - v57;
     const four_mask v58 = exceeds_four(q4_p, 4), v59 = exceeds_four(angle2, 5),
         v60 = exceeds_four(q5_m, 5), v61 = exceeds_four(q6_p, 6), v62 = exceeds_four(q6_m, 6),

@@ -54,20 +54,17 @@ void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42]);
 double kuka_iiwa14_arm_angle_arm_angle(const double q[7]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE, also for a
- * seed that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE, also for a seed that is not finite where it may be
+ * needed. */
 int kuka_iiwa14_arm_angle_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns KUKA_IIWA14_ARM_ANGLE_OK or KUKA_IIWA14_ARM_ANGLE_FREE_JOINT, or, with NaN in q,
+ * q_seed. Returns KUKA_IIWA14_ARM_ANGLE_OK or KUKA_IIWA14_ARM_ANGLE_FREE_JOINT, or, with NaN in q,
  * minus KUKA_IIWA14_ARM_ANGLE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
- * that is not finite. */
+ * seed that is not finite. */
 int kuka_iiwa14_arm_angle_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7]);
 

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,14 +232,15 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -265,7 +267,6 @@ static const double
     k2 = 0.135, /* 2 * a3 * a2 [m^2] */
     k3 = 3.815416, /* a2^2 + (d4^2 + a3^2) [m^2] */
     k4 = 0.07101907039587806, /* 1 / (k1^2 + k2^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1.7698849000000003e-07, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m3 = 1.73640268392503e-11,
@@ -445,11 +446,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle18 = atan2_wide(S2_pp, C2_pp), v46 = angle18 - offset2,
         angle19 = atan2_wide(S2_pm, C2_pm), v47 = angle19 - offset2,
         angle20 = atan2_wide(S2_mp, C2_mp), v48 = angle20 - offset2,
-        angle21 = atan2_wide(S2_mm, C2_mm), v49 = angle21 - offset2,
-        q2_ppp = v46 + only_wide(half_turn < v46, -turn),
-        q2_pmp = v47 + only_wide(half_turn < v47, -turn),
-        q2_mpp = v48 + only_wide(half_turn < v48, -turn),
-        q2_mmp = v49 + only_wide(half_turn < v49, -turn), q1_ppp = angle1 + (w3_p - w3_p),
+        angle21 = atan2_wide(S2_mm, C2_mm), v49 = angle21 - offset2, q2_ppp = lowered_wide(v46),
+        q2_pmp = lowered_wide(v47), q2_mpp = lowered_wide(v48), q2_mmp = lowered_wide(v49),
+        q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
     const wide_mask doubt1 = (v35 <= m10) | (v33 <= m10) | (v31 <= m10) | (v30 <= m10) |
         (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
@@ -537,7 +536,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle6 = angle_four(ratio2), angle2 = angle_four(ratio3), angle3 = angle_four(ratio4),
         angle5 = angle_four(ratio5), angle4 = angle_four(ratio6);
     const four q4_m = angle3 - v18, q6_m = angle5 - signed_four(half_turn, v23),
-        v24 = angle6 - offset2, q2_p = v24 + only_four(half_turn < v24, -turn),
+        v24 = angle6 - offset2, q2_p = lowered_four(v24),
         q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle2, angle3);
@@ -833,8 +832,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -137,7 +137,6 @@ k1 = 3.75  # 2 * d4 * a2 [m^2]
 k2 = 0.135  # 2 * a3 * a2 [m^2]
 k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.7698849000000003e-07  # doubt_limit1^2 [m^2]
 m3 = 1.73640268392503e-11  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m4 = 0.009587574503443538  # a coefficient of v4
@@ -149,6 +148,7 @@ m9 = 0.27616640000000003  # a coefficient of X2_2
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -384,7 +384,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 683abfb564fc4219"
+_KEY = "kuka_kr210 e85cb249e6c1a761"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -219,14 +220,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -337,11 +342,9 @@ static void shorten(double step[4])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[4])
@@ -420,8 +423,7 @@ static double descended(struct descent *d, int steps, double exact, double q[4],
 }
 
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
- * much
- * it misses the pose then, `first` being what it misses before. */
+ * much it misses the pose then, `first` being what it misses before. */
 static double tightened(struct descent *d, double exact, double first, double q[4], int *moved)
 {
     double end[4];
@@ -472,8 +474,7 @@ static double exactness(const double T[16])
 }
 
 /* Tightens the rows; ends those that do not fit, and all but one of those that have become the
- * same.
- * Where one is exact the pose has not been rounded: then all have to be exact. */
+ * same. Where one is exact the pose has not been rounded: then all have to be exact. */
 static void tighten(const double T[16], double q[2][4], unsigned char status[2])
 {
     struct descent d = { .T = T };
@@ -522,7 +523,6 @@ static const double
     k1 = 1.2800000000000002, /* 2 * a3 * a2 [m^2] */
     k2 = 0.7812499999999999, /* 1 / k1 [m^-2] */
     doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.8076207197736455e-13,
@@ -669,13 +669,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         | (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | ((m6 < v27) & (v27 <=
         m7)) | ((m6 < v28) & (v28 <= m7));
 
-    q[0] = v32 + v34; q[1] = angle3 + v32; q[2] = angle2 + v32;
-    q[3] = v32 + (v29 + pick_wide(v29 <= -half_turn, all_wide(turn), only_wide(half_turn < v29,
-        -turn)));
+    q[0] = v32 + v34; q[1] = angle3 + v32; q[2] = angle2 + v32; q[3] = v32 + centred_wide(v29);
     kind[0] = kind_of(q[0], 0);
-    q[4] = v33 + v34; q[5] = angle4 + v33; q[6] = v33 - angle2;
-    q[7] = v33 + (v30 + pick_wide(v30 <= -half_turn, all_wide(turn), only_wide(half_turn < v30,
-        -turn)));
+    q[4] = v33 + v34; q[5] = angle4 + v33; q[6] = v33 - angle2; q[7] = v33 + centred_wide(v30);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -736,9 +732,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle1 = shuffle(packed2, packed2, 2, 2, 2, 2),
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3);
     const four v25 = e1 * angle2, v26 = angle1 - (angle3 + v25), v29 = angle4 + (w3 - w3),
-        q1 = v28 + v29, q2 = angle3 + v28, q3 = v25 + v28,
-        q4 = v28 + (v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26,
-            -turn)));
+        q1 = v28 + v29, q2 = angle3 + v28, q3 = v25 + v28, q4 = v28 + centred_four(v26);
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -983,8 +977,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -1014,7 +1008,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : KUKA_KR40PA_UNREACHABLE;
@@ -1039,8 +1033,7 @@ static void start_of(const struct descent *d, int k, double u[4])
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[4])
 {
     double least = HUGE_VAL, little = 1e-13, best[4], step[4];
@@ -1255,8 +1248,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
-    status[2])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
     const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

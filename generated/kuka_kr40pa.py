@@ -128,7 +128,6 @@ doubtful_slack1 = 0.022  # a row may miss the pose by this before it is tightene
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / k1 [m^-2]
 doubt_limit_squared2 = 4.839999999999999e-08  # square of a length that fixes no angle [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 1.8076207197736455e-13  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 0.0001802301952675207  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -138,6 +137,7 @@ m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
 m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -335,7 +335,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa f300d3bac914ffa6"
+_KEY = "kuka_kr40pa 10095d354603c4cc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

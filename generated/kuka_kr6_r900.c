@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,14 +232,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -267,7 +270,6 @@ static const double
     k2 = 0.022750000000000003, /* 2 * a3 * a2 [m^2] */
     k3 = 0.38405, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 6.821542862115762, /* 1 / (k1^2 + k2^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.5113426674862398, /* a constant angle [rad] */
     m1 = 2.0022250000000006e-08, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -439,16 +441,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v43 = angle10 - offset2, angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11)),
         v44 = angle11 - offset2, angle12 = atan2_wide(w3_m * (m4 * v4) - v7, -(v9 + w3_m * v10)),
         v45 = angle12 - offset2, angle13 = atan2_wide(w3_m * (m4 * -v4) - v7, -(v9 + w3_m * v11)),
-        v46 = angle13 - offset2, q2_ppp = v43 + only_wide(half_turn < v43, -turn),
-        q2_pmp = v44 + only_wide(half_turn < v44, -turn),
-        q2_mpp = v45 + only_wide(half_turn < v45, -turn),
-        q2_mmp = v46 + only_wide(half_turn < v46, -turn), angle14 = atan2_wide(w3_p, N3_p - k3),
-        angle15 = atan2_wide(w3_m, N3_m - k3), v47 = angle14 - turn1 - offset3,
-        v48 = offset3 + (turn1 + angle14), v49 = angle15 - turn1 - offset3,
-        v50 = offset3 + (turn1 + angle15), q3_ppp = v47 + only_wide(half_turn < v47, -turn),
-        q3_pmp = only_wide(half_turn < -v48, -turn) - v48,
-        q3_mpp = v49 + only_wide(half_turn < v49, -turn),
-        q3_mmp = only_wide(half_turn < -v50, -turn) - v50,
+        v46 = angle13 - offset2, q2_ppp = lowered_wide(v43), q2_pmp = lowered_wide(v44),
+        q2_mpp = lowered_wide(v45), q2_mmp = lowered_wide(v46),
+        angle14 = atan2_wide(w3_p, N3_p - k3), angle15 = atan2_wide(w3_m, N3_m - k3),
+        v47 = angle14 - turn1 - offset3, v48 = offset3 + (turn1 + angle14),
+        v49 = angle15 - turn1 - offset3, v50 = offset3 + (turn1 + angle15),
+        q3_ppp = lowered_wide(v47), q3_pmp = only_wide(half_turn < -v48, -turn) - v48,
+        q3_mpp = lowered_wide(v49), q3_mmp = only_wide(half_turn < -v50, -turn) - v50,
         angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26),
         angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26),
         angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26),
@@ -460,26 +459,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask doubt1 = (v31 <= m10) | (v30 <= m10) | (v29 <= m10) | (v28 <= m10) |
         (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2;
-    q[4] = v51 + only_wide(v51 <= -half_turn, turn); q[5] = angle6;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2; q[4] = raised_wide(v51);
+    q[5] = angle6;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle2 - v32;
     q[10] = only_wide(-v52 <= -half_turn, turn) - v52; q[11] = angle6 - signed_wide(half_turn, v38);
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle3;
-    q[16] = v53 + only_wide(v53 <= -half_turn, turn); q[17] = angle7;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle3; q[16] = raised_wide(v53);
+    q[17] = angle7;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle3 - v32;
     q[22] = only_wide(-v54 <= -half_turn, turn) - v54; q[23] = angle7 - signed_wide(half_turn, v39);
     kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4;
-    q[28] = v55 + only_wide(v55 <= -half_turn, turn); q[29] = angle8;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4; q[28] = raised_wide(v55);
+    q[29] = angle8;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle4 - v33;
     q[34] = only_wide(-v56 <= -half_turn, turn) - v56; q[35] = angle8 - signed_wide(half_turn, v40);
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle5;
-    q[40] = v57 + only_wide(v57 <= -half_turn, turn); q[41] = angle9;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle5; q[40] = raised_wide(v57);
+    q[41] = angle9;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle5 - v33;
     q[46] = only_wide(-v58 <= -half_turn, turn) - v58; q[47] = angle9 - signed_wide(half_turn, v41);
@@ -548,11 +547,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle2 = angle_four(ratio3), angle3 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_m = angle2 - v21, q6_m = angle3 - signed_four(half_turn, v26),
-        v27 = angle4 - offset2, q2_p = v27 + only_four(half_turn < v27, -turn),
-        v28 = e2 * angle5 - turn1 - offset3, q3_p = v28 + only_four(half_turn < v28, -turn),
-        v29 = angle6 - offset5, v30 = offset5 + angle6,
-        q5_p = v29 + only_four(v29 <= -half_turn, turn),
-        q5_m = only_four(-v30 <= -half_turn, turn) - v30,
+        v27 = angle4 - offset2, q2_p = lowered_four(v27), v28 = e2 * angle5 - turn1 - offset3,
+        q3_p = lowered_four(v28), v29 = angle6 - offset5, v30 = offset5 + angle6,
+        q5_p = raised_four(v29), q5_m = only_four(-v30 <= -half_turn, turn) - v30,
         q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle2);
@@ -853,8 +850,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

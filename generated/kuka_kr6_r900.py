@@ -140,7 +140,6 @@ k1 = 0.3822  # 2 * d4 * a2 [m^2]
 k2 = 0.022750000000000003  # 2 * a3 * a2 [m^2]
 k3 = 0.38405  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.821542862115762  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5113426674862398  # a constant angle [rad]
 m1 = 2.0022250000000006e-08  # doubt_limit1^2 [m^2]
 m3 = 1.8983996380000456e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
@@ -153,6 +152,7 @@ m9 = 0.0021183448665442767  # a coefficient of c23
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -398,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr6_r900 c966bf477272cd74"
+_KEY = "kuka_kr6_r900 9f9997859c423f22"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

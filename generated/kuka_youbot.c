@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -227,14 +228,19 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -262,7 +268,6 @@ static const double
     pose_slack1 = 6.875e-06, /* a pose may be rounded by this [m] */
     k1 = 0.04225, /* a2^2 + a3^2 [m^2] */
     k2 = 23.894862604540023, /* 1 / (2 * a3 * a2) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -445,9 +450,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v77 = angle6 - offset2, v78 = angle7 - offset2, v79 = angle8 - offset2,
         v80 = angle9 - offset2, v81 = angle2 - (angle4 + angle6) - offset4,
         v82 = angle2 - (angle7 - angle4) - offset4, v83 = offset4 + (angle2 + (angle5 + angle8)),
-        v84 = offset4 + (angle2 + (angle9 - angle5)),
-        v85 = v81 + pick_wide(v81 <= -half_turn, all_wide(turn), only_wide(half_turn < v81, -turn)),
-        v86 = v82 + pick_wide(v82 <= -half_turn, all_wide(turn), only_wide(half_turn < v82, -turn)),
+        v84 = offset4 + (angle2 + (angle9 - angle5)), v85 = centred_wide(v81),
+        v86 = centred_wide(v82),
         v87 = pick_wide(-v83 <= -half_turn, all_wide(turn), only_wide(half_turn < -v83, -turn)) -
             v83,
         v88 = pick_wide(-v84 <= -half_turn, all_wide(turn), only_wide(half_turn < -v84, -turn)) -
@@ -463,19 +467,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v57 * v57 + v58 * v58 + v59 * v59 + v60 * v60) | (abs_wide(D3_p) <= m4) | (abs_wide(D3_m) <=
         m4);
 
-    q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, turn)); q[2] = angle4 + v90;
-    q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, turn)); q[4] = v90 + v96;
+    q[0] = v90 + v94; q[1] = v90 + raised_wide(v77); q[2] = angle4 + v90;
+    q[3] = v90 + raised_wide(v85); q[4] = v90 + v96;
     kind[0] = kind_of(q[0], 0);
-    q[5] = v91 + v94; q[6] = v91 + (v78 + only_wide(v78 <= -half_turn, turn)); q[7] = v91 - angle4;
-    q[8] = v91 + (v86 + only_wide(v86 <= -half_turn, turn)); q[9] = v91 + v96;
+    q[5] = v91 + v94; q[6] = v91 + raised_wide(v78); q[7] = v91 - angle4;
+    q[8] = v91 + raised_wide(v86); q[9] = v91 + v96;
     kind[1] = kind_of(q[5], 0);
-    q[10] = v92 + v95; q[11] = v92 + (v79 + only_wide(v79 <= -half_turn, turn));
-    q[12] = angle5 + v92; q[13] = v92 + (v87 + only_wide(v87 <= -half_turn, turn));
-    q[14] = v92 + v97;
+    q[10] = v92 + v95; q[11] = v92 + raised_wide(v79); q[12] = angle5 + v92;
+    q[13] = v92 + raised_wide(v87); q[14] = v92 + v97;
     kind[2] = kind_of(q[10], 0);
-    q[15] = v93 + v95; q[16] = v93 + (v80 + only_wide(v80 <= -half_turn, turn));
-    q[17] = v93 - angle5; q[18] = v93 + (v88 + only_wide(v88 <= -half_turn, turn));
-    q[19] = v93 + v97;
+    q[15] = v93 + v95; q[16] = v93 + raised_wide(v80); q[17] = v93 - angle5;
+    q[18] = v93 + raised_wide(v88); q[19] = v93 + v97;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -556,12 +558,9 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle1 = shuffle(packed2, packed2, 1, 1, 1, 1),
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle5 = angle_four(ratio3);
     const four v49 = angle5 - offset2, v50 = e2 * angle4, v51 = e1 * angle2,
-        v52 = v51 - (angle5 + v50) - offset4,
-        v53 = v52 + pick_four(v52 <= -half_turn, all_four(turn), only_four(half_turn < v52, -turn)),
-        v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
-        q2 = v55 + (v49 + only_four(v49 <= -half_turn, turn)), q3 = v50 + v55,
-        q4 = v55 + (v53 + only_four(v53 <= -half_turn, turn)), v57 = v23 + (angle3 + v7 * v14),
-        q5 = v55 + v57;
+        v52 = v51 - (angle5 + v50) - offset4, v53 = centred_four(v52),
+        v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56, q2 = v55 + raised_four(v49), q3 = v50 + v55,
+        q4 = v55 + raised_four(v53), v57 = v23 + (angle3 + v7 * v14), q5 = v55 + v57;
 
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
@@ -839,8 +838,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -860,8 +859,8 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
+/* Several joints are free and none serves alone: in turn each goes to where the arm came
+ * nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 1, 2, 3 };
@@ -886,7 +885,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
@@ -1023,8 +1022,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
-    status[4])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
     const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

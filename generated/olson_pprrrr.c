@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -232,14 +233,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -257,7 +262,6 @@ static const double
     /* the same where they follow an angle that is good to few digits [m] */
     blur_slack1 = 6.999999999999999e-11,
     doubt_limit_squared2 = 4.9e-07, /* square of a length that fixes no angle [m^2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 4.0;
@@ -401,13 +405,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= blur_slack1 *
         (blur_slack1 + 2.0 * abs_wide(v5)) * 10.0) | (v1 <= m1);
 
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp;
-    q[3] = v20 + pick_wide(v20 <= -half_turn, all_wide(turn), only_wide(half_turn < v20, -turn));
-    q[4] = angle4; q[5] = q6_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = centred_wide(v20); q[4] = angle4; q[5] = q6_pp;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp;
-    q[9] = v21 + pick_wide(v21 <= -half_turn, all_wide(turn), only_wide(half_turn < v21, -turn));
-    q[10] = angle5; q[11] = q6_pp;
+    q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp; q[9] = centred_wide(v21); q[10] = angle5;
+    q[11] = q6_pp;
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_pm; q[13] = q2_pm; q[14] = q3_mp;
     q[15] = pick_wide(-v22 <= -half_turn, all_wide(turn), only_wide(half_turn < -v22, -turn)) - v22;
@@ -474,8 +475,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = shuffle(packed1, packed1, 2, 2, 2, 2), angle4 = angle_four(ratio2);
-    const four v25 = e1 * angle2, v26 = v25 - angle4,
-        q4 = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26, -turn)),
+    const four v25 = e1 * angle2, v26 = v25 - angle4, q4 = centred_four(v26),
         q3 = v10 + (angle1 + v3 * v4), q6 = v10 + (angle3 + v4 * v7);
 
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
@@ -731,8 +731,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -763,7 +763,7 @@ static void choose_again(
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     if (revolute[lost.joint])
         lost.start = fmod(lost.start, turn);
-const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : OLSON_PPRRRR_UNREACHABLE;
@@ -900,8 +900,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[4][6], unsigned char
-    status[4])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -125,11 +125,11 @@ merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
 # the same where they follow an angle that is good to few digits [m]
 blur_slack1 = 6.999999999999999e-11
 doubt_limit_squared2 = 4.9e-07  # square of a length that fixes no angle [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 4.0  # a coefficient of Y5
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr ce8d66969a17b67a"
+_KEY = "olson_pprrrr cc1a3c51766b2aef"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

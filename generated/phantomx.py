@@ -127,7 +127,6 @@ doubtful_slack1 = 3.5500000000000003  # a row may miss the pose by this before i
 k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / k1 [mm^-2]
 doubt_limit_squared2 = 0.0012602499999999999  # square of a length that fixes no angle [mm^2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 6.577829481102304e-05  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4]
 m3 = 65755.87888877846  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4]
@@ -137,6 +136,7 @@ m6 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
 m7 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 69bddb1b56733b33"
+_KEY = "phantomx 0a2de4157cc71a75"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

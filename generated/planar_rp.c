@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -38,8 +39,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -204,14 +205,21 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -220,7 +228,6 @@ HELPER void transpose(wide x[LANES])
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
@@ -310,9 +317,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide angle1 = atan2_wide(T14, -T24), v2 = angle1 - offset1,
         v3 = angle1 - signed_wide(half_turn, T14) - offset1;
 
-    q[0] = v2 + only_wide(v2 <= -half_turn, turn); q[1] = q2_p;
+    q[0] = raised_wide(v2); q[1] = q2_p;
     kind[0] = kind_of(q[0], beyond(q2_p, 2));
-    q[2] = v3 + only_wide(v3 <= -half_turn, turn); q[3] = -q2_p;
+    q[2] = raised_wide(v3); q[3] = -q2_p;
     kind[1] = kind_of(q[2], beyond(-q2_p, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -344,8 +351,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const four_ratio ratio1 = ratio_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24,
         -T24 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0);
-    const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1,
-        q1 = v3 + only_four(v3 <= -half_turn, turn);
+    const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1, q1 = raised_four(v3);
 
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -653,8 +659,8 @@ static int settle(const double T[16], double enough, double most, double q[2])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[2][2], const unsigned char status[2])
 {
     double x[2], half[2], to[2], *q = rows[row], off = beyond_limits(q);
@@ -705,8 +711,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2], unsigned char
-    status[2])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
     const double zeros[2] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

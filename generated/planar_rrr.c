@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -239,14 +240,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -268,7 +273,6 @@ static const double
     pose_slack1 = 8.5e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 5.715428130771723e-14,
     m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
@@ -392,13 +396,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         T23 * T23 + T13 * T13 + v12 * v12) | ((m6 < v17) & (v17 <= m8)) | ((m6 < v18) & (v18 <=
         m8));
 
-    q[0] = angle3 + v22; q[1] = angle2 + v22;
-    q[2] = v22 + (v19 + pick_wide(v19 <= -half_turn, all_wide(turn), only_wide(half_turn < v19,
-        -turn)));
+    q[0] = angle3 + v22; q[1] = angle2 + v22; q[2] = v22 + centred_wide(v19);
     kind[0] = kind_of(q[0], 0);
-    q[3] = angle4 + v23; q[4] = v23 - angle2;
-    q[5] = v23 + (v20 + pick_wide(v20 <= -half_turn, all_wide(turn), only_wide(half_turn < v20,
-        -turn)));
+    q[3] = angle4 + v23; q[4] = v23 - angle2; q[5] = v23 + centred_wide(v20);
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -452,8 +452,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
     const four v18 = e1 * angle2, v19 = angle1 - (angle3 + v18), q1 = angle3 + v21, q2 = v18 + v21,
-        q3 = v21 + (v19 + pick_four(v19 <= -half_turn, all_four(turn), only_four(half_turn < v19,
-            -turn)));
+        q3 = v21 + centred_four(v19);
 
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
@@ -687,8 +686,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -708,8 +707,8 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
+/* Several joints are free and none serves alone: in turn each goes to where the arm came
+ * nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 1, 2 };
@@ -734,7 +733,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
@@ -871,8 +870,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3], unsigned char
-    status[2])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
     const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -123,7 +123,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 5.715428130771723e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
@@ -134,6 +133,7 @@ m7 = 1.0000000000000002e-10  # pose_slack^2
 m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -292,7 +292,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 7305408c8db3f132"
+_KEY = "planar_rrr d13aab1888e2a2f5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and the same over the arm's size. */
@@ -76,11 +77,9 @@ static void shorten(double step[4])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[2], double length, double little,
     double step[4])
@@ -478,8 +477,8 @@ static int settle(const double T[16], double enough, double most, double q[4])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[1][4], const unsigned char status[1])
 {
     double x[4], half[4], to[4], *q = rows[row], off = beyond_limits(q);

@@ -48,19 +48,15 @@ void prismatic_2_wrist_fk(const double q[6], double T[16]);
 void prismatic_2_wrist_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -PRISMATIC_2_WRIST_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -PRISMATIC_2_WRIST_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int prismatic_2_wrist_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns PRISMATIC_2_WRIST_OK or PRISMATIC_2_WRIST_FREE_JOINT, or, with NaN in q,
- * minus PRISMATIC_2_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
- * that is not finite. */
+ * q_seed. Returns PRISMATIC_2_WRIST_OK or PRISMATIC_2_WRIST_FREE_JOINT, or, with NaN in q, minus
+ * PRISMATIC_2_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
 int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* prismatic_2_wrist_ik without a seed for n poses: T holds n x 16 numbers,

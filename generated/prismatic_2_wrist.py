@@ -145,7 +145,6 @@ k6 = 132.4412808495909  # 1 / k4 [m^-2]
 f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 doubt_limit_squared2 = 1.5375999999999998e-08  # square of a length that fixes no angle [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 11.314168873492461  # a coefficient of v12
 m2 = 0.7750600530519154  # a coefficient of v12
 m3 = 2.1049616508823186  # a coefficient of v12
@@ -153,6 +152,7 @@ m4 = 4.165947785154044  # a coefficient of s3
 m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -379,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist b2f75a976b60163f"
+_KEY = "prismatic_2_wrist 6b517892fb663cb5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -136,7 +136,6 @@ k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
 k6 = 2.681666262986505  # 1 / k5 [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.435176934946171e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 1.1579434923575729  # a coefficient of v5
 m3 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
@@ -145,6 +144,7 @@ m5 = 2.3158869847151458  # a coefficient of s23
 m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma e74297500797d0c7"
+_KEY = "puma b19134e3014251eb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

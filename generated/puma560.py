@@ -138,7 +138,6 @@ k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345
@@ -153,6 +152,7 @@ m7 = 0.000477176933765627  # a coefficient of X1_2
 m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 acf1da7cbf2b3bfb"
+_KEY = "puma560 34b85726e419acc2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

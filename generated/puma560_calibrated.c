@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -118,11 +119,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -163,8 +162,7 @@ static void damped_step(
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -316,9 +314,8 @@ static double sideways(const struct descent *d, double along[6])
 }
 
 /* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
 static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], end[2][6];
@@ -445,13 +442,12 @@ static void sorted_rows(
 }
 
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
- * parallel
- * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
- * determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+ * parallel axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two
+ * partners, a determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
  *
- * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
- * below that has the type puma560_calibrated_lane does PUMA560_CALIBRATED_LANES angles or
- * candidates at once.
+ * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything below
+ * that has the type puma560_calibrated_lane does PUMA560_CALIBRATED_LANES angles or candidates at
+ * once.
  */
 /* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
  * machine's are slow: compile for the machine, or set PUMA560_CALIBRATED_LANES to 1, 2, 4 or 8. */
@@ -631,8 +627,7 @@ static const puma560_calibrated_formulation puma560_calibrated_formulations[2] =
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose
- * values are given, what stands before, between and behind these. */
+ * whose values are given, what stands before, between and behind these. */
 static const double puma560_calibrated_constant[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.005748047346394125, 0.0014848100854468322,
         0.00061867086893618, -0.9999987062918463, -0.10776509798954229, 0.9230757288847813,
@@ -1463,8 +1458,7 @@ static inline void puma560_calibrated_to_unit(puma560_calibrated_lane *c, puma56
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
  * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half
- * as many operations wait for each other. */
+ * that half as many operations wait for each other. */
 static inline puma560_calibrated_lane puma560_calibrated_reflect(puma560_calibrated_lane *const
     *row, int rows, int column, int columns)
 {
@@ -1494,8 +1488,7 @@ static inline puma560_calibrated_lane puma560_calibrated_reflect(puma560_calibra
 }
 
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
- * and
- * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
+ * and (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
 static inline void puma560_calibrated_act(const double K[12], puma560_calibrated_lane x[15])
 {
     const double t[3] = {K[3], K[7], K[11]};
@@ -1578,8 +1571,7 @@ static void puma560_calibrated_pass(const double K[12], double from[15][40], int
 }
 
 /* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say
- * how to reflect others. */
+ * say how to reflect others. */
 static inline void puma560_calibrated_clear(double A[6][8], int rows, int columns, double
     axis[6][8],
                                  double factor[6])
@@ -1623,8 +1615,7 @@ static inline void puma560_calibrated_mirror(double axis[6][8], const double fac
 }
 
 /* The features of the left side: column 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3, 1 (i)
- * and
- * x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+ * and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
 static void puma560_calibrated_left_side(const puma560_calibrated_formulation *form, double
     link[6][12], double to[15][32])
 {
@@ -1648,8 +1639,7 @@ static void puma560_calibrated_left_side(const puma560_calibrated_formulation *f
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
  * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
- * left
- * side's features have columns like these. */
+ * left side's features have columns like these. */
 static void puma560_calibrated_equations(const puma560_calibrated_formulation *form, double
     link[6][12], const double (*left)[32],
                          double E[192])
@@ -1657,8 +1647,7 @@ static void puma560_calibrated_equations(const puma560_calibrated_formulation *f
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
     /* the features that the outer joint of the right side leaves alone, and those that it mixes:
-     * the
-     * former hold two of the eight monomials, the latter six */
+     * the former hold two of the eight monomials, the latter six */
     static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
     x[0][0] = x[3][0] = 1.0; /* the origin and z */
@@ -1761,8 +1750,7 @@ typedef struct {
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
  * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where
- * a closer look shows no root. `complete` says that no cell was given up. */
+ * where a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, complete;
     double c[PUMA560_CALIBRATED_ROOTS + 8], s[PUMA560_CALIBRATED_ROOTS + 8];
@@ -1770,8 +1758,7 @@ typedef struct {
 } puma560_calibrated_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the
- * value of a parabola over its bend where two complex roots count as a double one. */
+ * the value of a parabola over its bend where two complex roots count as a double one. */
 typedef struct {
     int middle, reach;
     double lifted;
@@ -1853,8 +1840,7 @@ static void puma560_calibrated_fill_grids(const puma560_calibrated_trigonometric
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and
- * f' at both edges are not all of the sign of the first beyond doubt. */
+ * and f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long puma560_calibrated_open_cells(const puma560_calibrated_grid *g, int from,
     double doubt)
 {
@@ -1916,8 +1902,7 @@ static void puma560_calibrated_add_root(puma560_calibrated_roots *roots, double 
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about
- * where what is looked for lies, in parts of the width. */
+ * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
     double c[48], s[48], width[48], start[48];
@@ -1974,8 +1959,7 @@ static void puma560_calibrated_take_parts(puma560_calibrated_parts *parts, int f
 }
 
 /* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in
- * parts of the width. */
+ * 1), in parts of the width. */
 static inline puma560_calibrated_lane puma560_calibrated_on_quintic(int order, const
     puma560_calibrated_spans *part)
 {
@@ -2041,10 +2025,8 @@ static inline void puma560_calibrated_turn_on(puma560_calibrated_lane x, puma560
 }
 
 /* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where
- * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
- * f''
- * there, as far as an extremum is concerned. */
+ * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
+ * f, f', f'' there, as far as an extremum is concerned. */
 static inline puma560_calibrated_lane puma560_calibrated_between(const
     puma560_calibrated_trigonometric *f, int order, double settled,
                                            const puma560_calibrated_spans *part,
@@ -2196,8 +2178,8 @@ static inline void puma560_calibrated_kinds(const puma560_calibrated_trigonometr
         least[2] = puma560_calibrated_min(least[2], second);
         most[2] = puma560_calibrated_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     * */
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
+     * ends */
     PUMA560_CALIBRATED_STORE(bounds[0], least[0]);
     PUMA560_CALIBRATED_STORE(bounds[1], most[0]);
     PUMA560_CALIBRATED_STORE(bounds[2], puma560_calibrated_max(least[1], -most[1]) - doubt * share);
@@ -2381,17 +2363,14 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps
- * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
- * all
- * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+ * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
+ * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
 typedef struct {
     double x, y;
 } puma560_calibrated_lens;
 
 /* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a
- * polynomial in psi. */
+ * f a polynomial in psi. */
 static inline puma560_calibrated_lane puma560_calibrated_through(const puma560_calibrated_lens *a,
     puma560_calibrated_lane *c, puma560_calibrated_lane *s)
 {
@@ -2412,9 +2391,8 @@ static inline puma560_calibrated_lane puma560_calibrated_weighted(puma560_calibr
 }
 
 /* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f|
- * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
- * circle, that of its mirror image for z outside. */
+ * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+ * the circle, that of its mirror image for z outside. */
 static int puma560_calibrated_spread(const double samples[24], puma560_calibrated_lens *a)
 {
     double x = 0.0, y = 0.0, square, part;
@@ -2473,8 +2451,7 @@ static int puma560_calibrated_keep_roots(int near, double cosine, double sine, c
 }
 
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were
- * known. Returns 0, and leaves these, where that does not show all. */
+ * were known. Returns 0, and leaves these, where that does not show all. */
 static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const void *of, double
     cosine, double sine,
                            puma560_calibrated_roots *roots)
@@ -2527,8 +2504,7 @@ static int puma560_calibrated_any_near(const puma560_calibrated_roots *roots, do
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was
- * given up stands among them. */
+ * was given up stands among them. */
 static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, const void *of,
     puma560_calibrated_roots *roots)
 {
@@ -2606,12 +2582,10 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
 }
 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
- * simple
- * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular: it has
- * no
- * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
- * the determinant does not tell. */
+ * simple roots come first, one candidate each; after them those of roots that may be double,
+ * `group` being the same for all that belong to one such root, which is none where the matrix is
+ * regular: it has no singular value that is next to nothing, and not two small ones, as where so
+ * many roots crowd that the determinant does not tell. */
 typedef struct {
     int count, groups, group[PUMA560_CALIBRATED_CANDIDATES], regular[PUMA560_CALIBRATED_CANDIDATES];
     double c[PUMA560_CALIBRATED_CANDIDATES], s[PUMA560_CALIBRATED_CANDIDATES],
@@ -3135,9 +3109,8 @@ static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta
 }
 
 /* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the
- * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
- * candidates singular solutions are marked. */
+ * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
+ * `doubtful` candidates singular solutions are marked. */
 static unsigned puma560_calibrated_offer(const puma560_calibrated_loop *loop,
     puma560_calibrated_lane c[6], puma560_calibrated_lane s[6], int count,
                               int steps, int doubtful, puma560_calibrated_found *found,
@@ -3227,12 +3200,10 @@ static void puma560_calibrated_close_roots(const double *E, const puma560_calibr
 }
 
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
- * there
- * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
- * nearly vanishes all around, rounding of the equations may lift it off a double root, which
- * nothing
- * but they tell. */
+ * there is another one for each of them and two more for each double root, or a singular one; and
+ * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
+ * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
+ * which nothing but they tell. */
 static int puma560_calibrated_settle(const puma560_calibrated_formulation *form, const
     puma560_calibrated_loop *loop,
                           double link[6][12], const puma560_calibrated_candidates *all,
@@ -3363,10 +3334,8 @@ static unsigned puma560_calibrated_follow_back(const puma560_calibrated_loop *lo
 }
 
 /* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side
- * only: both sides have to have as many as are found. Around a singular pose none of them has to
- * have
- * all solutions: then all are looked at. */
+ * side only: both sides have to have as many as are found. Around a singular pose none of them has
+ * to have all solutions: then all are looked at. */
 static int puma560_calibrated_from_nearby(const puma560_calibrated_loop *loop,
     puma560_calibrated_found *found)
 {
@@ -3436,8 +3405,8 @@ static void puma560_calibrated_merge(puma560_calibrated_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
- * */
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+ * next. */
 static int puma560_calibrated_before(const double a[6], const double b[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -3450,12 +3419,10 @@ static int puma560_calibrated_before(const double a[6], const double b[6])
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
- * are
- * all: for want of a certificate of its own (where every polynomial vanishes identically there may
- * be a
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
+ * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
+ * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
+ * for want of a certificate of its own (where every polynomial vanishes identically there may be a
  * continuum, which poses close by do not have), or because roots met or the arm is singular at a
  * solution, or nearly, so that steps did not make it exact. */
 static int puma560_calibrated_general(const double T[16], double q[16][6],

@@ -48,18 +48,14 @@ void puma560_calibrated_fk(const double q[6], double T[16]);
 void puma560_calibrated_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -PUMA560_CALIBRATED_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -PUMA560_CALIBRATED_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int puma560_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
- * q_seed.
- * Returns PUMA560_CALIBRATED_OK or PUMA560_CALIBRATED_FREE_JOINT, or, with NaN in q,
- * minus PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
- * seed
+ * q_seed. Returns PUMA560_CALIBRATED_OK or PUMA560_CALIBRATED_FREE_JOINT, or, with NaN in q, minus
+ * PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
 int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 

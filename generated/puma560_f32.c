@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const float turn = 6.2831855f;
+#define half_turn (0.5f * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -47,8 +48,8 @@ static const float odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0f) * (y))
 #define ARCTANGENT(v) \
@@ -109,9 +110,14 @@ HELPER wide irregularity_wide(const wide T[16])
     return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+
 #define low(joint) (lowest[joint - 1] - 2e-06f)
 #define high(joint) (highest[joint - 1] + 2e-06f)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -142,7 +148,6 @@ static const float
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.9096855e-06f,
     turn1 = 1.5238184f, /* a constant angle [rad] */
-    half_turn = 3.1415927f, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 8.803972e-06f,
     m8 = 1e-06f; /* doubt_limit^2 */
@@ -342,8 +347,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, turn),
-        v45 = only_wide(-v12 <= -half_turn, turn) - v12;
+    const wide v44 = raised_wide(q3__p), v45 = only_wide(-v12 <= -half_turn, turn) - v12;
     const wide_mask v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
         v49 = exceeds(v45, 3);
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
@@ -706,8 +710,7 @@ static float past_ends(const float values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static float at_an_end(int joint, float value, float seed)
 {
     const float near = value + turn * floorf((seed - value) / turn + 0.5f);
@@ -763,8 +766,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[6])
 {
     static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
@@ -787,8 +789,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
     float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -862,8 +864,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
 {
     const float zeros[6] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
@@ -31,8 +32,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -205,14 +206,15 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -239,7 +241,6 @@ static const double
     k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
     k7 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 2.1999652436149993e-13;
 /* coefficients */
@@ -324,8 +325,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     /* joint values */
     const wide angle6 = atan2_wide(v2 + v5, v4 - v3), q1_pp = v6 + angle6,
         angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
-        q3_pp = v1 + (q3__p + only_wide(q3__p <= -half_turn, turn)),
-        q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
+        q3_pp = v1 + raised_wide(q3__p), q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
     const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1);
 
     q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
@@ -373,8 +373,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
         ratio2 = ratio_four(v7 - w3 * (m2 * (w1 * (e1 * e2))), v8 + v9);
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2);
-    const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3,
-        q3 = v1 + (q3_ + only_four(q3_ <= -half_turn, turn));
+    const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3, q3 = v1 + raised_four(q3_);
 
     store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, angle2);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
@@ -638,8 +637,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3], unsigned char
-    status[4])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
     const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

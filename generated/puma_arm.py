@@ -130,12 +130,12 @@ k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.1999652436149993e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 1.1579434923575729  # a coefficient of X1_2
 m3 = 0.000477176933765627  # a coefficient of X1_2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm 2425896582f8a3fa"
+_KEY = "puma_arm a9e7f540df4d9482"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -118,7 +118,6 @@ free_limit = 1e-12  # a length that fixes no angle
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.06  # a row may miss the pose by this before it is tightened [m]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.296e-13  # doubt_limit_squared2^2 [m^4]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 9.999999999999997e-17  # doubt_limit_squared^2
@@ -127,6 +126,7 @@ m6 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
 m7 = 1e-24  # exact_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 13f39880f8e987f1"
+_KEY = "rail_5dof 6757eaaed24e10e2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

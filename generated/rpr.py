@@ -117,10 +117,10 @@ reach_slack1 = 8.000000000000001e-14  # rounding at the boundary of the workspac
 merge_slack1 = 8e-15  # nearer to that boundary two branches are one [m]
 k1 = 0.09  # a3^2 [m^2]
 k2 = 11.111111111111112  # 1 / k1 [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 6.400000000000001e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -266,7 +266,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr f52df74be86c7aa3"
+_KEY = "rpr 5750cce4cd201d7d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

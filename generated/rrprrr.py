@@ -119,10 +119,10 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rrprrr b5a7230126b6a088"
+_KEY = "rrprrr 6f8af195d1a3bd54"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -124,7 +124,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.2689280285926285
 high2 = 2.530727416391778
 low3 = -0.200000001
@@ -135,6 +134,7 @@ m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -294,7 +294,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 8848ff971adb2bd1"
+_KEY = "scara 8bc76f9cbea0c2c7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

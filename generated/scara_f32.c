@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const float turn = 6.2831855f;
+#define half_turn (0.5f * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static float wrap(float angle)
@@ -53,8 +54,8 @@ static const float odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0f) * (y))
 #define ARCTANGENT(v) \
@@ -117,6 +118,15 @@ HELPER wide irregularity_wide(const wide T[16])
         * T[7] * T[7] + T[11] * T[11] * T[11]);
 }
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+
 #define low(joint) (lowest[joint - 1] - 2e-06f)
 #define high(joint) (highest[joint - 1] + 2e-06f)
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
@@ -142,7 +152,6 @@ static const float
     pose_slack1 = 8e-06f, /* a pose may be rounded by this [m] */
     k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
     k2 = 4.1666665f, /* 1 / (2 * L2 * L1) [m^-2] */
-    half_turn = 3.1415927f, /* pi [rad] */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 2.150425e-06f,
     m4 = 1e-10f; /* pose_slack^2 */
@@ -292,11 +301,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
         T13 + v5 * v5);
 
-    q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v6 + pick_wide(v6 <= -half_turn, all_wide(turn), only_wide(half_turn < v6, -turn));
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = centred_wide(v6);
     kind[0] = kind_of(q[0], v9 | v8 | exceeds(angle3, 1));
-    q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v7 + pick_wide(v7 <= -half_turn, all_wide(turn), only_wide(half_turn < v7, -turn));
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = centred_wide(v7);
     kind[1] = kind_of(q[4], v9 | v8 | exceeds(angle4, 1));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
@@ -597,8 +604,7 @@ static float past_ends(const float values[4])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static float at_an_end(int joint, float value, float seed)
 {
     const float near = value + turn * floorf((seed - value) / turn + 0.5f);
@@ -656,8 +662,7 @@ static int settle(const float T[16], float enough, float most, float q[4])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[4])
 {
     static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
@@ -680,8 +685,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const float T[16], int row, float rows[2][4], const unsigned char status[2])
 {
     float x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
@@ -737,8 +742,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], unsigned char
-    status[2])
+APART int ik_carefully(
+    const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
 {
     const float zeros[4] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];

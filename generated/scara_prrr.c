@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -220,14 +221,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -248,7 +253,6 @@ static const double
     pose_slack1 = 5.500000000000001e-06, /* a pose may be rounded by this [m] */
     k1 = 0.1525, /* a2^2 + a3^2 [m^2] */
     k2 = 6.666666666666667, /* 1 / (2 * a3 * a2) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 1.813549310725559e-14,
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
@@ -359,11 +363,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide_mask doubt1 = (abs_wide(D3) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 *
         T13 + v7 * v7);
 
-    q[0] = q1_p; q[1] = angle3; q[2] = angle2;
-    q[3] = v8 + pick_wide(v8 <= -half_turn, all_wide(turn), only_wide(half_turn < v8, -turn));
+    q[0] = q1_p; q[1] = angle3; q[2] = angle2; q[3] = centred_wide(v8);
     kind[0] = kind_of(q[0], 0);
-    q[4] = q1_p; q[5] = angle4; q[6] = -angle2;
-    q[7] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
+    q[4] = q1_p; q[5] = angle4; q[6] = -angle2; q[7] = centred_wide(v9);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -401,8 +403,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q3 = e1 * angle2, v6 = angle1 - (angle3 + q3),
-        q4 = v6 + pick_four(v6 <= -half_turn, all_four(turn), only_four(half_turn < v6, -turn));
+    const four q3 = e1 * angle2, v6 = angle1 - (angle3 + q3), q4 = centred_four(v6);
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), angle3, q3, q4);
     const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
@@ -655,8 +656,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
-    status[2])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
     const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

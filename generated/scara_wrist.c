@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -232,14 +233,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -260,7 +265,6 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 8.737011114593444e-14,
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
@@ -392,21 +396,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         q6_pp = v1 + angle5, q6_pm = v1 + (angle5 - signed_wide(half_turn, s6));
     const wide_mask doubt1 = (abs_wide(D2) <= m1) | (v5 <= m4);
 
-    q[0] = angle2; q[1] = angle1; q[2] = q3_pp;
-    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
-    q[4] = q5_pp; q[5] = q6_pp;
+    q[0] = angle2; q[1] = angle1; q[2] = q3_pp; q[3] = centred_wide(v9); q[4] = q5_pp; q[5] = q6_pp;
     kind[0] = kind_of(q[0], 0);
-    q[6] = angle2; q[7] = angle1; q[8] = q3_pp;
-    q[9] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
-    q[10] = q5_pm; q[11] = q6_pm;
+    q[6] = angle2; q[7] = angle1; q[8] = q3_pp; q[9] = centred_wide(v10); q[10] = q5_pm;
+    q[11] = q6_pm;
     kind[1] = kind_of(q[6], 0);
-    q[12] = angle3; q[13] = -angle1; q[14] = q3_pp;
-    q[15] = v11 + pick_wide(v11 <= -half_turn, all_wide(turn), only_wide(half_turn < v11, -turn));
-    q[16] = q5_pp; q[17] = q6_pp;
+    q[12] = angle3; q[13] = -angle1; q[14] = q3_pp; q[15] = centred_wide(v11); q[16] = q5_pp;
+    q[17] = q6_pp;
     kind[2] = kind_of(q[12], 0);
-    q[18] = angle3; q[19] = -angle1; q[20] = q3_pp;
-    q[21] = v12 + pick_wide(v12 <= -half_turn, all_wide(turn), only_wide(half_turn < v12, -turn));
-    q[22] = q5_pm; q[23] = q6_pm;
+    q[18] = angle3; q[19] = -angle1; q[20] = q3_pp; q[21] = centred_wide(v12); q[22] = q5_pm;
+    q[23] = q6_pm;
     kind[3] = kind_of(q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -456,8 +455,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
         angle1 = shuffle(packed2, packed2, 1, 1, 1, 1),
         angle3 = shuffle(packed2, packed2, 3, 3, 3, 3);
     const four q2 = e1 * angle1, v6 = angle2 + q2, v10 = angle5 + v8 * v9, v11 = v6 - v10,
-        q4 = v11 + pick_four(v11 <= -half_turn, all_four(turn), only_four(half_turn < v11, -turn)),
-        q5 = v1 + e2 * angle3, q6 = v1 + (angle4 + v7 * v8);
+        q4 = centred_four(v11), q5 = v1 + e2 * angle3, q6 = v1 + (angle4 + v7 * v8);
 
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle2, q2, all_four(q3), q4);
     store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
@@ -723,8 +721,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[4][6], unsigned char
-    status[4])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

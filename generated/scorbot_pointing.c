@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -38,8 +39,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -203,14 +204,19 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -320,11 +326,9 @@ static void shorten(double step[4])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[4])
@@ -403,8 +407,7 @@ static double descended(struct descent *d, int steps, double exact, double q[5],
 }
 
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
- * much
- * it misses the pose then, `first` being what it misses before. */
+ * much it misses the pose then, `first` being what it misses before. */
 static double tightened(struct descent *d, double exact, double first, double q[5], int *moved)
 {
     double end[5];
@@ -455,8 +458,7 @@ static double exactness(const double T[16])
 }
 
 /* Tightens the rows; ends those that do not fit, and all but one of those that have become the
- * same.
- * Where one is exact the pose has not been rounded: then all have to be exact. */
+ * same. Where one is exact the pose has not been rounded: then all have to be exact. */
 static void tighten(const double T[16], double q[4][5], unsigned char status[4])
 {
     struct descent d = { .T = T };
@@ -508,7 +510,6 @@ static const double
     doubtful_slack1 = 0.009519999999999999,
     k1 = 0.097682, /* 2 * a3 * a2 [m^2] */
     k2 = 10.237300628570258, /* 1 / k1 [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
@@ -666,9 +667,8 @@ HELPER wide_mask solve_wide(
     /* joint values */
     const wide v76 = angle2 - (angle3 + angle5) - offset4,
         v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
-        v79 = offset4 + (angle2 + (angle8 - angle4)),
-        v80 = v76 + pick_wide(v76 <= -half_turn, all_wide(turn), only_wide(half_turn < v76, -turn)),
-        v81 = v77 + pick_wide(v77 <= -half_turn, all_wide(turn), only_wide(half_turn < v77, -turn)),
+        v79 = offset4 + (angle2 + (angle8 - angle4)), v80 = centred_wide(v76),
+        v81 = centred_wide(v77),
         v82 = pick_wide(-v78 <= -half_turn, all_wide(turn), only_wide(half_turn < -v78, -turn)) -
             v78,
         v83 = pick_wide(-v79 <= -half_turn, all_wide(turn), only_wide(half_turn < -v79, -turn)) -
@@ -683,17 +683,17 @@ HELPER wide_mask solve_wide(
         ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
         ((-m5 <= D3_p) & (D3_p <= m4)) | ((-m5 <= D3_m) & (D3_m <= m4));
 
-    q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
-    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, turn)); q[4] = v85 + v91;
+    q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85; q[3] = v85 + raised_wide(v80);
+    q[4] = v85 + v91;
     kind[0] = kind_of(q[0], 0);
-    q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3;
-    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, turn)); q[9] = v86 + v91;
+    q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3; q[8] = v86 + raised_wide(v81);
+    q[9] = v86 + v91;
     kind[1] = kind_of(q[5], 0);
-    q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87;
-    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, turn)); q[14] = v87 + v92;
+    q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87; q[13] = v87 + raised_wide(v82);
+    q[14] = v87 + v92;
     kind[2] = kind_of(q[10], 0);
-    q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4;
-    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, turn)); q[19] = v88 + v92;
+    q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4; q[18] = v88 + raised_wide(v83);
+    q[19] = v88 + v92;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -766,9 +766,8 @@ HELPER int solve_regular(
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3), angle4 = angle_four(ratio2);
     const four v44 = e2 * angle3, v45 = e1 * angle2, v46 = v45 - (angle4 + v44) - offset4,
-        v47 = v46 + pick_four(v46 <= -half_turn, all_four(turn), only_four(half_turn < v46, -turn)),
-        v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50, q2 = angle4 + v49,
-        q3 = v44 + v49, q4 = v49 + (v47 + only_four(v47 <= -half_turn, turn));
+        v47 = centred_four(v46), v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50,
+        q2 = angle4 + v49, q3 = v44 + v49, q4 = v49 + raised_four(v47);
 
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
@@ -1037,8 +1036,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -1069,7 +1068,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : SCORBOT_POINTING_UNREACHABLE;
@@ -1094,8 +1093,7 @@ static void start_of(const struct descent *d, int k, double u[4])
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[4])
 {
     double least = HUGE_VAL, little = 1e-13, best[4], step[4];

@@ -49,10 +49,8 @@ void scorbot_pointing_fk(const double q[5], double T[16]);
 void scorbot_pointing_jacobian(const double q[5], double J[30]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -SCORBOT_POINTING_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -SCORBOT_POINTING_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int scorbot_pointing_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4]);

@@ -135,7 +135,6 @@ doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.009519999999999999  # a row may miss the pose by this before it is tightened [m]
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / k1 [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.06304e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999997e-17  # doubt_limit_squared^2
 m4 = 1.6429994031951628e-15  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
@@ -148,6 +147,7 @@ m10 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
 m11 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 79c92afe17c4dddf"
+_KEY = "scorbot_pointing 34fe940e872d5988"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

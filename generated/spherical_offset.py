@@ -118,10 +118,10 @@ free_limit1 = 1.5e-13  # a length that fixes no angle [m]
 k1 = 0.0225  # d2^2 [m^2]
 k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.2499999999999997e-10  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -268,7 +268,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset a411083ce85e493d"
+_KEY = "spherical_offset ceea8e094453a8b3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

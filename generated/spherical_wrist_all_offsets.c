@@ -10,6 +10,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -49,8 +50,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -227,14 +228,15 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -266,7 +268,6 @@ static const double
     k7 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k8 = 8.866112830151877, /* 1 / (k5^2 + k6^2) [m^-4] */
     turn1 = -1.3382393849899876, /* a constant angle [rad] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 1.961233699551518e-13,
     m8 = 9.999999999999999e-09; /* doubt_limit^2 */
@@ -450,12 +451,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             + Y4_m * (c23_mm * v42 - s23_mm * T32)));
 
     /* joint values */
-    const wide q3_ppp = q3__pp + only_wide(half_turn < q3__pp, -turn),
-        q3_pmp = only_wide(half_turn < -v8, -turn) - v8,
-        q3_mpp = q3__mp + only_wide(half_turn < q3__mp, -turn),
-        q3_mmp = only_wide(half_turn < -v9, -turn) - v9, angle19 = atan2_wide(s1_p, -v2),
-        q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
-        q1_mpp = angle20 + (w3_m - w3_m);
+    const wide q3_ppp = lowered_wide(q3__pp), q3_pmp = only_wide(half_turn < -v8, -turn) - v8,
+        q3_mpp = lowered_wide(q3__mp), q3_mmp = only_wide(half_turn < -v9, -turn) - v9,
+        angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
+        angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask doubt1 = (v36 <= m8) | (v35 <= m8) | (v34 <= m8) | (v33 <= m8) | (abs_wide(D3_m)
         <= m1) | (abs_wide(D1) <= k3) | (abs_wide(D3_p) <= m1);
 
@@ -549,7 +548,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = angle_four(ratio3), angle5 = angle_four(ratio4), angle4 = angle_four(ratio5);
     const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v20,
         q6_m = angle5 - signed_four(half_turn, -(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31))),
-        q3_p = q3_ + only_four(half_turn < q3_, -turn), q1_p = angle6 + (w3 - w3);
+        q3_p = lowered_four(q3_), q1_p = angle6 + (w3 - w3);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle2, q3_p, angle3);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle4, angle5);
@@ -865,8 +864,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -144,7 +144,6 @@ k6 = 0.0774  # 2 * a3 * a2 [m^2]
 k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
 k8 = 8.866112830151877  # 1 / (k5^2 + k6^2) [m^-4]
 turn1 = -1.3382393849899876  # a constant angle [rad]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.961233699551518e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 1.1627906976744187  # a coefficient of Y1_2
 m3 = 0.03767441860465117  # a coefficient of Y1_2
@@ -155,6 +154,7 @@ m7 = 0.00956065573770492  # a coefficient of c23
 m8 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets adbb3e2935d21d98"
+_KEY = "spherical_wrist_all_offsets d9c6f5498517336a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

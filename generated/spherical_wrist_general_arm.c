@@ -10,6 +10,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 static double horner(const double p[5], double t)
 {
@@ -60,12 +61,9 @@ static int between(const double p[5], const double *edges, int count, double tol
 
 /* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
  * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
- * leading
- * coefficient; its roots lie between those of its derivative, those between the roots of the
- * second.
- * They are `close` where the slope is small: one may stand for two, or has another beside it.
- * Rounding
- * may add so much to values. All roots are `moved` by an angle in the end. */
+ * leading coefficient; its roots lie between those of its derivative, those between the roots of
+ * the second. They are `close` where the slope is small: one may stand for two, or has another
+ * beside it. Rounding may add so much to values. All roots are `moved` by an angle in the end. */
 static void circle_roots(
     double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
         x[4],
@@ -251,11 +249,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -435,8 +431,7 @@ static double exactness(const double T[16])
 }
 
 /* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
- * the
- * same. */
+ * the same. */
 static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
@@ -819,8 +814,7 @@ static int leads(
 }
 
 /* How far roots are moved: where steps from a row lead nowhere, and to the other solution, as parts
- * of
- * the way to the one that is known. */
+ * of the way to the one that is known. */
 static const double beside[18] = { 3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06,
     -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08,
     -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10,
@@ -829,9 +823,8 @@ static const double beside[18] = { 3.0517578125e-05, -3.0517578125e-05, 3.814697
 static const double across[4] = { -1.0, -2.0, -0.5, -4.0 };
 
 /* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
- * a
- * joint that is nearly free. Steps from it lead to one; the root of the other is as far from it on
- * the other side. */
+ * a joint that is nearly free. Steps from it lead to one; the root of the other is as far from it
+ * on the other side. */
 static void both_sides(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
@@ -922,8 +915,7 @@ static void start_of(const struct descent *d, int k, double u[6])
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -956,9 +948,9 @@ static double descend(struct descent *d, double u[6])
 }
 
 /* A pose was left without a row after a joint had been chosen: several joints may be free, and few
- * of their values serve. Steps
- * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
- * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
+ * of their values serve. Steps from the seed and from evenly spread starts lead to some that do.
+ * What is wrong with values: 1 is that they are beyond limits, 2 that they are not exact, 4 that
+ * there are none. */
 static void seek(
     const double T[16], const double seed[6], int begun, double q[8][6],
     unsigned char status[8])

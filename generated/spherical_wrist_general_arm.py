@@ -170,6 +170,7 @@ f2 = 0.19617469496901113  # sa2 * ca1
 f3 = 0.2801664995932356  # ca2 * ca1
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -556,7 +557,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm 5f1d09e7b8e0e872"
+_KEY = "spherical_wrist_general_arm e88282e770ebeabb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -127,7 +127,6 @@ k1 = 0.13369999999999999  # d2 - a3 [m]
 k2 = 0.01787569  # k1^2 [m^2]
 k3 = 3.395980000001613e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
 k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
-half_turn = 3.141592653589793  # pi [rad]
 high1 = 2.9670597293903604
 high2 = 2.9670597293903604
 low3 = 0.304799999
@@ -139,6 +138,7 @@ m1 = 1.6129e-08  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford c0cb9cd500ac70c6"
+_KEY = "stanford 4b89253f9890f959"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

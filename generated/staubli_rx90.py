@@ -131,7 +131,6 @@ free_limit_squared2 = 8.1e-25  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.405  # 2 * d4 * a2 [m^2]
 k2 = 6.096631611034903  # 1 / (k1^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 8.100000000000001e-09  # doubt_limit1^2 [m^2]
 m3 = 1.312949748921973e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m4 = 1.1111111111111112  # a coefficient of S2
@@ -139,6 +138,7 @@ m5 = 6.561e-17  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -339,7 +339,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 ff5d66496ef296db"
+_KEY = "staubli_rx90 c3acd2fe654696a4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

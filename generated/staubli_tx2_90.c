@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -85,8 +86,8 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSTAUBLI_TX2_90_SCALAR. With -DSTAUBLI_TX2_90_LIBM the arctangents are those of <math.h>, too.
- * */
+ * -DSTAUBLI_TX2_90_SCALAR. With -DSTAUBLI_TX2_90_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(STAUBLI_TX2_90_SCALAR) && !defined(STAUBLI_TX2_90_LIBM)
 #include <immintrin.h>
@@ -232,13 +233,23 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -269,7 +280,6 @@ static const double
     k3 = 1.5280000000002339e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
     k4 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
     k5 = 7.662743501634321, /* 1 / (k4^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 1.8769985565831955e-13,
     m5 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
@@ -469,17 +479,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle5 = atan2_wide(S2_pp, -v20), v54 = angle5 - offset2,
         angle6 = atan2_wide(-v15, -v21), v55 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v22),
         v56 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v23), v57 = angle8 - offset2,
-        q2_ppp = v54 + only_wide(half_turn < v54, -turn),
-        q2_pmp = v55 + only_wide(half_turn < v55, -turn),
-        q2_mpp = v56 + only_wide(half_turn < v56, -turn),
-        q2_mmp = v57 + only_wide(half_turn < v57, -turn), angle9 = atan2_wide(s3_p, -v10),
+        q2_ppp = lowered_wide(v54), q2_pmp = lowered_wide(v55), q2_mpp = lowered_wide(v56),
+        q2_mmp = lowered_wide(v57), angle9 = atan2_wide(s3_p, -v10),
         angle10 = atan2_wide(s3_m, -v11), v58 = angle9 - offset3,
         v59 = signed_wide(half_turn, s3_p) - angle9 - offset3, v60 = angle10 - offset3,
-        v61 = signed_wide(half_turn, s3_m) - angle10 - offset3,
-        q3_ppp = v58 + only_wide(v58 <= -half_turn, turn),
-        q3_pmp = v59 + only_wide(v59 <= -half_turn, turn),
-        q3_mpp = v60 + only_wide(v60 <= -half_turn, turn),
-        q3_mmp = v61 + only_wide(v61 <= -half_turn, turn),
+        v61 = signed_wide(half_turn, s3_m) - angle10 - offset3, q3_ppp = raised_wide(v58),
+        q3_pmp = raised_wide(v59), q3_mpp = raised_wide(v60), q3_mmp = raised_wide(v61),
         angle11 = atan2_wide(-v38, factor2_pp * -X4_pp),
         angle12 = atan2_wide(-v38, factor2_pm * -X4_pm),
         angle13 = atan2_wide(-v39, factor2_mp * -X4_mp),
@@ -493,14 +498,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle18 = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 * v37)),
         v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5,
         v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17,
-        v78 = angle18 - offset5, v79 = offset5 + angle18,
-        q5_ppp = v72 + only_wide(v72 <= -half_turn, turn),
-        q5_ppm = only_wide(-v73 <= -half_turn, turn) - v73,
-        q5_pmp = v74 + only_wide(v74 <= -half_turn, turn),
-        q5_pmm = only_wide(-v75 <= -half_turn, turn) - v75,
-        q5_mpp = v76 + only_wide(v76 <= -half_turn, turn),
-        q5_mpm = only_wide(-v77 <= -half_turn, turn) - v77,
-        q5_mmp = v78 + only_wide(v78 <= -half_turn, turn),
+        v78 = angle18 - offset5, v79 = offset5 + angle18, q5_ppp = raised_wide(v72),
+        q5_ppm = only_wide(-v73 <= -half_turn, turn) - v73, q5_pmp = raised_wide(v74),
+        q5_pmm = only_wide(-v75 <= -half_turn, turn) - v75, q5_mpp = raised_wide(v76),
+        q5_mpm = only_wide(-v77 <= -half_turn, turn) - v77, q5_mmp = raised_wide(v78),
         q5_mmm = only_wide(-v79 <= -half_turn, turn) - v79, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
@@ -511,32 +512,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             (v42 <= m6) | (v24 <= m5) | (abs_wide(D3_m) <= m1) | (abs_wide(D1) <= k2) |
             (abs_wide(D3_p) <= m1);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v64 + only_wide(v64 <= -half_turn, turn);
-    q[4] = q5_ppp; q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v64); q[4] = q5_ppp;
+    q[5] = angle1;
     kind[0] = kind_of(q[0], v80 | beyond(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v65 + only_wide(v65 <= -half_turn, turn);
-    q[10] = q5_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v65); q[10] = q5_ppm;
     q[11] = angle1 - signed_wide(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)));
     kind[1] = kind_of(q[6], v80 | beyond(q5_ppm, 5));
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v66 + only_wide(v66 <= -half_turn, turn); q[16] = q5_pmp; q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v66); q[16] = q5_pmp;
+    q[17] = angle2;
     kind[2] = kind_of(q[12], v81 | beyond(q5_pmp, 5));
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v67 + only_wide(v67 <= -half_turn, turn); q[22] = q5_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v67); q[22] = q5_pmm;
     q[23] = angle2 - signed_wide(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)));
     kind[3] = kind_of(q[18], v81 | beyond(q5_pmm, 5));
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
-    q[27] = v68 + only_wide(v68 <= -half_turn, turn); q[28] = q5_mpp; q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v68); q[28] = q5_mpp;
+    q[29] = angle3;
     kind[4] = kind_of(q[24], v82 | beyond(q5_mpp, 5));
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
-    q[33] = v69 + only_wide(v69 <= -half_turn, turn); q[34] = q5_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v69); q[34] = q5_mpm;
     q[35] = angle3 - signed_wide(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)));
     kind[5] = kind_of(q[30], v82 | beyond(q5_mpm, 5));
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
-    q[39] = v70 + only_wide(v70 <= -half_turn, turn); q[40] = q5_mmp; q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v70); q[40] = q5_mmp;
+    q[41] = angle4;
     kind[6] = kind_of(q[36], v83 | beyond(q5_mmp, 5));
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
-    q[45] = v71 + only_wide(v71 <= -half_turn, turn); q[46] = q5_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v71); q[46] = q5_mmm;
     q[47] = angle4 - signed_wide(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)));
     kind[7] = kind_of(q[42], v83 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -605,12 +602,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle6 = shuffle(packed2, packed2, 1, 1, 3, 3), angle1 = angle_four(ratio3),
         angle4 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, -(v21 * -X4 + v16 * (v13 * v22 - v14 * T33))),
-        v23 = angle2 - offset2, q2_p = v23 + only_four(half_turn < v23, -turn),
-        v26 = e2 * angle3 + v24 * v25 - offset3, q3_p = v26 + only_four(v26 <= -half_turn, turn),
-        v28 = angle4 - offset4, v29 = angle4 - v27 - offset4,
-        q4_p = v28 + only_four(v28 <= -half_turn, turn),
-        q4_m = v29 + only_four(v29 <= -half_turn, turn), v30 = angle5 - offset5,
-        v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, turn),
+        v23 = angle2 - offset2, q2_p = lowered_four(v23), v26 = e2 * angle3 + v24 * v25 - offset3,
+        q3_p = raised_four(v26), v28 = angle4 - offset4, v29 = angle4 - v27 - offset4,
+        q4_p = raised_four(v28), q4_m = raised_four(v29), v30 = angle5 - offset5,
+        v31 = offset5 + angle5, q5_p = raised_four(v30),
         q5_m = only_four(-v31 <= -half_turn, turn) - v31, q1_p = angle6 + (w3 - w3);
     const four_mask v32 = beyond_four(q2_p, 2) | exceeds_four(q3_p, 3),
         outside_p = v32 | beyond_four(q5_p, 5), outside_m = v32 | beyond_four(q5_m, 5);
@@ -1001,8 +996,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1058,8 +1052,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1082,8 +1075,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1157,8 +1150,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,14 +232,15 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -268,7 +270,6 @@ static const double
     k3 = 6.090000000000759e-16, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.10125, /* 2 * d4 * a2 [m^2] */
     k5 = 97.54610577655845, /* 1 / (k4^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m1 = 1.5849821455311018e-14,
     m3 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
@@ -438,12 +439,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle6 = atan2_wide(s1_m, -v4), v41 = angle6 - offset1, angle7 = atan2_wide(S2_pp, C2_pp),
         v42 = angle7 - offset2, angle8 = atan2_wide(S2_pm, C2_pm), v43 = angle8 - offset2,
         angle9 = atan2_wide(S2_pm, C2_mp), v44 = angle9 - offset2,
-        angle10 = atan2_wide(S2_pp, C2_mm), v45 = angle10 - offset2,
-        q2_ppp = v42 + only_wide(v42 <= -half_turn, turn),
-        q2_pmp = v43 + only_wide(v43 <= -half_turn, turn),
-        q2_mpp = v44 + only_wide(v44 <= -half_turn, turn),
-        q2_mmp = v45 + only_wide(v45 <= -half_turn, turn), angle11 = atan2_wide(v7, -(k4 * w3)),
-        v46 = angle11 - offset3, v47 = signed_wide(half_turn, v7) - angle11 - offset3,
+        angle10 = atan2_wide(S2_pp, C2_mm), v45 = angle10 - offset2, q2_ppp = raised_wide(v42),
+        q2_pmp = raised_wide(v43), q2_mpp = raised_wide(v44), q2_mmp = raised_wide(v45),
+        angle11 = atan2_wide(v7, -(k4 * w3)), v46 = angle11 - offset3,
+        v47 = signed_wide(half_turn, v7) - angle11 - offset3,
         angle12 = atan2_wide(Y4_p, factor2_pp * -X4_pp),
         angle13 = atan2_wide(Y4_p, factor2_pm * -X4_pm),
         angle14 = atan2_wide(Y4_m, factor2_mp * -X4_mp),
@@ -459,45 +458,37 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(sqrt_wide(v31), -(factor2_mm * (v58 + s23_mm * v25))),
         v60 = angle16 - offset5, v61 = offset5 + angle16, v62 = angle17 - offset5,
         v63 = offset5 + angle17, v64 = angle18 - offset5, v65 = offset5 + angle18,
-        v66 = angle19 - offset5, v67 = offset5 + angle19,
-        q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, turn)),
-        q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, turn)),
-        q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, turn)),
-        q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, turn));
+        v66 = angle19 - offset5, v67 = offset5 + angle19, q1_ppp = v6 + raised_wide(v40),
+        q1_mpp = v6 + raised_wide(v41), q3_ppp = v1 + raised_wide(v46),
+        q3_pmp = v1 + raised_wide(v47);
     const wide_mask doubt1 = (v31 <= m6) | (v18 <= m3) | (v30 <= m6) | (v17 <= m3) | (v29 <= m6) |
         (v16 <= m3) | (v28 <= m6) | (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1) | (v14 <= m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v50 + only_wide(v50 <= -half_turn, turn);
-    q[4] = v60 + only_wide(v60 <= -half_turn, turn); q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v50); q[4] = raised_wide(v60);
+    q[5] = angle1;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v51 + only_wide(v51 <= -half_turn, turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v51);
     q[10] = only_wide(-v61 <= -half_turn, turn) - v61;
     q[11] = angle1 - signed_wide(half_turn, s6_pp);
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v52 + only_wide(v52 <= -half_turn, turn);
-    q[16] = v62 + only_wide(v62 <= -half_turn, turn); q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v52);
+    q[16] = raised_wide(v62); q[17] = angle2;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v53 + only_wide(v53 <= -half_turn, turn);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v53);
     q[22] = only_wide(-v63 <= -half_turn, turn) - v63;
     q[23] = angle2 - signed_wide(half_turn, s6_pm);
     kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
-    q[27] = v54 + only_wide(v54 <= -half_turn, turn);
-    q[28] = v64 + only_wide(v64 <= -half_turn, turn); q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = raised_wide(v54);
+    q[28] = raised_wide(v64); q[29] = angle3;
     kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
-    q[33] = v55 + only_wide(v55 <= -half_turn, turn);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = raised_wide(v55);
     q[34] = only_wide(-v65 <= -half_turn, turn) - v65;
     q[35] = angle3 - signed_wide(half_turn, s6_mp);
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
-    q[39] = v56 + only_wide(v56 <= -half_turn, turn);
-    q[40] = v66 + only_wide(v66 <= -half_turn, turn); q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = raised_wide(v56);
+    q[40] = raised_wide(v66); q[41] = angle4;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
-    q[45] = v57 + only_wide(v57 <= -half_turn, turn);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = raised_wide(v57);
     q[46] = only_wide(-v67 <= -half_turn, turn) - v67;
     q[47] = angle4 - signed_wide(half_turn, s6_mm);
     kind[7] = kind_of(q[42], 0);
@@ -566,14 +557,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v25 = angle2 - offset1,
-        v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, turn),
+        v26 = angle3 - offset2, q2_p = raised_four(v26),
         v28 = e2 * angle4 + v27 * (m7 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
-        v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, turn),
-        q4_m = v31 + only_four(v31 <= -half_turn, turn), v32 = angle6 - offset5,
-        v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, turn),
-        q5_m = only_four(-v33 <= -half_turn, turn) - v33,
-        q1_p = v5 + (v25 + only_four(v25 <= -half_turn, turn)),
-        q3_p = v1 + (v28 + only_four(v28 <= -half_turn, turn));
+        v31 = angle5 - v29 - offset4, q4_p = raised_four(v30), q4_m = raised_four(v31),
+        v32 = angle6 - offset5, v33 = offset5 + angle6, q5_p = raised_four(v32),
+        q5_m = only_four(-v33 <= -half_turn, turn) - v33, q1_p = v5 + raised_four(v25),
+        q3_p = v1 + raised_four(v28);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
@@ -898,8 +887,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

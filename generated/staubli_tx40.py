@@ -141,7 +141,6 @@ k2 = 6.09000000000757e-15  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / (k4^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.5849821455311018e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 m2 = 2.2222222222222223  # a coefficient of S2
 m3 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
@@ -150,6 +149,7 @@ m5 = 4.4444444444444455  # a coefficient of s23
 m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -395,7 +395,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 6ca039de51c00cb3"
+_KEY = "staubli_tx40 1b69e6d0a98a698c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

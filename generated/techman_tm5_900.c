@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -85,8 +86,8 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DTECHMAN_TM5_900_SCALAR. With -DTECHMAN_TM5_900_LIBM the arctangents are those of <math.h>, too.
- * */
+ * -DTECHMAN_TM5_900_SCALAR. With -DTECHMAN_TM5_900_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(TECHMAN_TM5_900_SCALAR) && !defined(TECHMAN_TM5_900_LIBM)
 #include <immintrin.h>
@@ -232,13 +233,23 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -271,7 +282,6 @@ static const double
     k3 = 3.246208900000177e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
     k5 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
     m3 = 1.5753409313203573e-10;
@@ -478,26 +488,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide angle19 = atan2_wide(s1_p, c1_p), v44 = angle19 - offset1,
-        angle20 = atan2_wide(s1_m, c1_m), v45 = angle20 - offset1,
-        q1__p = v44 + only_wide(v44 <= -half_turn, turn),
-        q1__m = v45 + only_wide(v45 <= -half_turn, turn), v46 = angle11 - offset2,
-        v47 = angle12 - offset2, v48 = angle13 - offset2, v49 = angle14 - offset2,
-        v50 = angle15 - offset2, v51 = angle16 - offset2, v52 = angle17 - offset2,
-        v53 = angle18 - offset2, v54 = angle5 - (angle7 + angle11) - offset4,
-        v55 = angle5 - (angle12 - angle7) - offset4,
+        angle20 = atan2_wide(s1_m, c1_m), v45 = angle20 - offset1, q1__p = raised_wide(v44),
+        q1__m = raised_wide(v45), v46 = angle11 - offset2, v47 = angle12 - offset2,
+        v48 = angle13 - offset2, v49 = angle14 - offset2, v50 = angle15 - offset2,
+        v51 = angle16 - offset2, v52 = angle17 - offset2, v53 = angle18 - offset2,
+        v54 = angle5 - (angle7 + angle11) - offset4, v55 = angle5 - (angle12 - angle7) - offset4,
         v56 = theta234_pm - (angle8 + angle13) - offset4,
         v57 = theta234_pm - (angle14 - angle8) - offset4,
         v58 = angle6 - (angle9 + angle15) - offset4, v59 = angle6 - (angle16 - angle9) - offset4,
         v60 = theta234_mm - (angle10 + angle17) - offset4,
-        v61 = theta234_mm - (angle18 - angle10) - offset4,
-        v62 = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn)),
-        v63 = v55 + pick_wide(v55 <= -half_turn, all_wide(turn), only_wide(half_turn < v55, -turn)),
-        v64 = v56 + pick_wide(v56 <= -half_turn, all_wide(turn), only_wide(half_turn < v56, -turn)),
-        v65 = v57 + pick_wide(v57 <= -half_turn, all_wide(turn), only_wide(half_turn < v57, -turn)),
-        v66 = v58 + pick_wide(v58 <= -half_turn, all_wide(turn), only_wide(half_turn < v58, -turn)),
-        v67 = v59 + pick_wide(v59 <= -half_turn, all_wide(turn), only_wide(half_turn < v59, -turn)),
-        v68 = v60 + pick_wide(v60 <= -half_turn, all_wide(turn), only_wide(half_turn < v60, -turn)),
-        v69 = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn));
+        v61 = theta234_mm - (angle18 - angle10) - offset4, v62 = centred_wide(v54),
+        v63 = centred_wide(v55), v64 = centred_wide(v56), v65 = centred_wide(v57),
+        v66 = centred_wide(v58), v67 = centred_wide(v59), v68 = centred_wide(v60),
+        v69 = centred_wide(v61);
     const wide_mask outside_ppp = exceeds(angle7, 3), outside_pmp = exceeds(angle8, 3),
         outside_mpp = exceeds(angle9, 3), outside_mmp = exceeds(angle10, 3);
     const wide q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m,
@@ -508,29 +511,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
         m3) | (abs_wide(D3_pp) <= m3) | (v4 <= m1) | (abs_wide(D1) <= k2) | (v3 <= m1);
 
-    q[0] = q1_ppp; q[1] = v46 + only_wide(v46 <= -half_turn, turn); q[2] = angle7;
-    q[3] = v62 + only_wide(v62 <= -half_turn, turn); q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = raised_wide(v46); q[2] = angle7; q[3] = raised_wide(v62); q[4] = q5_ppp;
+    q[5] = q6_ppp;
     kind[0] = kind_of(q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = v47 + only_wide(v47 <= -half_turn, turn); q[8] = -angle7;
-    q[9] = v63 + only_wide(v63 <= -half_turn, turn); q[10] = q5_ppp; q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = raised_wide(v47); q[8] = -angle7; q[9] = raised_wide(v63); q[10] = q5_ppp;
+    q[11] = q6_ppp;
     kind[1] = kind_of(q[6], outside_ppp);
-    q[12] = q1_pmp; q[13] = v48 + only_wide(v48 <= -half_turn, turn); q[14] = angle8;
-    q[15] = v64 + only_wide(v64 <= -half_turn, turn); q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_pmp; q[13] = raised_wide(v48); q[14] = angle8; q[15] = raised_wide(v64);
+    q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], outside_pmp);
-    q[18] = q1_pmp; q[19] = v49 + only_wide(v49 <= -half_turn, turn); q[20] = -angle8;
-    q[21] = v65 + only_wide(v65 <= -half_turn, turn); q[22] = q5_pmp; q[23] = q6_pmp;
+    q[18] = q1_pmp; q[19] = raised_wide(v49); q[20] = -angle8; q[21] = raised_wide(v65);
+    q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], outside_pmp);
-    q[24] = q1_mpp; q[25] = v50 + only_wide(v50 <= -half_turn, turn); q[26] = angle9;
-    q[27] = v66 + only_wide(v66 <= -half_turn, turn); q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = raised_wide(v50); q[26] = angle9; q[27] = raised_wide(v66);
+    q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = v51 + only_wide(v51 <= -half_turn, turn); q[32] = -angle9;
-    q[33] = v67 + only_wide(v67 <= -half_turn, turn); q[34] = q5_mpp; q[35] = q6_mpp;
+    q[30] = q1_mpp; q[31] = raised_wide(v51); q[32] = -angle9; q[33] = raised_wide(v67);
+    q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], outside_mpp);
-    q[36] = q1_mmp; q[37] = v52 + only_wide(v52 <= -half_turn, turn); q[38] = angle10;
-    q[39] = v68 + only_wide(v68 <= -half_turn, turn); q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mmp; q[37] = raised_wide(v52); q[38] = angle10; q[39] = raised_wide(v68);
+    q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], outside_mmp);
-    q[42] = q1_mmp; q[43] = v53 + only_wide(v53 <= -half_turn, turn); q[44] = -angle10;
-    q[45] = v69 + only_wide(v69 <= -half_turn, turn); q[46] = q5_mmp; q[47] = q6_mmp;
+    q[42] = q1_mmp; q[43] = raised_wide(v53); q[44] = -angle10; q[45] = raised_wide(v69);
+    q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -595,15 +598,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
         angle7 = shuffle(packed2, packed2, 1, 1, 3, 3), angle4 = angle_four(ratio3),
         angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
-    const four theta234 = angle3 + v6 * v9, v22 = angle7 - offset1,
-        q1_ = v22 + only_four(v22 <= -half_turn, turn), v23 = angle5 - offset2,
-        v24 = angle6 - offset2, q2_p = v23 + only_four(v23 <= -half_turn, turn),
-        q2_m = v24 + only_four(v24 <= -half_turn, turn),
-        v25 = theta234 - (angle4 + angle5) - offset4, v26 = theta234 - (angle6 - angle4) - offset4,
-        v27 = v25 + pick_four(v25 <= -half_turn, all_four(turn), only_four(half_turn < v25, -turn)),
-        v28 = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26, -turn)),
-        q4_p = v27 + only_four(v27 <= -half_turn, turn),
-        q4_m = v28 + only_four(v28 <= -half_turn, turn);
+    const four theta234 = angle3 + v6 * v9, v22 = angle7 - offset1, q1_ = raised_four(v22),
+        v23 = angle5 - offset2, v24 = angle6 - offset2, q2_p = raised_four(v23),
+        q2_m = raised_four(v24), v25 = theta234 - (angle4 + angle5) - offset4,
+        v26 = theta234 - (angle6 - angle4) - offset4, v27 = centred_four(v25),
+        v28 = centred_four(v26), q4_p = raised_four(v27), q4_m = raised_four(v28);
     const four_mask outside_p = exceeds_four(angle4, 3);
     const four q1_p = v17 + q1_, q5_p = v17 + e2 * angle2, q6_p = v17 + (angle1 + v5 * v6);
 
@@ -905,8 +904,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -926,8 +925,8 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
+/* Several joints are free and none serves alone: in turn each goes to where the arm came
+ * nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 5 };
@@ -952,7 +951,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
@@ -1098,8 +1097,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1155,8 +1153,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1179,8 +1176,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1254,8 +1251,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

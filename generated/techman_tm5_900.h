@@ -48,10 +48,8 @@ void techman_tm5_900_fk(const double q[6], double T[16]);
 void techman_tm5_900_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -TECHMAN_TM5_900_INVALID_POSE, also for a seed
- * that is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -TECHMAN_TM5_900_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int techman_tm5_900_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -53,8 +54,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -230,14 +231,18 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -266,7 +271,6 @@ static const double
     k3 = 6.184066500000315e-15, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
     k4 = 0.7020706925, /* a2^2 + a3^2 [m^2] */
     k5 = 1.4278017006745949, /* 1 / (2 * a3 * a2) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
     m3 = 5.890504482773191e-10;
@@ -481,37 +485,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
         m3) | (abs_wide(D3_pp) <= m3) | (v10 <= m1) | (abs_wide(D1) <= k2) | (v9 <= m1);
 
-    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn));
-    q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v54); q[4] = q5_ppp;
+    q[5] = q6_ppp;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(turn), only_wide(half_turn < v55, -turn));
-    q[10] = q5_ppp; q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = centred_wide(v55); q[10] = q5_ppp;
+    q[11] = q6_ppp;
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(turn), only_wide(half_turn < v56, -turn));
-    q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = centred_wide(v56); q[16] = q5_pmp;
+    q[17] = q6_pmp;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(turn), only_wide(half_turn < v57, -turn));
-    q[22] = q5_pmp; q[23] = q6_pmp;
+    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = centred_wide(v57); q[22] = q5_pmp;
+    q[23] = q6_pmp;
     kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(turn), only_wide(half_turn < v58, -turn));
-    q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = centred_wide(v58); q[28] = q5_mpp;
+    q[29] = q6_mpp;
     kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(turn), only_wide(half_turn < v59, -turn));
-    q[34] = q5_mpp; q[35] = q6_mpp;
+    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = centred_wide(v59); q[34] = q5_mpp;
+    q[35] = q6_mpp;
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(turn), only_wide(half_turn < v60, -turn));
-    q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = centred_wide(v60); q[40] = q5_mmp;
+    q[41] = q6_mmp;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn));
-    q[46] = q5_mmp; q[47] = q6_mmp;
+    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = centred_wide(v61); q[46] = q5_mmp;
+    q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -578,11 +574,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = shuffle(packed2, packed2, 1, 1, 3, 3), angle5 = angle_four(ratio3),
         angle6 = angle_four(ratio4), angle7 = angle_four(ratio5);
     const four theta234 = angle4 + v9 * v12, v26 = theta234 - (angle5 + angle6),
-        v27 = theta234 - (angle7 - angle5),
-        q4_p = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26,
-            -turn)),
-        q4_m = v27 + pick_four(v27 <= -half_turn, all_four(turn), only_four(half_turn < v27,
-            -turn)), q1_p = angle1 + v20, q5_p = v20 + e2 * angle3, q6_p = v20 + (angle2 + v8 * v9);
+        v27 = theta234 - (angle7 - angle5), q4_p = centred_four(v26), q4_m = centred_four(v27),
+        q1_p = angle1 + v20, q5_p = v20 + e2 * angle3, q6_p = v20 + (angle2 + v8 * v9);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle6, angle5, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -871,8 +864,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -892,8 +885,8 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
+/* Several joints are free and none serves alone: in turn each goes to where the arm came
+ * nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 5 };
@@ -918,7 +911,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
@@ -1064,8 +1057,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1121,8 +1113,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1145,8 +1136,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1220,8 +1211,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -139,13 +139,13 @@ k2 = 6.184066500003152e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 6.184066500000315e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 0.7020706925  # a2^2 + a3^2 [m^2]
 k5 = 1.4278017006745949  # 1 / (2 * a3 * a2) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 5.890504482773191e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
 m4 = 0.8160600620205647  # a coefficient of S2
 m5 = 0.03976814713562922  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur10e d0337456bd67fcff"
+_KEY = "ur10e 1f067bde4b293063"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

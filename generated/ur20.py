@@ -139,13 +139,13 @@ k2 = 9.413232000005485e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 9.413232000000549e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 1.27404769  # a2^2 + a3^2 [m^2]
 k5 = 0.796001651862628  # 1 / (2 * a3 * a2) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 1.8717428710508678e-09  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
 m4 = 0.580046403712297  # a coefficient of S2
 m5 = 0.1229932192575406  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur20 305092670583930f"
+_KEY = "ur20 a5db691fe00d9cec"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

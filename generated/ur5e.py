@@ -139,13 +139,13 @@ k2 = 3.4985918000017217e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 3.4985918000001716e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 0.33444584  # a2^2 + a3^2 [m^2]
 k5 = 2.9996700362960076  # 1 / (2 * a3 * a2) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 1.4300283221564012e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
 m4 = 1.1764705882352942  # a coefficient of S2
 m5 = 0.031534305882352925  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5e 09bca7f9a4e56d5e"
+_KEY = "ur5e 8e365661367f6a80"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

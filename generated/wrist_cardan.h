@@ -48,10 +48,8 @@ void wrist_cardan_fk(const double q[3], double T[16]);
 void wrist_cardan_jacobian(const double q[3], double J[18]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -WRIST_CARDAN_INVALID_POSE, also for a seed that
- * is
- * not finite where it may be needed. */
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -WRIST_CARDAN_INVALID_POSE, also for a seed that is not finite where it may be needed. */
 int wrist_cardan_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -53,8 +54,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -226,14 +227,20 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+HELPER v centred_##v(v x) \
+{ \
+    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+}
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -263,7 +270,6 @@ static const double
     pose_slack1 = 1.080646614543747e-05, /* a pose may be rounded by this [m] */
     k1 = 0.20711584560000001, /* a2^2 + a3^2 [m^2] */
     k2 = 4.918543046385274, /* 1 / (2 * a3 * a2) [m^-2] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
     m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -439,9 +445,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v67 = angle3 - offset3, v68 = offset3 + angle3, v69 = angle4 - offset3,
         v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
         v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
-        v74 = offset4 + (angle1 + (angle8 - angle4)),
-        v75 = v71 + pick_wide(v71 <= -half_turn, all_wide(turn), only_wide(half_turn < v71, -turn)),
-        v76 = v72 + pick_wide(v72 <= -half_turn, all_wide(turn), only_wide(half_turn < v72, -turn)),
+        v74 = offset4 + (angle1 + (angle8 - angle4)), v75 = centred_wide(v71),
+        v76 = centred_wide(v72),
         v77 = pick_wide(-v73 <= -half_turn, all_wide(turn), only_wide(half_turn < -v73, -turn)) -
             v73,
         v78 = pick_wide(-v74 <= -half_turn, all_wide(turn), only_wide(half_turn < -v74, -turn)) -
@@ -449,29 +454,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const double v79 = NAN;
     const wide v80 = only_wide((v57 <= m12) == 0, v79), v81 = only_wide((v58 <= m12) == 0, v79),
         v82 = only_wide((v59 <= m12) == 0, v79), v83 = only_wide((v60 <= m12) == 0, v79),
-        v84 = v23 + (v61 + only_wide(v61 <= -half_turn, turn)),
-        v85 = v24 + (v62 + only_wide(v62 <= -half_turn, turn)), v86 = angle2 + v23,
+        v84 = v23 + raised_wide(v61), v85 = v24 + raised_wide(v62), v86 = angle2 + v23,
         v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
     const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 +
         v40 * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59)
         & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
         (abs_wide(D3_p) <= m6) | (abs_wide(D3_m) <= m6);
 
-    q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, turn));
-    q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, turn));
-    q[3] = v80 + (v75 + only_wide(half_turn < v75, -turn)); q[4] = v80 + v86;
+    q[0] = v80 + v84; q[1] = v80 + raised_wide(v63); q[2] = v80 + raised_wide(v67);
+    q[3] = v80 + lowered_wide(v75); q[4] = v80 + v86;
     kind[0] = kind_of(q[0], 0);
-    q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, turn));
-    q[7] = v81 + (only_wide(-v68 <= -half_turn, turn) - v68);
-    q[8] = v81 + (v76 + only_wide(half_turn < v76, -turn)); q[9] = v81 + v86;
+    q[5] = v81 + v84; q[6] = v81 + raised_wide(v64);
+    q[7] = v81 + (only_wide(-v68 <= -half_turn, turn) - v68); q[8] = v81 + lowered_wide(v76);
+    q[9] = v81 + v86;
     kind[1] = kind_of(q[5], 0);
-    q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, turn));
-    q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, turn));
-    q[13] = v82 + (v77 + only_wide(half_turn < v77, -turn)); q[14] = v82 + v87;
+    q[10] = v82 + v85; q[11] = v82 + raised_wide(v65); q[12] = v82 + raised_wide(v69);
+    q[13] = v82 + lowered_wide(v77); q[14] = v82 + v87;
     kind[2] = kind_of(q[10], 0);
-    q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, turn));
-    q[17] = v83 + (only_wide(-v70 <= -half_turn, turn) - v70);
-    q[18] = v83 + (v78 + only_wide(half_turn < v78, -turn)); q[19] = v83 + v87;
+    q[15] = v83 + v85; q[16] = v83 + raised_wide(v66);
+    q[17] = v83 + (only_wide(-v70 <= -half_turn, turn) - v70); q[18] = v83 + lowered_wide(v78);
+    q[19] = v83 + v87;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -550,12 +552,9 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = angle_four(ratio3);
     const four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
         v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
-        v48 = v47 + pick_four(v47 <= -half_turn, all_four(turn), only_four(half_turn < v47, -turn)),
-        v51 = v21 + (v42 + only_four(v42 <= -half_turn, turn)), q1 = v50 + v51,
-        q2 = v50 + (v43 + only_four(v43 <= -half_turn, turn)),
-        q3 = v50 + (v45 + only_four(v45 <= -half_turn, turn)),
-        q4 = v50 + (v48 + only_four(half_turn < v48, -turn)), v52 = v21 + (angle2 + v12 * v13),
-        q5 = v50 + v52;
+        v48 = centred_four(v47), v51 = v21 + raised_four(v42), q1 = v50 + v51,
+        q2 = v50 + raised_four(v43), q3 = v50 + raised_four(v45), q4 = v50 + lowered_four(v48),
+        v52 = v21 + (angle2 + v12 * v13), q5 = v50 + v52;
 
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
@@ -838,8 +837,8 @@ static double serving_value(struct search *s)
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its own.
- * */
+ * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
+ * own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -859,8 +858,8 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came nearest.
- * */
+/* Several joints are free and none serves alone: in turn each goes to where the arm came
+ * nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 1, 2, 3 };
@@ -885,7 +884,7 @@ static void choose_again(
     take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
-double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
@@ -1022,8 +1021,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
-    status[4])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
     const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

@@ -135,7 +135,6 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.080646614543747e-05  # a pose may be rounded by this [m]
 k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
-half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1677971055248613e-08  # doubt_limit1^2 [m^2]
 m2 = 9.999999999999997e-17  # doubt_limit_squared^2
 m4 = 0.076  # a coefficient of v9
@@ -150,6 +149,7 @@ m12 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
 m13 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -377,7 +377,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 38f4d8358abcbe50"
+_KEY = "xarm5 091900bcb1d80dd2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -117,11 +118,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -162,8 +161,7 @@ static void damped_step(
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -315,9 +313,8 @@ static double sideways(const struct descent *d, double along[6])
 }
 
 /* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
 static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], end[2][6];
@@ -444,9 +441,8 @@ static void sorted_rows(
 }
 
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
- * parallel
- * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
- * determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+ * parallel axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two
+ * partners, a determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
  *
  * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
  * below that has the type xarm6_lane does XARM6_LANES angles or candidates at once.
@@ -616,8 +612,7 @@ static const xarm6_formulation xarm6_formulations[2] = {
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose
- * values are given, what stands before, between and behind these. */
+ * whose values are given, what stands before, between and behind these. */
 static const double xarm6_constant[7][12] = {
     { 0.9230769230769231, 0.38461538461538464, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.38461538461538464,
         -0.9230769230769231, 0.0, 7.368497484792287e-10 },
@@ -1437,8 +1432,7 @@ static inline void xarm6_to_unit(xarm6_lane *c, xarm6_lane *s)
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
  * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half
- * as many operations wait for each other. */
+ * that half as many operations wait for each other. */
 static inline xarm6_lane xarm6_reflect(xarm6_lane *const *row, int rows, int column, int columns)
 {
     xarm6_lane axis[6], half[2], length, factor;
@@ -1467,8 +1461,7 @@ static inline xarm6_lane xarm6_reflect(xarm6_lane *const *row, int rows, int col
 }
 
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
- * and
- * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
+ * and (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
 static inline void xarm6_act(const double K[12], xarm6_lane x[15])
 {
     const double t[3] = {K[3], K[7], K[11]};
@@ -1547,8 +1540,7 @@ static void xarm6_pass(const double K[12], double from[15][40], int columns,
 }
 
 /* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say
- * how to reflect others. */
+ * say how to reflect others. */
 static inline void xarm6_clear(double A[6][8], int rows, int columns, double axis[6][8],
                                  double factor[6])
 {
@@ -1590,8 +1582,7 @@ static inline void xarm6_mirror(double axis[6][8], const double factor[6], int r
 }
 
 /* The features of the left side: column 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3, 1 (i)
- * and
- * x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+ * and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
 static void xarm6_left_side(const xarm6_formulation *form, double link[6][12], double to[15][32])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} };
@@ -1614,8 +1605,7 @@ static void xarm6_left_side(const xarm6_formulation *form, double link[6][12], d
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
  * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
- * left
- * side's features have columns like these. */
+ * left side's features have columns like these. */
 static void xarm6_equations(const xarm6_formulation *form, double link[6][12], const double
     (*left)[32],
                          double E[192])
@@ -1623,8 +1613,7 @@ static void xarm6_equations(const xarm6_formulation *form, double link[6][12], c
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
     /* the features that the outer joint of the right side leaves alone, and those that it mixes:
-     * the
-     * former hold two of the eight monomials, the latter six */
+     * the former hold two of the eight monomials, the latter six */
     static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
     x[0][0] = x[3][0] = 1.0; /* the origin and z */
@@ -1725,8 +1714,7 @@ typedef struct {
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
  * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where
- * a closer look shows no root. `complete` says that no cell was given up. */
+ * where a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, complete;
     double c[XARM6_ROOTS + 8], s[XARM6_ROOTS + 8];
@@ -1734,8 +1722,7 @@ typedef struct {
 } xarm6_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the
- * value of a parabola over its bend where two complex roots count as a double one. */
+ * the value of a parabola over its bend where two complex roots count as a double one. */
 typedef struct {
     int middle, reach;
     double lifted;
@@ -1814,8 +1801,7 @@ static void xarm6_fill_grids(const xarm6_trigonometric *f, xarm6_grid *g)
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and
- * f' at both edges are not all of the sign of the first beyond doubt. */
+ * and f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long xarm6_open_cells(const xarm6_grid *g, int from, double doubt)
 {
     const double third = 0.02454369260617026 / 3.0;
@@ -1870,8 +1856,7 @@ static void xarm6_add_root(xarm6_roots *roots, double c, double s, int twice)
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about
- * where what is looked for lies, in parts of the width. */
+ * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
     double c[48], s[48], width[48], start[48];
@@ -1926,8 +1911,7 @@ static void xarm6_take_parts(xarm6_parts *parts, int from, xarm6_spans *out)
 }
 
 /* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in
- * parts of the width. */
+ * 1), in parts of the width. */
 static inline xarm6_lane xarm6_on_quintic(int order, const xarm6_spans *part)
 {
     const xarm6_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
@@ -1985,10 +1969,8 @@ static inline void xarm6_turn_on(xarm6_lane x, xarm6_lane *c, xarm6_lane *s)
 }
 
 /* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where
- * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
- * f''
- * there, as far as an extremum is concerned. */
+ * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
+ * f, f', f'' there, as far as an extremum is concerned. */
 static inline xarm6_lane xarm6_between(const xarm6_trigonometric *f, int order, double settled,
                                            const xarm6_spans *part, xarm6_lane *c, xarm6_lane *s,
                                            xarm6_lane at[3])
@@ -2125,8 +2107,8 @@ static inline void xarm6_kinds(const xarm6_trigonometric *f, const xarm6_spans *
         least[2] = xarm6_min(least[2], second);
         most[2] = xarm6_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     * */
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
+     * ends */
     XARM6_STORE(bounds[0], least[0]);
     XARM6_STORE(bounds[1], most[0]);
     XARM6_STORE(bounds[2], xarm6_max(least[1], -most[1]) - doubt * share);
@@ -2303,17 +2285,14 @@ static void xarm6_find_roots(const xarm6_trigonometric *f, const xarm6_window *w
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps
- * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
- * all
- * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+ * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
+ * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
 typedef struct {
     double x, y;
 } xarm6_lens;
 
 /* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a
- * polynomial in psi. */
+ * f a polynomial in psi. */
 static inline xarm6_lane xarm6_through(const xarm6_lens *a, xarm6_lane *c, xarm6_lane *s)
 {
     const xarm6_lane u = *c + a->x, v = *s + a->y;
@@ -2332,9 +2311,8 @@ static inline xarm6_lane xarm6_weighted(xarm6_lane f, xarm6_lane square)
 }
 
 /* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f|
- * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
- * circle, that of its mirror image for z outside. */
+ * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+ * the circle, that of its mirror image for z outside. */
 static int xarm6_spread(const double samples[24], xarm6_lens *a)
 {
     double x = 0.0, y = 0.0, square, part;
@@ -2390,8 +2368,7 @@ static int xarm6_keep_roots(int near, double cosine, double sine, const double *
 }
 
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were
- * known. Returns 0, and leaves these, where that does not show all. */
+ * were known. Returns 0, and leaves these, where that does not show all. */
 static int xarm6_magnify(xarm6_sampler sample, const void *of, double cosine, double sine,
                            xarm6_roots *roots)
 {
@@ -2440,8 +2417,7 @@ static int xarm6_any_near(const xarm6_roots *roots, double cosine, double sine)
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was
- * given up stands among them. */
+ * was given up stands among them. */
 static void xarm6_look_closer(xarm6_sampler sample, const void *of, xarm6_roots *roots)
 {
     double c[4], s[4];
@@ -2517,12 +2493,10 @@ static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *r
 }
 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
- * simple
- * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular: it has
- * no
- * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
- * the determinant does not tell. */
+ * simple roots come first, one candidate each; after them those of roots that may be double,
+ * `group` being the same for all that belong to one such root, which is none where the matrix is
+ * regular: it has no singular value that is next to nothing, and not two small ones, as where so
+ * many roots crowd that the determinant does not tell. */
 typedef struct {
     int count, groups, group[XARM6_CANDIDATES], regular[XARM6_CANDIDATES];
     double c[XARM6_CANDIDATES], s[XARM6_CANDIDATES], n[6][XARM6_CANDIDATES];
@@ -3027,9 +3001,8 @@ static int xarm6_keep(xarm6_found *found, double theta[6], double residual)
 }
 
 /* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the
- * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
- * candidates singular solutions are marked. */
+ * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
+ * `doubtful` candidates singular solutions are marked. */
 static unsigned xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane s[6], int count,
                               int steps, int doubtful, xarm6_found *found,
                               int place[XARM6_LANES])
@@ -3098,8 +3071,7 @@ static void xarm6_around(const xarm6_formulation *form, const xarm6_loop *loop,
 }
 
 /* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
- * square
- * roots; `group` is the number of the root, and `far` how many more ways it has that lead to
+ * square roots; `group` is the number of the root, and `far` how many more ways it has that lead to
  * infinity. */
 typedef struct {
     int count, group[XARM6_CANDIDATES], far[2 * XARM6_ROOTS];
@@ -3107,11 +3079,9 @@ typedef struct {
 } xarm6_ways;
 
 /* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
- * right
- * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
- * and
- * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The signs of a way
- * are those of the plane and of the elbow. */
+ * right angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are
+ * known, and S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The
+ * signs of a way are those of the plane and of the elbow. */
 typedef struct {
     const xarm6_loop *loop;
     double back[12]; /* from frame 6 to frame 5 */
@@ -3164,8 +3134,7 @@ static inline xarm6_lane xarm6_closed_polynomial(const xarm6_setting *set, xarm6
 }
 
 /* By how much each way at a root misses a right angle between axis 4 and z5, over what is nearly
- * none:
- * below one it is a way. */
+ * none: below one it is a way. */
 static inline void xarm6_way_misses(const xarm6_setting *set, xarm6_lane c, xarm6_lane s, xarm6_lane
     miss[4])
 {
@@ -3366,12 +3335,10 @@ static void xarm6_close_roots(const double *E, const xarm6_roots *roots, xarm6_c
 }
 
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
- * there
- * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
- * nearly vanishes all around, rounding of the equations may lift it off a double root, which
- * nothing
- * but they tell. */
+ * there is another one for each of them and two more for each double root, or a singular one; and
+ * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
+ * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
+ * which nothing but they tell. */
 static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
                           double link[6][12], const xarm6_candidates *all,
                           const xarm6_roots *roots, xarm6_found *found)
@@ -3492,10 +3459,8 @@ static unsigned xarm6_follow_back(const xarm6_loop *loop, double (*start)[6], in
 }
 
 /* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side
- * only: both sides have to have as many as are found. Around a singular pose none of them has to
- * have
- * all solutions: then all are looked at. */
+ * side only: both sides have to have as many as are found. Around a singular pose none of them has
+ * to have all solutions: then all are looked at. */
 static int xarm6_from_nearby(const xarm6_loop *loop, xarm6_found *found)
 {
     int followed = 0, before = -1;
@@ -3563,8 +3528,8 @@ static void xarm6_merge(xarm6_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
- * */
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+ * next. */
 static int xarm6_before(const double a[6], const double b[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -3577,12 +3542,10 @@ static int xarm6_before(const double a[6], const double b[6])
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
- * are
- * all: for want of a certificate of its own (where every polynomial vanishes identically there may
- * be a
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
+ * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
+ * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
+ * for want of a certificate of its own (where every polynomial vanishes identically there may be a
  * continuum, which poses close by do not have), or because roots met or the arm is singular at a
  * solution, or nearly, so that steps did not make it exact. */
 static int xarm6_general(const double T[16], double q[16][6],

@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -117,11 +118,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -162,8 +161,7 @@ static void damped_step(
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -315,9 +313,8 @@ static double sideways(const struct descent *d, double along[6])
 }
 
 /* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
 static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], end[2][6];
@@ -444,9 +441,8 @@ static void sorted_rows(
 }
 
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
- * parallel
- * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
- * determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+ * parallel axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two
+ * partners, a determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
  *
  * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
  * below that has the type xarm7_lane does XARM7_LANES angles or candidates at once.
@@ -616,8 +612,7 @@ static const xarm7_formulation xarm7_formulations[2] = {
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose
- * values are given, what stands before, between and behind these. */
+ * whose values are given, what stands before, between and behind these. */
 static const double xarm7_constant[8][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.9230769230769231,
         0.38461538461538464, 0.0, 1.8215640973187067e-10 },
@@ -1452,8 +1447,7 @@ static inline void xarm7_to_unit(xarm7_lane *c, xarm7_lane *s)
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
  * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half
- * as many operations wait for each other. */
+ * that half as many operations wait for each other. */
 static inline xarm7_lane xarm7_reflect(xarm7_lane *const *row, int rows, int column, int columns)
 {
     xarm7_lane axis[6], half[2], length, factor;
@@ -1482,8 +1476,7 @@ static inline xarm7_lane xarm7_reflect(xarm7_lane *const *row, int rows, int col
 }
 
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
- * and
- * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
+ * and (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
 static inline void xarm7_act(const double K[12], xarm7_lane x[15])
 {
     const double t[3] = {K[3], K[7], K[11]};
@@ -1562,8 +1555,7 @@ static void xarm7_pass(const double K[12], double from[15][40], int columns,
 }
 
 /* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say
- * how to reflect others. */
+ * say how to reflect others. */
 static inline void xarm7_clear(double A[6][8], int rows, int columns, double axis[6][8],
                                  double factor[6])
 {
@@ -1605,8 +1597,7 @@ static inline void xarm7_mirror(double axis[6][8], const double factor[6], int r
 }
 
 /* The features of the left side: column 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3, 1 (i)
- * and
- * x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+ * and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
 static void xarm7_left_side(const xarm7_formulation *form, double link[6][12], double to[15][32])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} };
@@ -1629,8 +1620,7 @@ static void xarm7_left_side(const xarm7_formulation *form, double link[6][12], d
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
  * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
- * left
- * side's features have columns like these. */
+ * left side's features have columns like these. */
 static void xarm7_equations(const xarm7_formulation *form, double link[6][12], const double
     (*left)[32],
                          double E[192])
@@ -1638,8 +1628,7 @@ static void xarm7_equations(const xarm7_formulation *form, double link[6][12], c
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
     /* the features that the outer joint of the right side leaves alone, and those that it mixes:
-     * the
-     * former hold two of the eight monomials, the latter six */
+     * the former hold two of the eight monomials, the latter six */
     static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
     x[0][0] = x[3][0] = 1.0; /* the origin and z */
@@ -1740,8 +1729,7 @@ typedef struct {
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
  * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where
- * a closer look shows no root. `complete` says that no cell was given up. */
+ * where a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, complete;
     double c[XARM7_ROOTS + 8], s[XARM7_ROOTS + 8];
@@ -1749,8 +1737,7 @@ typedef struct {
 } xarm7_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the
- * value of a parabola over its bend where two complex roots count as a double one. */
+ * the value of a parabola over its bend where two complex roots count as a double one. */
 typedef struct {
     int middle, reach;
     double lifted;
@@ -1829,8 +1816,7 @@ static void xarm7_fill_grids(const xarm7_trigonometric *f, xarm7_grid *g)
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and
- * f' at both edges are not all of the sign of the first beyond doubt. */
+ * and f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long xarm7_open_cells(const xarm7_grid *g, int from, double doubt)
 {
     const double third = 0.02454369260617026 / 3.0;
@@ -1885,8 +1871,7 @@ static void xarm7_add_root(xarm7_roots *roots, double c, double s, int twice)
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about
- * where what is looked for lies, in parts of the width. */
+ * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
     double c[48], s[48], width[48], start[48];
@@ -1941,8 +1926,7 @@ static void xarm7_take_parts(xarm7_parts *parts, int from, xarm7_spans *out)
 }
 
 /* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in
- * parts of the width. */
+ * 1), in parts of the width. */
 static inline xarm7_lane xarm7_on_quintic(int order, const xarm7_spans *part)
 {
     const xarm7_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
@@ -2000,10 +1984,8 @@ static inline void xarm7_turn_on(xarm7_lane x, xarm7_lane *c, xarm7_lane *s)
 }
 
 /* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where
- * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
- * f''
- * there, as far as an extremum is concerned. */
+ * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
+ * f, f', f'' there, as far as an extremum is concerned. */
 static inline xarm7_lane xarm7_between(const xarm7_trigonometric *f, int order, double settled,
                                            const xarm7_spans *part, xarm7_lane *c, xarm7_lane *s,
                                            xarm7_lane at[3])
@@ -2140,8 +2122,8 @@ static inline void xarm7_kinds(const xarm7_trigonometric *f, const xarm7_spans *
         least[2] = xarm7_min(least[2], second);
         most[2] = xarm7_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     * */
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
+     * ends */
     XARM7_STORE(bounds[0], least[0]);
     XARM7_STORE(bounds[1], most[0]);
     XARM7_STORE(bounds[2], xarm7_max(least[1], -most[1]) - doubt * share);
@@ -2318,17 +2300,14 @@ static void xarm7_find_roots(const xarm7_trigonometric *f, const xarm7_window *w
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps
- * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
- * all
- * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+ * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
+ * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
 typedef struct {
     double x, y;
 } xarm7_lens;
 
 /* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a
- * polynomial in psi. */
+ * f a polynomial in psi. */
 static inline xarm7_lane xarm7_through(const xarm7_lens *a, xarm7_lane *c, xarm7_lane *s)
 {
     const xarm7_lane u = *c + a->x, v = *s + a->y;
@@ -2347,9 +2326,8 @@ static inline xarm7_lane xarm7_weighted(xarm7_lane f, xarm7_lane square)
 }
 
 /* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f|
- * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
- * circle, that of its mirror image for z outside. */
+ * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+ * the circle, that of its mirror image for z outside. */
 static int xarm7_spread(const double samples[24], xarm7_lens *a)
 {
     double x = 0.0, y = 0.0, square, part;
@@ -2405,8 +2383,7 @@ static int xarm7_keep_roots(int near, double cosine, double sine, const double *
 }
 
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were
- * known. Returns 0, and leaves these, where that does not show all. */
+ * were known. Returns 0, and leaves these, where that does not show all. */
 static int xarm7_magnify(xarm7_sampler sample, const void *of, double cosine, double sine,
                            xarm7_roots *roots)
 {
@@ -2455,8 +2432,7 @@ static int xarm7_any_near(const xarm7_roots *roots, double cosine, double sine)
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was
- * given up stands among them. */
+ * was given up stands among them. */
 static void xarm7_look_closer(xarm7_sampler sample, const void *of, xarm7_roots *roots)
 {
     double c[4], s[4];
@@ -2532,12 +2508,10 @@ static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *r
 }
 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
- * simple
- * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular: it has
- * no
- * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
- * the determinant does not tell. */
+ * simple roots come first, one candidate each; after them those of roots that may be double,
+ * `group` being the same for all that belong to one such root, which is none where the matrix is
+ * regular: it has no singular value that is next to nothing, and not two small ones, as where so
+ * many roots crowd that the determinant does not tell. */
 typedef struct {
     int count, groups, group[XARM7_CANDIDATES], regular[XARM7_CANDIDATES];
     double c[XARM7_CANDIDATES], s[XARM7_CANDIDATES], n[6][XARM7_CANDIDATES];
@@ -3042,9 +3016,8 @@ static int xarm7_keep(xarm7_found *found, double theta[6], double residual)
 }
 
 /* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the
- * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
- * candidates singular solutions are marked. */
+ * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
+ * `doubtful` candidates singular solutions are marked. */
 static unsigned xarm7_offer(const xarm7_loop *loop, xarm7_lane c[6], xarm7_lane s[6], int count,
                               int steps, int doubtful, xarm7_found *found,
                               int place[XARM7_LANES])
@@ -3128,12 +3101,10 @@ static void xarm7_close_roots(const double *E, const xarm7_roots *roots, xarm7_c
 }
 
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
- * there
- * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
- * nearly vanishes all around, rounding of the equations may lift it off a double root, which
- * nothing
- * but they tell. */
+ * there is another one for each of them and two more for each double root, or a singular one; and
+ * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
+ * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
+ * which nothing but they tell. */
 static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
                           double link[6][12], const xarm7_candidates *all,
                           const xarm7_roots *roots, xarm7_found *found)
@@ -3251,10 +3222,8 @@ static unsigned xarm7_follow_back(const xarm7_loop *loop, double (*start)[6], in
 }
 
 /* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side
- * only: both sides have to have as many as are found. Around a singular pose none of them has to
- * have
- * all solutions: then all are looked at. */
+ * side only: both sides have to have as many as are found. Around a singular pose none of them has
+ * to have all solutions: then all are looked at. */
 static int xarm7_from_nearby(const xarm7_loop *loop, xarm7_found *found)
 {
     int followed = 0, before = -1;
@@ -3322,8 +3291,8 @@ static void xarm7_merge(xarm7_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
- * */
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+ * next. */
 static int xarm7_before(const double a[6], const double b[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -3336,12 +3305,10 @@ static int xarm7_before(const double a[6], const double b[6])
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
- * are
- * all: for want of a certificate of its own (where every polynomial vanishes identically there may
- * be a
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
+ * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
+ * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
+ * for want of a certificate of its own (where every polynomial vanishes identically there may be a
  * continuum, which poses close by do not have), or because roots met or the arm is singular at a
  * solution, or nearly, so that steps did not make it exact. */
 static int xarm7_general(const double T[16], const double free_joints[1], double q[16][6],

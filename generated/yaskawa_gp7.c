@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -54,8 +55,8 @@ static const double odd[11] = {
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: one pose waits for
- * its values, and has the sum before it knows m; among many something else can go on meanwhile. */
+ * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
+ * waits for its values, so that the sum doesn't wait for m. */
 #define added_four(x, m, y) pick_four(m, (x) + (y), x)
 #define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
 #define ARCTANGENT(v) \
@@ -231,13 +232,23 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
+#define TURNS(v) \
+HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
+HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
+
+TURNS(wide)
+#if LANES > 1
+TURNS(four)
+#endif
+
 #define low(joint) (lowest[joint - 1] - 1e-09)
 #define high(joint) (highest[joint - 1] + 1e-09)
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
     (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -267,7 +278,6 @@ static const double
     k2 = 0.0356, /* 2 * a3 * a2 [m^2] */
     k3 = 0.393225, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 6.467555636500607, /* 1 / (k1^2 + k2^2) [m^-4] */
-    half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.4801364395941514, /* a constant angle [rad] */
     m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
@@ -452,24 +462,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle8 - offset2, angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10),
         v43 = angle9 - offset2, angle10 = atan2_wide(-(v9 + w3_m * (m4 * v4)), w3_m * v12 - v11),
         v44 = angle10 - offset2, angle11 = atan2_wide(-(v9 + w3_m * (m4 * -v4)), w3_m * v13 - v11),
-        v45 = angle11 - offset2, q2_ppp = v42 + only_wide(half_turn < v42, -turn),
-        q2_pmp = v43 + only_wide(half_turn < v43, -turn),
-        q2_mpp = v44 + only_wide(half_turn < v44, -turn),
-        q2_mmp = v45 + only_wide(half_turn < v45, -turn),
+        v45 = angle11 - offset2, q2_ppp = lowered_wide(v42), q2_pmp = lowered_wide(v43),
+        q2_mpp = lowered_wide(v44), q2_mmp = lowered_wide(v45),
         angle12 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28),
         angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28),
         angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28),
         angle15 = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm - s2m3_mm * v28),
         v46 = angle12 - offset5, v47 = offset5 + angle12, v48 = angle13 - offset5,
         v49 = offset5 + angle13, v50 = angle14 - offset5, v51 = offset5 + angle14,
-        v52 = angle15 - offset5, v53 = offset5 + angle15,
-        q5_ppp = v46 + only_wide(v46 <= -half_turn, turn),
-        q5_ppm = only_wide(-v47 <= -half_turn, turn) - v47,
-        q5_pmp = v48 + only_wide(v48 <= -half_turn, turn),
-        q5_pmm = only_wide(-v49 <= -half_turn, turn) - v49,
-        q5_mpp = v50 + only_wide(v50 <= -half_turn, turn),
-        q5_mpm = only_wide(-v51 <= -half_turn, turn) - v51,
-        q5_mmp = v52 + only_wide(v52 <= -half_turn, turn),
+        v52 = angle15 - offset5, v53 = offset5 + angle15, q5_ppp = raised_wide(v46),
+        q5_ppm = only_wide(-v47 <= -half_turn, turn) - v47, q5_pmp = raised_wide(v48),
+        q5_pmm = only_wide(-v49 <= -half_turn, turn) - v49, q5_mpp = raised_wide(v50),
+        q5_mpm = only_wide(-v51 <= -half_turn, turn) - v51, q5_mmp = raised_wide(v52),
         q5_mmm = only_wide(-v53 <= -half_turn, turn) - v53,
         v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31),
         v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31),
@@ -483,10 +487,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle17 - offset6, v61 = angle17 - signed_wide(half_turn, v55) - offset6,
         v62 = angle18 - offset6, v63 = angle18 - signed_wide(half_turn, v56) - offset6,
         v64 = angle19 - offset6, v65 = angle19 - signed_wide(half_turn, v57) - offset6,
-        v66 = q3__pp + only_wide(half_turn < q3__pp, -turn),
-        v67 = only_wide(half_turn < -v6, -turn) - v6,
-        v68 = q3__mp + only_wide(half_turn < q3__mp, -turn),
-        v69 = only_wide(half_turn < -v7, -turn) - v7;
+        v66 = lowered_wide(q3__pp), v67 = only_wide(half_turn < -v6, -turn) - v6,
+        v68 = lowered_wide(q3__mp), v69 = only_wide(half_turn < -v7, -turn) - v7;
     const wide_mask v70 = exceeds(angle1, 1), v71 = exceeds(q1__m, 1);
     const wide v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
         v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn);
@@ -501,28 +503,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
-    q[5] = v58 + only_wide(v58 <= -half_turn, turn);
+    q[5] = raised_wide(v58);
     kind[0] = kind_of(q[0], v80 | exceeds(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v35; q[10] = q5_ppm;
-    q[11] = v59 + only_wide(v59 <= -half_turn, turn);
+    q[11] = raised_wide(v59);
     kind[1] = kind_of(q[6], v80 | exceeds(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp;
-    q[17] = v60 + only_wide(v60 <= -half_turn, turn);
+    q[17] = raised_wide(v60);
     kind[2] = kind_of(q[12], v81 | exceeds(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v35; q[22] = q5_pmm;
-    q[23] = v61 + only_wide(v61 <= -half_turn, turn);
+    q[23] = raised_wide(v61);
     kind[3] = kind_of(q[18], v81 | exceeds(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp;
-    q[29] = v62 + only_wide(v62 <= -half_turn, turn);
+    q[29] = raised_wide(v62);
     kind[4] = kind_of(q[24], v82 | exceeds(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v36; q[34] = q5_mpm;
-    q[35] = v63 + only_wide(v63 <= -half_turn, turn);
+    q[35] = raised_wide(v63);
     kind[5] = kind_of(q[30], v82 | exceeds(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp;
-    q[41] = v64 + only_wide(v64 <= -half_turn, turn);
+    q[41] = raised_wide(v64);
     kind[6] = kind_of(q[36], v83 | exceeds(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v36; q[46] = q5_mmm;
-    q[47] = v65 + only_wide(v65 <= -half_turn, turn);
+    q[47] = raised_wide(v65);
     kind[7] = kind_of(q[42], v83 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -590,14 +592,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle3 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
-        q4_m = angle3 - v21, v26 = angle4 - offset2, q2_p = v26 + only_four(half_turn < v26, -turn),
-        v27 = angle5 - offset5, v28 = offset5 + angle5,
-        q5_p = v27 + only_four(v27 <= -half_turn, turn),
+        q4_m = angle3 - v21, v26 = angle4 - offset2, q2_p = lowered_four(v26),
+        v27 = angle5 - offset5, v28 = offset5 + angle5, q5_p = raised_four(v27),
         q5_m = only_four(-v28 <= -half_turn, turn) - v28, v30 = angle6 - offset6,
-        v31 = angle6 - signed_four(half_turn, v29) - offset6,
-        q6_p = v30 + only_four(v30 <= -half_turn, turn),
-        q6_m = v31 + only_four(v31 <= -half_turn, turn),
-        v32 = q3_ + only_four(half_turn < q3_, -turn);
+        v31 = angle6 - signed_four(half_turn, v29) - offset6, q6_p = raised_four(v30),
+        q6_m = raised_four(v31), v32 = lowered_four(q3_);
     const four_mask v33 = exceeds_four(q1_, 1);
     const four v34 = v32 + only_four(v32 < low(3), turn);
     const four_mask v35 = beyond_four(v34, 3);
@@ -979,8 +978,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1036,8 +1034,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -1060,8 +1057,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1117,8 +1114,8 @@ static void stay(
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
-    status[8])
+APART int ik_carefully(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];

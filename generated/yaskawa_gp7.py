@@ -140,7 +140,6 @@ k1 = 0.3916  # 2 * d4 * a2 [m^2]
 k2 = 0.0356  # 2 * a3 * a2 [m^2]
 k3 = 0.393225  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.467555636500607  # 1 / (k1^2 + k2^2) [m^-4]
-half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4801364395941514  # a constant angle [rad]
 high1 = 2.967000001
 low2 = -1.1344000010000002
@@ -159,6 +158,7 @@ m9 = 0.00028944672131148006  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -403,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 4a29a4dee280496c"
+_KEY = "yaskawa_gp7 2a504003f1922b0d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -9,6 +9,7 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+#define half_turn (0.5 * turn)
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 #define MISFIT(name, number) \
@@ -118,11 +119,9 @@ static void shorten(double step[6])
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the
- * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
- * by
- * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
- * */
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double little,
     double step[6])
@@ -163,8 +162,7 @@ static void damped_step(
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right
- * may be long, and what it leaves, half of its square, far more than was missed. */
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
@@ -325,9 +323,8 @@ static double sideways(const struct descent *d, double along[6])
 }
 
 /* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose
- * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
- * one. */
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
 static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], end[2][6];
@@ -398,8 +395,7 @@ static int known_as(
 }
 
 /* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
- * just
- * beyond an end there; returns how far one was beyond. */
+ * just beyond an end there; returns how far one was beyond. */
 static double clamped(const struct descent *d, const double u[6], double inside[6])
 {
     double most = 0.0;
@@ -419,8 +415,7 @@ static double clamped(const struct descent *d, const double u[6], double inside[
 }
 
 /* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
- * has to
- * be, farther on if steps lead back; returns if it can. */
+ * has to be, farther on if steps lead back; returns if it can. */
 static int leads_inside(struct descent *d, const double u[6], double end[6])
 {
     double way[6], start[6], inside[6];
@@ -439,10 +434,8 @@ static int leads_inside(struct descent *d, const double u[6], double end[6])
 }
 
 /* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
- * inside
- * the limits leads to one, from there or from the seed; where it stands alone to one that is taken
- * for it
- * and as exact as a row has to be. */
+ * inside the limits leads to one, from there or from the seed; where it stands alone to one that is
+ * taken for it and as exact as a row has to be. */
 static void move_inside(
     struct descent *d, const struct kept *kept, int alone, double enough, double u[6])
 {
@@ -532,9 +525,8 @@ static void sorted_rows(
 }
 
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
- * parallel
- * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
- * determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+ * parallel axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two
+ * partners, a determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
  *
  * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
  * below that has the type yaskawa_hc10_lane does YASKAWA_HC10_LANES angles or candidates at once.
@@ -707,8 +699,7 @@ static const yaskawa_hc10_formulation yaskawa_hc10_formulations[2] = {
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose
- * values are given, what stands before, between and behind these. */
+ * whose values are given, what stands before, between and behind these. */
 static const double yaskawa_hc10_constant[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.9230769230769231,
         0.38461538461538464, 0.0, 4.251061542752476e-10 },
@@ -1529,8 +1520,7 @@ static inline void yaskawa_hc10_to_unit(yaskawa_hc10_lane *c, yaskawa_hc10_lane 
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
  * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half
- * as many operations wait for each other. */
+ * that half as many operations wait for each other. */
 static inline yaskawa_hc10_lane yaskawa_hc10_reflect(yaskawa_hc10_lane *const *row, int rows, int
     column, int columns)
 {
@@ -1560,8 +1550,7 @@ static inline yaskawa_hc10_lane yaskawa_hc10_reflect(yaskawa_hc10_lane *const *r
 }
 
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
- * and
- * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
+ * and (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
 static inline void yaskawa_hc10_act(const double K[12], yaskawa_hc10_lane x[15])
 {
     const double t[3] = {K[3], K[7], K[11]};
@@ -1643,8 +1632,7 @@ static void yaskawa_hc10_pass(const double K[12], double from[15][40], int colum
 }
 
 /* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say
- * how to reflect others. */
+ * say how to reflect others. */
 static inline void yaskawa_hc10_clear(double A[6][8], int rows, int columns, double axis[6][8],
                                  double factor[6])
 {
@@ -1687,8 +1675,7 @@ static inline void yaskawa_hc10_mirror(double axis[6][8], const double factor[6]
 }
 
 /* The features of the left side: column 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3, 1 (i)
- * and
- * x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+ * and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
 static void yaskawa_hc10_left_side(const yaskawa_hc10_formulation *form, double link[6][12], double
     to[15][32])
 {
@@ -1712,8 +1699,7 @@ static void yaskawa_hc10_left_side(const yaskawa_hc10_formulation *form, double 
 
 /* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
  * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
- * left
- * side's features have columns like these. */
+ * left side's features have columns like these. */
 static void yaskawa_hc10_equations(const yaskawa_hc10_formulation *form, double link[6][12], const
     double (*left)[32],
                          double E[192])
@@ -1721,8 +1707,7 @@ static void yaskawa_hc10_equations(const yaskawa_hc10_formulation *form, double 
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
     double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
     /* the features that the outer joint of the right side leaves alone, and those that it mixes:
-     * the
-     * former hold two of the eight monomials, the latter six */
+     * the former hold two of the eight monomials, the latter six */
     static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
     x[0][0] = x[3][0] = 1.0; /* the origin and z */
@@ -1825,8 +1810,7 @@ typedef struct {
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
  * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where
- * a closer look shows no root. `complete` says that no cell was given up. */
+ * where a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, complete;
     double c[YASKAWA_HC10_ROOTS + 8], s[YASKAWA_HC10_ROOTS + 8];
@@ -1834,8 +1818,7 @@ typedef struct {
 } yaskawa_hc10_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the
- * value of a parabola over its bend where two complex roots count as a double one. */
+ * the value of a parabola over its bend where two complex roots count as a double one. */
 typedef struct {
     int middle, reach;
     double lifted;
@@ -1915,8 +1898,7 @@ static void yaskawa_hc10_fill_grids(const yaskawa_hc10_trigonometric *f, yaskawa
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and
- * f' at both edges are not all of the sign of the first beyond doubt. */
+ * and f' at both edges are not all of the sign of the first beyond doubt. */
 static unsigned long long yaskawa_hc10_open_cells(const yaskawa_hc10_grid *g, int from, double
     doubt)
 {
@@ -1976,8 +1958,7 @@ static void yaskawa_hc10_add_root(yaskawa_hc10_roots *roots, double c, double s,
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about
- * where what is looked for lies, in parts of the width. */
+ * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
     double c[48], s[48], width[48], start[48];
@@ -2032,8 +2013,7 @@ static void yaskawa_hc10_take_parts(yaskawa_hc10_parts *parts, int from, yaskawa
 }
 
 /* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in
- * parts of the width. */
+ * 1), in parts of the width. */
 static inline yaskawa_hc10_lane yaskawa_hc10_on_quintic(int order, const yaskawa_hc10_spans *part)
 {
     const yaskawa_hc10_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
@@ -2095,10 +2075,8 @@ static inline void yaskawa_hc10_turn_on(yaskawa_hc10_lane x, yaskawa_hc10_lane *
 }
 
 /* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where
- * it leaves. Returns how far that is from where each part begins, with cosine and sine, and f, f',
- * f''
- * there, as far as an extremum is concerned. */
+ * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
+ * f, f', f'' there, as far as an extremum is concerned. */
 static inline yaskawa_hc10_lane yaskawa_hc10_between(const yaskawa_hc10_trigonometric *f, int order,
     double settled,
                                            const yaskawa_hc10_spans *part, yaskawa_hc10_lane *c,
@@ -2244,8 +2222,8 @@ static inline void yaskawa_hc10_kinds(const yaskawa_hc10_trigonometric *f, const
         least[2] = yaskawa_hc10_min(least[2], second);
         most[2] = yaskawa_hc10_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     * */
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
+     * ends */
     YASKAWA_HC10_STORE(bounds[0], least[0]);
     YASKAWA_HC10_STORE(bounds[1], most[0]);
     YASKAWA_HC10_STORE(bounds[2], yaskawa_hc10_max(least[1], -most[1]) - doubt * share);
@@ -2427,17 +2405,14 @@ static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, const y
 }
 
 /* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps
- * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
- * all
- * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+ * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
+ * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
 typedef struct {
     double x, y;
 } yaskawa_hc10_lens;
 
 /* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a
- * polynomial in psi. */
+ * f a polynomial in psi. */
 static inline yaskawa_hc10_lane yaskawa_hc10_through(const yaskawa_hc10_lens *a, yaskawa_hc10_lane
     *c, yaskawa_hc10_lane *s)
 {
@@ -2457,9 +2432,8 @@ static inline yaskawa_hc10_lane yaskawa_hc10_weighted(yaskawa_hc10_lane f, yaska
 }
 
 /* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f|
- * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
- * circle, that of its mirror image for z outside. */
+ * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+ * the circle, that of its mirror image for z outside. */
 static int yaskawa_hc10_spread(const double samples[24], yaskawa_hc10_lens *a)
 {
     double x = 0.0, y = 0.0, square, part;
@@ -2516,8 +2490,7 @@ static int yaskawa_hc10_keep_roots(int near, double cosine, double sine, const d
 }
 
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were
- * known. Returns 0, and leaves these, where that does not show all. */
+ * were known. Returns 0, and leaves these, where that does not show all. */
 static int yaskawa_hc10_magnify(yaskawa_hc10_sampler sample, const void *of, double cosine, double
     sine,
                            yaskawa_hc10_roots *roots)
@@ -2567,8 +2540,7 @@ static int yaskawa_hc10_any_near(const yaskawa_hc10_roots *roots, double cosine,
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was
- * given up stands among them. */
+ * was given up stands among them. */
 static void yaskawa_hc10_look_closer(yaskawa_hc10_sampler sample, const void *of, yaskawa_hc10_roots
     *roots)
 {
@@ -2646,12 +2618,10 @@ static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, 
 }
 
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
- * simple
- * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root, which is none where the matrix is regular: it has
- * no
- * singular value that is next to nothing, and not two small ones, as where so many roots crowd that
- * the determinant does not tell. */
+ * simple roots come first, one candidate each; after them those of roots that may be double,
+ * `group` being the same for all that belong to one such root, which is none where the matrix is
+ * regular: it has no singular value that is next to nothing, and not two small ones, as where so
+ * many roots crowd that the determinant does not tell. */
 typedef struct {
     int count, groups, group[YASKAWA_HC10_CANDIDATES], regular[YASKAWA_HC10_CANDIDATES];
     double c[YASKAWA_HC10_CANDIDATES], s[YASKAWA_HC10_CANDIDATES], n[6][YASKAWA_HC10_CANDIDATES];
@@ -3166,9 +3136,8 @@ static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double 
 }
 
 /* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the
- * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
- * candidates singular solutions are marked. */
+ * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
+ * `doubtful` candidates singular solutions are marked. */
 static unsigned yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskawa_hc10_lane c[6],
     yaskawa_hc10_lane s[6], int count,
                               int steps, int doubtful, yaskawa_hc10_found *found,
@@ -3239,8 +3208,7 @@ static void yaskawa_hc10_around(const yaskawa_hc10_formulation *form, const yask
 }
 
 /* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
- * square
- * roots; `group` is the number of the root, and `far` how many more ways it has that lead to
+ * square roots; `group` is the number of the root, and `far` how many more ways it has that lead to
  * infinity. */
 typedef struct {
     int count, group[YASKAWA_HC10_CANDIDATES], far[2 * YASKAWA_HC10_ROOTS];
@@ -3248,11 +3216,9 @@ typedef struct {
 } yaskawa_hc10_ways;
 
 /* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
- * right
- * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
- * and
- * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The signs of a way
- * are those of the plane and of the elbow. */
+ * right angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are
+ * known, and S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The
+ * signs of a way are those of the plane and of the elbow. */
 typedef struct {
     const yaskawa_hc10_loop *loop;
     double back[12]; /* from frame 6 to frame 5 */
@@ -3303,8 +3269,7 @@ static inline yaskawa_hc10_lane yaskawa_hc10_closed_polynomial(const yaskawa_hc1
 }
 
 /* By how much each way at a root misses a right angle between axis 4 and z5, over what is nearly
- * none:
- * below one it is a way. */
+ * none: below one it is a way. */
 static inline void yaskawa_hc10_way_misses(const yaskawa_hc10_setting *set, yaskawa_hc10_lane c,
     yaskawa_hc10_lane s, yaskawa_hc10_lane miss[4])
 {
@@ -3516,12 +3481,10 @@ static void yaskawa_hc10_close_roots(const double *E, const yaskawa_hc10_roots *
 }
 
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
- * there
- * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
- * nearly vanishes all around, rounding of the equations may lift it off a double root, which
- * nothing
- * but they tell. */
+ * there is another one for each of them and two more for each double root, or a singular one; and
+ * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
+ * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
+ * which nothing but they tell. */
 static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaskawa_hc10_loop *loop,
                           double link[6][12], const yaskawa_hc10_candidates *all,
                           const yaskawa_hc10_roots *roots, yaskawa_hc10_found *found)
@@ -3648,10 +3611,8 @@ static unsigned yaskawa_hc10_follow_back(const yaskawa_hc10_loop *loop, double (
 }
 
 /* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side
- * only: both sides have to have as many as are found. Around a singular pose none of them has to
- * have
- * all solutions: then all are looked at. */
+ * side only: both sides have to have as many as are found. Around a singular pose none of them has
+ * to have all solutions: then all are looked at. */
 static int yaskawa_hc10_from_nearby(const yaskawa_hc10_loop *loop, yaskawa_hc10_found *found)
 {
     int followed = 0, before = -1;
@@ -3719,8 +3680,8 @@ static void yaskawa_hc10_merge(yaskawa_hc10_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
- * */
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+ * next. */
 static int yaskawa_hc10_before(const double a[6], const double b[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -3733,12 +3694,10 @@ static int yaskawa_hc10_before(const double a[6], const double b[6])
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
- * are
- * all: for want of a certificate of its own (where every polynomial vanishes identically there may
- * be a
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
+ * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
+ * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
+ * for want of a certificate of its own (where every polynomial vanishes identically there may be a
  * continuum, which poses close by do not have), or because roots met or the arm is singular at a
  * solution, or nearly, so that steps did not make it exact. */
 static int yaskawa_hc10_general(const double T[16], double q[16][6],
@@ -4078,8 +4037,7 @@ static double past_ends(const double values[6])
 }
 
 /* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an
- * end there. */
+ * an end there. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -4135,8 +4093,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to
- * stand on their ends at once. */
+ * to stand on their ends at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
@@ -4159,8 +4116,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that one's.
- * */
+ * to the same there is one, and what is nearer to another row that keeps its limits is that
+ * one's. */
 static void stand(const double T[16], int row, double rows[16][6], const unsigned char status[16])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);

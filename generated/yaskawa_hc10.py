@@ -139,6 +139,7 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 offset6 = 3.141592653589793  # offset of joint 6 [rad]
 
 turn = 6.283185307179586  # 2 pi [rad]
+half_turn = 0.5 * turn
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -356,7 +357,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 890153d4a46af78e"
+_KEY = "yaskawa_hc10 5005a5a4dfdc16b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -13,8 +13,7 @@ class Source(Enum):
     ARM = "a number of the arm, by the name that it has there"
     MADE = "made of the arm's numbers"
     COEFFICIENT = "made of them in a way that no formula tells"
-    UNIVERSAL = "the same for every arm"
-    FILE = "the same for every arm, and defined in every file: 2 pi"
+    FILE = "the same for every arm, and defined in every file: pi and 2 pi"
 
 
 @dataclass(frozen=True, slots=True)

@@ -72,35 +72,3 @@ def paragraph(text: str, indent: str) -> str:
     return "\n".join(
         textwrap.wrap(text, WIDTH - len(indent), break_long_words=False, break_on_hyphens=False)
     ).replace("\n", f"\n{indent}")
-
-
-def fitted(source: str) -> str:
-    """C whose long names have made some lines too long for a page."""
-    lines: list[str] = []
-    in_comment = False  # a line of a product may begin with a star, too
-    for line in source.split("\n"):
-        if len(line) <= WIDTH or line.startswith("#"):
-            lines.append(line)
-        elif lines and lines[-1].endswith(GOES_ON):
-            lines += _going_on(line)
-        else:
-            lines += _broken(line, in_comment=in_comment)
-        opened, closed = line.rfind("/*"), line.rfind("*/")
-        in_comment = in_comment if opened == closed else opened > closed
-    return "\n".join(lines)
-
-
-def _going_on(line: str) -> list[str]:
-    """A line of a directive, which ends where no backslash says that it goes on."""
-    text = line.removesuffix(GOES_ON)
-    indent = line[: len(line) - len(line.lstrip())]
-    pieces = wrapped(text, indent, width=WIDTH - len(GOES_ON))
-    return [*(piece + GOES_ON for piece in pieces[:-1]), pieces[-1] + line[len(text) :]]
-
-
-def _broken(line: str, *, in_comment: bool) -> list[str]:
-    text = line.lstrip()
-    indent = line[: len(line) - len(text)]
-    if in_comment:
-        return wrapped(line, indent, "* ")
-    return wrapped(line, indent, " * " if text.startswith("/* ") else INDENT)

@@ -6,7 +6,7 @@ from dhgen.program.reserved import Reserved
 
 _SOLVER = """
 J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into jacobian joint
-lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap
+half_turn lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap
 T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
 """
 
@@ -38,7 +38,8 @@ cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_
 added_four added_wide all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide
 minimum_wide sqrt_wide where_wide wrap_wide maximum_double only_four only_wide minimum_double
 signed_four signed_wide angle_four angle_wide beyond_four compare_four exceeds exceeds_four
-four_ratio negated_four negated_wide ratio_four ratio_wide shuffle where_all wide_ratio
+four_ratio negated_four negated_wide ratio_four ratio_wide shuffle where_all wide_ratio MOTION TURNS
+raised_four raised_wide lowered_four lowered_wide centred_four centred_wide
 """
 
 _PYTHON = """

@@ -89,6 +89,11 @@ def whole_turn(builder: Builder) -> Node:
     return builder.constant("turn", 2 * math.pi, "2 pi [rad]", role=Source.FILE)
 
 
+def half_turn(builder: Builder) -> Node:
+    """Pi, by a name."""
+    return builder.constant("half_turn", math.pi, "pi [rad]", role=Source.FILE)
+
+
 def _turns(distance: float) -> int:
     """How many whole turns cover a distance."""
     return max(math.ceil(distance / (2 * math.pi)), 0)

@@ -12,10 +12,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhgen.program.regular.limits import whole_turn
+from dhgen.program.regular.limits import half_turn, whole_turn
 from dhgen.program.regular.rewriting import Rewriting
 from dhgen.program.regular.turned import turned_pair
-from dhgen.program.role import Source
 
 if TYPE_CHECKING:
     from dhgen.program.building.builder import Builder
@@ -155,9 +154,9 @@ class SignedArithmetic:
         self._ranges[angle] = (-math.pi, math.pi)
         if tau or rho_x:
             turn, mirror = self._product(tau), self._product(rho_x)
-            half_turn = builder.apply("copysign", self._pi(), y.node)
+            half = builder.apply("copysign", half_turn(builder), y.node)
             share = builder.div(builder.sub(turn, mirror), builder.integer(2))
-            angle = builder.add(builder.mul(mirror, angle), builder.mul(half_turn, share))
+            angle = builder.add(builder.mul(mirror, angle), builder.mul(half, share))
             self._ranges[angle] = (-math.pi, math.pi)
         return Signed(angle, rho_y)
 
@@ -246,17 +245,14 @@ class SignedArithmetic:
         if known is None:
             return builder.apply("wrap", node)
         low, high = known
-        zero, turn = builder.integer(0), whole_turn(builder)
+        zero, turn, half = builder.integer(0), whole_turn(builder), half_turn(builder)
         for k in range(max(_turns(high), _turns(-low))):
-            above = builder.apply("less", self._pi(), node)
-            below = builder.apply("at_most", node, builder.neg(self._pi()))
+            above = builder.apply("less", half, node)
+            below = builder.apply("at_most", node, builder.neg(half))
             back = builder.select(above, builder.neg(turn), zero) if k < _turns(high) else zero
             ahead = builder.select(below, turn, back) if k < _turns(-low) else back
             node = builder.add(node, ahead)
         return node
-
-    def _pi(self) -> Node:
-        return self._builder.constant("half_turn", math.pi, "pi [rad]", role=Source.UNIVERSAL)
 
     def _range(self, node: Node) -> tuple[float, float] | None:
         """Between which numbers an angle is known to lie."""

@@ -67,7 +67,7 @@ def c_prototypes(module: SolverModule) -> Prototypes:
     solved = [pose, *free, f"const double seed[{dof}]", *moved, *table]
     return Prototypes(
         ik=call(f"int {name}_ik", inputs, ""),
-        careful=call("int ik_carefully", inputs, ""),
+        careful=call("APART int ik_carefully", inputs, ""),
         nearest=call(f"int {name}_ik_nearest", [pose, *free, seed, f"double q[{dof}]"], ""),
         batch=call(f"void {name}_ik_batch", batch, ""),
         solve=call("static void solve", solved, ""),

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 from dhgen.targets.c.arctangent import CArctangent
 from dhgen.targets.c.calls import CCalls, Prototypes, c_calls, c_prototypes
 from dhgen.targets.c.entries import entry_lines, entry_texts
+from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.language import C
+from dhgen.targets.c.motion import Motion, motion_of
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
 from dhgen.targets.general.emit import c_rows, c_source
-from dhgen.targets.layout import INDENT, fitted, packed
+from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.targets.solver.bodies import Bodies, bodies_of
@@ -24,6 +26,8 @@ from dhgen.targets.templates import named, render
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
 
@@ -41,6 +45,7 @@ class CSolver:
         pose: How a pose is read.
         prototypes: Functions without their bodies.
         calls: How they are called.
+        motion: Defines what forward kinematics and the Jacobian begin with, where that is apart.
         bodies: The programs.
         parts: Functions that have templates of their own.
         regular: What serves regular poses, where there is a program for them.
@@ -52,6 +57,7 @@ class CSolver:
     pose: CPose
     prototypes: Prototypes
     calls: CCalls
+    motion: Sequence[str]
     bodies: Bodies
     parts: Parts
     regular: CRegular | None
@@ -90,19 +96,22 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
     Args:
         module: The robot.
         common: What every language says of it.
-        in_loops: Whether its regular poses go through branches in loops, which is shorter.
+        in_loops: Whether its regular poses go through branches in loops, and what functions have
+            in common is written once: that is shorter.
     """
     regular = regular_solver(module)
     flats = None if regular is None else flats_of(regular, in_loops=in_loops)
     programs = () if flats is None else flats.programs
     calls = c_calls(module)
+    motion = motion_of(module) if in_loops else Motion((), module)
     return CSolver(
         comments=c_comments(module),
         tables=c_tables(module, programs),
         pose=c_pose(module, entry_texts(module, programs)),
         prototypes=c_prototypes(module),
         calls=calls,
-        bodies=bodies_of(module, C(), _assignments, entry_lines),
+        motion=motion.macro,
+        bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
         parts=parts_of(module, common, _writers(calls)),
         regular=regular_values(module, flats) if flats else None,
         arctangent=CArctangent(),

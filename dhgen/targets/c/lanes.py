@@ -10,6 +10,7 @@ from dhgen.program.role import LimitEnd
 from dhgen.program.walk import expressions
 from dhgen.targets.c.declared import Declaration
 from dhgen.targets.c.language import C
+from dhgen.targets.c.turns import TurnReader
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ class LaneText:
         self._wide = wide
         roles = {c.name: c.role for c in program.constants}
         self._limits = {name: r for name, r in roles.items() if isinstance(r, LimitEnd)}
+        self._turns = TurnReader(program)
         self._lanes = dict.fromkeys(roles, False)
         self._lanes |= {axis.name: True for axis in program.axes}
 
@@ -94,6 +96,15 @@ class LaneText:
                 return Text(LIBRARY.pose(row, column), ATOM, self._wide)
             case Joint(number, role):
                 return Text(LIBRARY.joint(number, role), ATOM, self._wide)
+            case Apply(operator, operands):
+                named = self._named(expression)
+                if named is not None:
+                    return named
+                return self._apply(operator, [self.text(operand) for operand in operands])
+
+    def _named(self, expression: Apply) -> Text | None:
+        """What has a name in C, although programs write it out."""
+        match expression:
             case Apply("sqrt", (Integer(value),)) if value < 0:
                 return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
             case Apply("or", (Apply("less", (value, low)), Apply("less", (high, again)))) if (
@@ -104,8 +115,10 @@ class LaneText:
                 limit := self._limits.get(name)
             ) and self.text(value).lanes:
                 return self._limit_test("exceeds", value, limit.joint)
-            case Apply(operator, operands):
-                return self._apply(operator, [self.text(operand) for operand in operands])
+        turned = self._turns.read(expression)
+        if turned is None or not (angle := self.text(turned.angle)).lanes:
+            return None
+        return Text(f"{turned.function}_{self._vector}({angle.text})", ATOM, lanes=True)
 
     def _limit_test(self, macro: str, value: Expression, joint: int) -> Text:
         """Whether a value is outside the limits of a joint, by a macro."""

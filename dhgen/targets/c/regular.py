@@ -17,6 +17,7 @@ from dhgen.targets.c.lanes import LaneText, operators
 from dhgen.targets.c.packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c.rows import status_lines, store_places, stores, words
 from dhgen.targets.c.shared import NOTHING_SHARED, shared_values
+from dhgen.targets.c.tools import Tools, tools_of
 from dhgen.targets.c.wide import lets, row_of, wide_lines
 from dhgen.targets.layout import INDENT, call, wrapped
 from dhgen.tolerances import SINGLE
@@ -56,7 +57,7 @@ class CRegular:
         stores_two: Whether they are in pairs.
         irregularity: How far a pose is from one in full precision.
         wide: One lane a pose.
-        spreads_truths: Whether it takes truth values to lanes.
+        tools: What they call.
         one: Branches in lanes.
         tile: The prototype of what solves many poses.
         words: Statuses that are put together.
@@ -72,7 +73,7 @@ class CRegular:
     stores_two: bool
     irregularity: Irregularities
     wide: LaneFunction
-    spreads_truths: bool
+    tools: Tools
     one: LaneFunction
     tile: str
     words: Sequence[Word]
@@ -95,6 +96,7 @@ def regular_values(module: SolverModule, flats: Flats) -> CRegular:
     head = "HELPER wide_mask solve_wide"
     body = wide_lines(module, flat, entries, shared, unrolled=flats.unrolled)
     wide = LaneFunction(_prototype(module, head, "wide"), body)
+    one = _one(module, lanes, entry_lines(lanes.program, alike=alike), shared)
     row_size = module.solver.rows * module.chain.dof
     return CRegular(
         functions=sorted(used & {"sin", "cos", "wrap"}),
@@ -102,8 +104,8 @@ def regular_values(module: SolverModule, flats: Flats) -> CRegular:
         stores_two=2 in sizes,
         irregularity=irregularities(module, _inputs(module, "%")),
         wide=wide,
-        spreads_truths=any("where_wide(" in line for line in wide.lines),
-        one=_one(module, lanes, entry_lines(lanes.program, alike=alike), shared),
+        tools=tools_of([*wide.lines, *one.lines]),
+        one=one,
         tile=_prototype(module, "HELPER unsigned solve_tile", "tile"),
         words=words(module.solver.rows),
         row_size=row_size,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dhgen.targets.layout import WIDTH, fitted
+from dhgen.targets.c.fitting import fitted
+from dhgen.targets.layout import WIDTH
 
 FACTORS = " ".join(f"* factor{i}" for i in range(20))
 
@@ -33,3 +34,19 @@ def test_lines_of_a_directive_go_on() -> None:
         assert max(map(len, broken.split("\n"))) <= WIDTH
         whole = broken.replace(" \\\n", " ").split("\n")[0]
         assert whole.split() == source.replace(" \\\n", " ").split("\n")[0].split()
+
+
+def test_a_paragraph_is_filled_anew() -> None:
+    """And no other one; the end of a comment stays with its last word."""
+    long = f"a {'name_' * 15} that is long"
+    source = f"/* about\n *\n * {long} that go on\n * behind it. */\nint x;"
+    assert fitted(source).split("\n") == [
+        "/* about",
+        " *",
+        f" * {long} that",
+        " * go on behind it. */",
+        "int x;",
+    ]
+    exact = f"/* {'w' * 46} {'w' * 48}. */"
+    assert len(exact) == WIDTH + 2
+    assert fitted(exact).split("\n") == [f"/* {'w' * 46}", f" * {'w' * 48}. */"]
