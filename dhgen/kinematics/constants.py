@@ -52,6 +52,8 @@ class Constant:
         cosine: For the sine of a twist, the name of its cosine, else None.
         is_length: Whether it scales with the arm.
         parameter: What it is called in the robot file, where it has a name there.
+        angle: For a cosine and its sine, the angle as it was first written [rad], of which they
+            have the sizes alone; else None.
     """
 
     name: str
@@ -61,6 +63,7 @@ class Constant:
     cosine: str | None = None
     is_length: bool = True
     parameter: str | None = None
+    angle: float | None = None
 
 
 SQRT2 = Constant("sqrt2", math.sqrt(2.0), "square root of 2", square=Fraction(2), is_length=False)
@@ -213,13 +216,20 @@ class ConstantTable:
             while {f"ca{name}", f"sa{name}"} & (self.constants.keys() | self.parameters.keys()):
                 name += "_"
             self._twists.append((folded, name))
-        cosine = Constant(f"ca{name}", math.cos(folded), f"cosine of {meaning}", is_length=False)
+        cosine = Constant(
+            f"ca{name}",
+            math.cos(folded),
+            f"cosine of {meaning}",
+            is_length=False,
+            angle=angle,
+        )
         sine = Constant(
             f"sa{name}",
             math.sin(folded),
             f"sine of {meaning}",
             cosine=cosine.name,
             is_length=False,
+            angle=angle,
         )
         c, s = self._add(cosine), self._add(sine)
         return (c if size <= math.pi / 2 else -c), (s if angle >= 0 else -s)

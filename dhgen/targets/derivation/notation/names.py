@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -158,23 +159,39 @@ def constant_symbol(constant: Constant, constants: tuple[Constant, ...]) -> Symb
     if constant.square is not None:
         return Symbol(rf"\sqrt{{{constant.square}}}", f"√{constant.square}", name)
     if constant.cosine is not None:
-        return _of_angle("sin", constant.cosine, name, constants)
+        return _function("sin", reference_angle(constant, constants), name)
     if any(other.cosine == name for other in constants):
-        return _of_angle("cos", name, name, constants)
+        return _function("cos", reference_angle(constant, constants), name)
     made = _MADE.fullmatch(name)
     if made is not None and constant.meaning.split()[0] in {"x", "y", "z", "tool", "base", "home"}:
         return letter(made[1], made[1], made[2], name)
     return parameter(name)
 
 
-def _of_angle(function: str, cosine: str, name: str, constants: tuple[Constant, ...]) -> Symbol:
-    """cos α_2 out of ca2, cos θ_3 out of cat3; any other angle is η, numbered as they appear."""
-    if (index := _angle_index(cosine)) is not None:
-        angle = letter(*index)
-    else:
-        cosines = [c.cosine for c in constants if c.cosine and _angle_index(c.cosine) is None]
-        angle = letter(r"\eta", "η", str(cosines.index(cosine) + 1))
+def _function(function: str, angle: Symbol, name: str) -> Symbol:
     return Symbol(rf"\{function} {angle.latex}", f"{function} {angle.text}", name)
+
+
+def reference_angle(constant: Constant, constants: tuple[Constant, ...]) -> Symbol:
+    """The angle between 0 and pi/2 of a cosine and sine that have no sign.
+
+    α_2 out of ca2, θ_3 out of cat3, with a hat where the table's angle is another one; any other
+    angle is η, numbered as they appear.
+    """
+    cosine = constant.cosine or constant.name
+    index = _angle_index(cosine)
+    if index is None:
+        cosines = [c.cosine for c in constants if c.cosine and _angle_index(c.cosine) is None]
+        return letter(r"\eta", "η", str(cosines.index(cosine) + 1))
+    latex, text, number = index
+    if is_turned(constant.angle):
+        return letter(rf"\hat{latex}", f"{text}^", number)
+    return letter(latex, text, number)
+
+
+def is_turned(angle: float | None) -> bool:
+    """Whether an angle lies outside the first quadrant."""
+    return angle is not None and not 0.0 <= angle <= math.pi / 2
 
 
 def _angle_index(cosine: str) -> tuple[str, str, str] | None:

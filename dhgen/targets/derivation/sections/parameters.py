@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from itertools import product
 from typing import TYPE_CHECKING
@@ -11,6 +12,7 @@ from dhgen.kinematics.ring import used_places
 from dhgen.robot.expression import Negate, Number
 from dhgen.targets.derivation.notation.expressions import expression_symbol, number_symbol
 from dhgen.targets.derivation.notation.names import parameter
+from dhgen.targets.derivation.sections.reference_angles import reference_angles
 from dhgen.targets.derivation.text.blocks import Given, joined, paragraph, say
 from dhgen.targets.derivation.text.formula import equal
 
@@ -24,7 +26,6 @@ if TYPE_CHECKING:
 
 ANGLES = ("twist", "the angle", "the parameter")
 TURNED = ("cosine of", "sine of")
-SIGNS = " Cosines and sines are given without their signs, which stand in the formulas."
 
 
 def constant_blocks(story: Story) -> list[Block]:
@@ -38,12 +39,10 @@ def constant_blocks(story: Story) -> list[Block]:
     made = [each for each in constants if each.parameter is None and each.square is None]
     if made:
         numbers = joined([_constant(story, each) for each in made])
-        signs = SIGNS if any(each.meaning.startswith(TURNED) for each in made) else ""
         blocks.append(
-            paragraph(
-                "Letters for numbers that have no name in the robot file: {}." + signs, numbers
-            )
+            paragraph("Letters for numbers that have no name in the robot file: {}.", numbers)
         )
+        blocks += reference_angles(story)
     return blocks
 
 
@@ -90,7 +89,17 @@ def _constant(story: Story, constant: Constant) -> Prose:
 def _meaning(constant: Constant) -> str:
     """What a number is; an angle inside a frame's rotation is not one entry of it."""
     function, of, what = constant.meaning.partition(" of ")
-    if f"{function}{of}".strip() not in TURNED or what.startswith(ANGLES):
+    if f"{function}{of}".strip() not in TURNED:
         return constant.meaning
-    place = re.sub(r"^(.*), entry .*", r"the \1", what)
-    return f"{function} of an angle in {place}"
+    if not what.startswith(ANGLES):
+        place = re.sub(r"^(.*), entry .*", r"the \1", what)
+        what = f"an angle in {place}"
+    return f"{function} of {what}{_unsigned(function, constant)}"
+
+
+def _unsigned(function: str, constant: Constant) -> str:
+    """What is said of a cosine or sine that is less than zero."""
+    if constant.angle is None:
+        return ""
+    value = math.cos(constant.angle) if function == "cosine" else math.sin(constant.angle)
+    return "" if value > 0.0 else ", without its sign"
