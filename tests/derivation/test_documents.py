@@ -82,7 +82,7 @@ def test_rows_are_said_to_keep_their_place_only_where_they_do() -> None:
 
 def test_roots_ascend_and_their_rows_do_not_keep_their_places() -> None:
     ends = "A branch ends where a square root has a negative argument; its rows are empty and the"
-    ascend = "The real roots ascend from root 1; where there are fewer than four, the rows of the"
+    ascend = "The roots are in the order of their angles, from root 1; where there are fewer than"
     under = "Under each root a branch ends where a square root has a negative argument; its row is"
     for name, told in {
         "scara": (True, False, False),
@@ -90,6 +90,12 @@ def test_roots_ascend_and_their_rows_do_not_keep_their_places() -> None:
         "parallel_123": (False, True, True),
     }.items():
         assert tuple(each in document(name) for each in (ends, ascend, under)) == told
+
+
+def test_half_a_turn_is_a_root_that_the_half_angle_s_tangent_misses() -> None:
+    for name, joint in (("cuspidal_3r", "1"), ("concurrent_345", "6")):
+        told = rf"Where the coefficient of $x^4$ vanishes, $\theta_{joint} = \pi$ is a solution too."
+        assert told in document(name)
 
 
 def test_two_roots_that_meet_are_a_singular_configuration() -> None:

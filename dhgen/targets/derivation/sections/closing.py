@@ -22,8 +22,9 @@ ENDING = (
     "rows keep their places."
 )
 ASCENDING = (
-    "The real roots ascend from root 1; where there are fewer than four, the rows of the last ones "
-    "are empty. So where two roots meet and vanish, the roots above them change their rows."
+    "The roots are in the order of their angles, from root 1; where there are fewer than four, the "
+    "rows of the last ones are empty. So where two roots meet and vanish, the roots "
+    "above them change their rows."
 )
 UNDER_A_ROOT = (
     " Under each root a branch ends where a square root has a negative argument; its row is empty "

@@ -108,7 +108,7 @@ def _solutions(story: Story) -> str:
     if story.has_branch_words:
         named = ", ".join(f"{place} {name}" for place, name in enumerate(story.branch_names))
         if story.derivation.method is Method.QUARTIC:
-            return f"At most {count}, in rows by ascending roots of the quartic: {named}."
+            return f"At most {count}, in rows by ascending angles of the roots: {named}."
         return f"At most {count}, each always in the same row: {named}."
     return (
         f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "

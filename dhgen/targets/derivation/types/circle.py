@@ -14,9 +14,11 @@ from dhgen.targets.derivation.text.formula import (
     ZERO,
     Call,
     Formula,
+    Power,
     Symbol,
     add,
     equal,
+    minus,
     number,
     over,
     square,
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
 P1, Q1, R1, P2, Q2, R2 = (type_letter(name) for name in ("P1", "Q1", "R1", "P2", "Q2", "R2"))
 V1, V2 = (type_letter(name) for name in ("V1", "V2"))
 I = Symbol("i", "i")
+PI = Symbol(r"\pi", "π")
 JACOBIAN = Symbol("J", "J")
 
 
@@ -51,8 +54,15 @@ def print_circle(context: StepContext) -> StepText:
         *_elimination(context, c, s, gone),
         paragraph(
             "This is of degree 2 in {} and {}. With {} it is an equation of degree 4 in {}, and "
-            "its real roots, at most four, give {}; {} follows for each of them.",
+            "its real roots, at most four, give {}; {} follows for each of them. Where the "
+            "coefficient of {} vanishes, {} is a solution too. The solutions are ordered by {}, "
+            "from {} to {}.",
             *names,
+            Power(half, 4),
+            equal(theta(kept), PI),
+            theta(kept),
+            minus(PI),
+            PI,
         ),
     ]
     met = _met(context)
