@@ -35,6 +35,7 @@ class Singularity:
         joints: The same in terms of the joint angles, when that is short.
         meaning: What the arm looks like there.
         effect: What happens.
+        frees: Whether a joint takes the seed's value.
     """
 
     step: int
@@ -42,6 +43,7 @@ class Singularity:
     joints: Formula | None
     meaning: Prose
     effect: Prose
+    frees: bool = False
 
 
 @dataclass(frozen=True, slots=True)

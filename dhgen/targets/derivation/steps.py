@@ -40,6 +40,12 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
     return [*blocks, *text.blocks], text.singularities
 
 
+def leaves_a_joint_free(story: Story) -> bool:
+    """Whether a step tells of a place where a joint takes the seed's value."""
+    steps = range(1, len(story.steps) + 1)
+    return any(each.frees for number in steps for each in step_blocks(story, number)[1])
+
+
 def _lead(context: StepContext) -> Prose:
     step = context.step
     count = numeral(step.roots)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.program.count import count_operations
 from dhgen.program.regular.regular import regular
 from dhgen.targets.derivation.sections.tree import tree_text
+from dhgen.targets.derivation.steps import leaves_a_joint_free
 from dhgen.targets.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
 from dhgen.targets.walk import finds_roots
 
@@ -80,16 +81,22 @@ def cost_section(story: Story) -> list[Block]:
     text = (
         "A value that depends on only some of the signs is computed once for each combination of "
         f"those. Besides arithmetic, the solutions take only {made_of}"
-        + ("." if not count.sines_cosines else "; " + _sines(story))
+        + (_sines(story) if count.sines_cosines else ".")
     )
     solver = regular(story.program)
     if solver is not None:
-        lines.append(_operations("at a regular pose", count_operations(solver.program)))
+        quick = count_operations(solver.program)
+        lines.append(_operations("at a regular pose", quick))
         text += (
             " At a regular pose no joint is free and no two branches meet, so neither has to be "
             "tested; what is odd or even in a sign is computed once for both of its values, and "
             "additions replace divisions and roots where they can."
         )
+        if quick.arctangents < count.arctangents:
+            text += (
+                " Where the two values of a sign give angles that differ by half a turn or by "
+                "their own sign, one atan2 serves both."
+            )
     return [Heading(2, say("Cost")), Table(_COUNTED, tuple(lines)), paragraph(text)]
 
 
@@ -121,7 +128,12 @@ def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
 
 def _sines(story: Story) -> str:
     if story.robot.free or story.robot.arm_angle:
-        return "sines and cosines are taken of values that the caller gives."
+        return "; sines and cosines are taken of values that the caller gives."
     if finds_roots(story.program):
-        return "sines and cosines are taken of the roots and, where a joint is free, of the seed."
-    return "sines and cosines are taken of the seed only, where a joint is free."
+        return "; sines and cosines are taken of the roots and, where a joint is free, of the seed."
+    if not leaves_a_joint_free(story):
+        return (
+            ". The counts include the code of all cases, also of those that the numbers of this "
+            "arm exclude; where a joint would be free it takes sines and cosines of the seed."
+        )
+    return "; sines and cosines are taken of the seed only, where a joint is free."

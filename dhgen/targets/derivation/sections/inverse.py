@@ -16,6 +16,7 @@ from dhgen.targets.derivation.sections.given_pose import BASE, POSE, TOOL, given
 from dhgen.targets.derivation.sections.points import point_blocks
 from dhgen.targets.derivation.sections.shoulder import shoulder_blocks
 from dhgen.targets.derivation.sections.types_table import types_table
+from dhgen.targets.derivation.steps import leaves_a_joint_free
 from dhgen.targets.derivation.text.blocks import (
     Heading,
     Paragraph,
@@ -26,7 +27,6 @@ from dhgen.targets.derivation.text.blocks import (
     sentences,
 )
 from dhgen.targets.derivation.text.formula import Listing, Symbol, equal, times
-from dhgen.targets.walk import reads
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
@@ -72,7 +72,7 @@ def _given(story: Story) -> list[Block]:
             method,
         ),
         *_other_forms(story),
-        *([paragraph(SEED)] if reads(story.program, "seed") else []),
+        *([paragraph(SEED)] if leaves_a_joint_free(story) else []),
     ]
     if left or right:
         blocks += _entries(story, left=left, right=right)

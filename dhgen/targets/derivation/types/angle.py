@@ -135,6 +135,7 @@ def _free(context: StepContext, second: Second | None) -> Singularity:
         stated,
         meaning,
         free_effect(context),
+        frees=True,
     )
 
 
@@ -225,6 +226,7 @@ def _cancelled(context: StepContext, blocks: list[Block], remembered: Remembered
         condition_in_joints(context, joints),
         meaning_of_free(context, joints),
         free_effect(context),
+        frees=True,
     )
     text = (
         "With the numbers of this arm {}, so there is always a solution, and {} only when {}. "
@@ -246,6 +248,7 @@ def _with_free(context: StepContext, blocks: list[Block], met: Singularity) -> S
         None,
         say("the equation says nothing about {}", theta(context.angle)),
         free_effect(context),
+        frees=True,
     )
     text = "Degenerate when {}: {}. Then {}."
     blocks.append(paragraph(text, free.condition, free.meaning, free.effect))

@@ -152,6 +152,7 @@ def _free(context: StepContext, *, together: bool) -> Singularity:
         None,
         say("{}{}", meaning, _only_if(context)),
         free_effect(context),
+        frees=True,
     )
 
 

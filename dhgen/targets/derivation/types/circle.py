@@ -74,6 +74,7 @@ def print_circle(context: StepContext) -> StepText:
         None,
         say("every {} works", theta(kept)),
         free_effect(context),
+        frees=True,
     )
     text = "Degenerate when {}: {}. Then {}."
     blocks.append(paragraph(text, free.condition, free.meaning, free.effect))

@@ -45,7 +45,9 @@ def print_length(context: StepContext) -> StepText:
     if is_left_to_the_pose(context):
         told = f"this equation holds for every {{}} if {{}}, {others_decide(context)}"
         meaning = say(f"{told}; otherwise none works", r, none)
-    free = Singularity(context.number, equal(X, ZERO), None, meaning, free_effect(context))
+    free = Singularity(
+        context.number, equal(X, ZERO), None, meaning, free_effect(context), frees=True
+    )
     text = "Degenerate when {}: {}. If it works, {}."
     blocks.append(paragraph(text, equal(X, ZERO), meaning, free.effect))
     return StepText(tuple(blocks), (free,))

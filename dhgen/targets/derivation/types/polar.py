@@ -24,7 +24,7 @@ def print_polar(context: StepContext) -> StepText:
     text = "the slide is drawn in as far as axis {}, and every {} works"
     meaning = say(text, axis, theta(context.angle))
     zero = equal(r, ZERO)
-    free = Singularity(context.number, zero, zero, meaning, free_effect(context))
+    free = Singularity(context.number, zero, zero, meaning, free_effect(context), frees=True)
     blocks = (
         paragraph("Length and angle are the polar coordinates of a known vector,"),
         display(equal(times(r, s), full_u, u), equal(times(r, c), full_v, v)),

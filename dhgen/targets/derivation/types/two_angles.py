@@ -188,7 +188,7 @@ def _free(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity | N
     meaning = say(text, theta(context.angle))
     named = [letter_ for letter_, part in ((X, x), (Y, y)) if part]
     condition = equal(*named, K, ZERO)
-    return Singularity(context.number, condition, None, meaning, free_effect(context))
+    return Singularity(context.number, condition, None, meaning, free_effect(context), frees=True)
 
 
 def _reach(context: StepContext) -> Prose:

@@ -44,7 +44,9 @@ def print_two_lengths(context: StepContext) -> StepText:
         first,
         second,
     )
-    free = Singularity(context.number, equal(DELTA, ZERO), None, meaning, free_effect(context))
+    free = Singularity(
+        context.number, equal(DELTA, ZERO), None, meaning, free_effect(context), frees=True
+    )
     text = "Degenerate when {}: {}. If they do, {}."
     blocks.append(paragraph(text, equal(DELTA, ZERO), meaning, free.effect))
     return StepText(tuple(blocks), (free,))
