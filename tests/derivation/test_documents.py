@@ -94,7 +94,9 @@ def test_roots_ascend_and_their_rows_do_not_keep_their_places() -> None:
 
 def test_half_a_turn_is_a_root_that_the_half_angle_s_tangent_misses() -> None:
     for name, joint in (("cuspidal_3r", "1"), ("concurrent_345", "6")):
-        told = rf"Where the coefficient of $x^4$ vanishes, $\theta_{joint} = \pi$ is a solution too."
+        told = (
+            rf"Where the coefficient of $x^4$ vanishes, $\theta_{joint} = \pi$ is a solution too."
+        )
         assert told in document(name)
 
 

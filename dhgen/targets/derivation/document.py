@@ -18,6 +18,7 @@ from dhgen.targets.derivation.sections.joints import joint_values
 from dhgen.targets.derivation.sections.numerical import numerical_section
 from dhgen.targets.derivation.sections.robot import opening, robot_section
 from dhgen.targets.derivation.steps import step_blocks
+from dhgen.targets.derivation.text.walk import symbols_of
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import Singularity
@@ -27,20 +28,21 @@ if TYPE_CHECKING:
 
 def document_blocks(story: Story) -> list[Block]:
     """The whole derivation."""
-    beginning, rest = opening(story), _sections(story)
+    beginning, model = opening(story), _sections(story)
+    rest = [*robot_section(story, symbols_of(model)), *model]
     return [*beginning, *cited_documents([*beginning, *rest]), *rest]
 
 
 def _sections(story: Story) -> list[Block]:
+    """What follows the robot."""
     whole = story.derivation.whole
     if whole is not None:
         if isinstance(whole, GeneralKernel):
             inverse = general_section(whole, story.algebra.chain, story.robot.length_unit)
-            return [*robot_section(story), *forward_section(story), *inverse]
-        return [*robot_section(story), *forward_in_short(story), *numerical_section(whole)]
+            return [*forward_section(story), *inverse]
+        return [*forward_in_short(story), *numerical_section(whole)]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     return [
-        *robot_section(story),
         *forward_section(story),
         *inverse_beginning(story),
         *(block for blocks, _ in steps for block in blocks),

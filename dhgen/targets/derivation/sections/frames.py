@@ -4,58 +4,85 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.chain import parallel_groups
 from dhgen.kinematics.transform import identity
 from dhgen.targets.derivation.geometry import NEAR, neighbours
 from dhgen.targets.derivation.notation.names import cosine, sine, single, theta
-from dhgen.targets.derivation.text.blocks import say, sentences
+from dhgen.targets.derivation.text.blocks import joined, say, sentences
 from dhgen.targets.derivation.text.formula import Symbol, add, equal, minus
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import AngleSum
     from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.blocks import Prose
     from dhgen.targets.derivation.text.formula import Formula
 
 
-def frame_sentences(story: Story) -> list[Prose]:
-    """A short paragraph for every choice."""
-    return [*_notation(story), *_parallel(story), *_meeting(story), *_wrist(story), *_ends(story)]
+C_I, S_I = Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
+SUMS = "{} and {} with several indices are the cosine and the sine of such a sum."
+
+
+def frame_sentences(story: Story, written: frozenset[Symbol]) -> list[Prose]:
+    """A short paragraph for every choice; `written` are the letters of the formulas."""
+    return [
+        *_notation(story),
+        *_parallel(story, written),
+        *_meeting(story),
+        *_wrist(story),
+        *_ends(story),
+    ]
 
 
 def _notation(story: Story) -> list[Prose]:
-    turning = [angle for angle in story.algebra.angles if len(angle.terms) == 1]
-    if not turning:
+    if not any(len(angle.terms) == 1 for angle in story.algebra.angles):
         return []
-    first = turning[0]
-    parts = [equal(cosine(first), _of("cos", first)), equal(sine(first), _of("sin", first))]
+    parts = (
+        equal(C_I, Symbol(r"\cos \theta_i", "cos θᵢ")),
+        equal(S_I, Symbol(r"\sin \theta_i", "sin θᵢ")),
+    )
     return [say("For short, {} and {}.", *parts)]
 
 
-def _of(function: str, angle: AngleSum) -> Symbol:
-    inner = theta(angle)
-    return Symbol(rf"\{function} {inner.latex}", f"{function} {inner.text}")
-
-
-def _parallel(story: Story) -> list[Prose]:
+def _parallel(story: Story, written: frozenset[Symbol]) -> list[Prose]:
+    """The axes of every run, and the sums of their angles that the formulas hold."""
     found = []
+    first = True
     for run in parallel_groups(story.algebra.chain):
         if len(run) < 2:
             continue
-        whole = AngleSum(run)
-        parts = (equal(theta(whole), _sum(whole)), equal(cosine(whole), _of("cos", whole)))
-        axes = _axes([joint for joint, _ in run])
         against = [joint for joint, facing in run if facing < 0]
+        text = f"{_axes([joint for joint, _ in run]).capitalize()} are parallel"
         if against:
             other = f"axis {against[0]} points" if len(against) == 1 else f"{_axes(against)} point"
-            text = (
-                f"{axes.capitalize()} are parallel, but {other} the other way: their angles appear "
-                "as sums in which those of opposite axes are subtracted, {} with {}."
-            )
-        else:
-            text = f"{axes.capitalize()} are parallel: their angles appear as sums, {{}} with {{}}."
-        found.append(say(text, *parts))
+            text += f", but {other} the other way"
+        sums = _sums(story, run, written)
+        if not sums:
+            found.append(say(f"{text}."))
+            continue
+        text += ": their angles appear as sums"
+        if against:
+            text += " in which those of opposite axes are subtracted"
+        shown = joined([say("{}", equal(theta(each), _sum(each))) for each in sums])
+        prose = say(f"{text}, {{}}.", shown)
+        if first:
+            prose = say(f"{{}} {SUMS}", prose, Symbol("c", "c"), Symbol("s", "s"))
+        found.append(prose)
+        first = False
     return found
+
+
+def _sums(
+    story: Story, run: tuple[tuple[int, int], ...], written: frozenset[Symbol]
+) -> list[AngleSum]:
+    """The sums of a run's angles of which the angle, the cosine or the sine is written."""
+    joints = {joint for joint, _ in run}
+    return [
+        angle
+        for angle in story.algebra.angles
+        if len(angle.terms) > 1
+        and {joint for joint, _ in angle.terms} <= joints
+        and not written.isdisjoint({theta(angle), cosine(angle), sine(angle)})
+    ]
 
 
 def _axes(joints: list[int]) -> str:

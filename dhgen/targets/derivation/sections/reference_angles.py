@@ -12,7 +12,7 @@ from dhgen.robot.robot import DhTable, JointKind
 from dhgen.targets.derivation.notation.names import letter, reference_angle
 from dhgen.targets.derivation.text.blocks import joined, paragraph, say
 from dhgen.targets.derivation.text.formula import Symbol, equal, minus, subtract
-from dhgen.targets.derivation.text.walk import parts_of
+from dhgen.targets.derivation.text.walk import symbols_in
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -32,7 +32,7 @@ def reference_angles(story: Story) -> list[Block]:
     if not found:
         return []
     shown = joined([say("{}", each) for each in found])
-    if any("^" in side.text for each in found for side in _symbols(each)):
+    if any("^" in side.text for each in found for side in symbols_in(each)):
         return [paragraph("A hat marks an angle between 0 and {}: {}.", PI_HALF, shown)]
     return [paragraph("Angles of one size share its letters: {}.", shown)]
 
@@ -76,14 +76,3 @@ def _angles(story: Story) -> Iterator[tuple[Symbol, Expression]]:
         if row.kind is JointKind.PRISMATIC:
             yield letter(r"\theta", "θ", str(number)), row.theta
         yield letter(r"\alpha", "α", str(number)), row.alpha
-
-
-def _symbols(relation: Relation) -> list[Symbol]:
-    found: list[Symbol] = []
-    waiting: list[Formula] = list(relation.sides)
-    while waiting:
-        each = waiting.pop()
-        if isinstance(each, Symbol):
-            found.append(each)
-        waiting += parts_of(each)
-    return found

@@ -17,6 +17,7 @@ from dhgen.targets.derivation.text.words import counted, many
 if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.blocks import Block
+    from dhgen.targets.derivation.text.formula import Symbol
 
 _TASKS = {
     TaskKind.POSE: "the pose of the tool, position and orientation",
@@ -40,15 +41,15 @@ def opening(story: Story) -> list[Block]:
     return blocks
 
 
-def robot_section(story: Story) -> list[Block]:
-    """Table or axes, convention, parameters, frames."""
+def robot_section(story: Story, written: frozenset[Symbol]) -> list[Block]:
+    """Table or axes, convention, parameters, frames, for formulas that hold some letters."""
     geometry = story.robot.geometry
     return [
         Heading(2, say("The robot")),
         *(table_blocks(story) if isinstance(geometry, DhTable) else axes_blocks(story)),
         *_taken(story),
         *constant_blocks(story),
-        *(Paragraph(prose) for prose in frame_sentences(story)),
+        *(Paragraph(prose) for prose in frame_sentences(story, written)),
     ]
 
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.paul.step import Kind
+from dhgen.targets.derivation.steps import step_blocks
 from dhgen.targets.derivation.text.blocks import Table, paragraph, say
 from dhgen.targets.derivation.text.formula import Listing, Symbol
+from dhgen.targets.derivation.text.walk import symbols_of
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
@@ -50,6 +52,7 @@ _FORMS = {
     ),
 }
 
+CAPITALS = "KPQRVWXYZ"  # as steps use them; those of matrices and of signed roots are others
 _BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
@@ -65,8 +68,15 @@ def types_table(story: Story) -> list[Block]:
         f"and E. Dombre (2002{beyond}): {{}} is an unknown length, {{}} and {{}} are the cosine "
         "and sine of an unknown angle, and capitals are known."
     )
+    if any(each.text[0] in CAPITALS for each in symbols_of(_steps(story))):
+        text += " Each step defines its own capitals anew."
     letters = Symbol("r", "r"), Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
     return [paragraph(text, *letters), Table(header, rows)]
+
+
+def _steps(story: Story) -> list[Block]:
+    numbers = range(1, len(story.steps) + 1)
+    return [block for number in numbers for block in step_blocks(story, number)[0]]
 
 
 def _row(story: Story, kind: Kind) -> tuple[Prose, ...]:

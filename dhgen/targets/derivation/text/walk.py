@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
+from dhgen.targets.derivation.text.blocks import Display, Given, Paragraph, Prose, Table
 from dhgen.targets.derivation.text.formula import Minus, Number, Sum, Symbol
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from dhgen.targets.derivation.text.blocks import Block
     from dhgen.targets.derivation.text.formula import Formula
 
 
@@ -44,3 +48,44 @@ def leads_negative(formula: Formula) -> bool:
             return isinstance(terms[0], Minus)
         case _:
             return False
+
+
+def symbols_of(blocks: Iterable[Block]) -> frozenset[Symbol]:
+    """The symbols that stand anywhere in the blocks."""
+    return frozenset(
+        symbol
+        for block in blocks
+        for formula in _formulas_of(block)
+        for symbol in symbols_in(formula)
+    )
+
+
+def symbols_in(formula: Formula) -> Iterator[Symbol]:
+    """The symbols of a formula, each as often as it stands there."""
+    if isinstance(formula, Symbol):
+        yield formula
+    for part in parts_of(formula):
+        yield from symbols_in(part)
+
+
+def _formulas_of(block: Block) -> Iterator[Formula]:
+    match block:
+        case Display(formulas):
+            yield from formulas
+        case Paragraph(prose, lead):
+            for each in (prose, lead):
+                yield from _in_prose(each) if each is not None else ()
+        case Table(header, rows):
+            for row in (header, *rows):
+                for cell in row:
+                    yield from _in_prose(cell)
+        case _:
+            pass
+
+
+def _in_prose(prose: Prose) -> Iterator[Formula]:
+    for part in prose.parts:
+        if isinstance(part, Prose):
+            yield from _in_prose(part)
+        elif not isinstance(part, Given):
+            yield part
