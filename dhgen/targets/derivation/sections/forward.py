@@ -62,7 +62,12 @@ def forward_in_short(story: Story) -> list[Block]:
     if chain.tool != still:
         factors.append(TOOL)
         given.append(equal(TOOL, matrix_of(story.algebra.lift(chain.tool), story.write_forward)))
-    blocks.append(paragraph("The pose of the tool is their product:"))
+    blocks.append(
+        paragraph(
+            "The pose of the tool is their product; that of the first joints is {}:",
+            equal(Symbol("T_i^0", "Tᵢ⁰"), Symbol(r"A_1 \cdots A_i", "A₁⋯Aᵢ")),
+        )
+    )
     blocks += [display(each) for each in (equal(T_BASE_TOOL, times(*factors)), *given)]
     return blocks + jacobian_columns(story)
 

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 def numerical_section(kernel: NumericalKernel) -> list[Block]:
     """What replaces the steps of Paul's method."""
     why = (
-        "The arm has more joints than its task fixes: every pose has infinitely many solutions."
+        "The arm has more joints than its task fixes: a pose inside its reach has in general "
+        "infinitely many solutions."
         if kernel.redundant
         else "No order of equations gives the joints one after the other, and no elimination is "
         "known to dhgen for an arm of this kind."
@@ -24,17 +25,21 @@ def numerical_section(kernel: NumericalKernel) -> list[Block]:
     return [
         Heading(2, say("Inverse, numerically")),
         paragraph(
-            f"{why} It is solved by iteration, because that was asked for. What follows is not a "
+            f"{why} It is solved by iteration, as the robot file asks. What follows is not a "
             "derivation, and nothing proves that there are no solutions besides those found."
         ),
         Paragraph(
             say(
-                "Let e be the motion that the tool still lacks to the wanted pose: lengths divided "
-                "by the arm's size and, where directions count, a rotation vector. Let A be the "
-                "rows of the Jacobian above that the task names, with all lengths in units of the "
-                "arm's size. From a start the joints go by steps of damped least squares (C. W. "
-                "Wampler, 1986). The damping is proportional to the squared miss (T. Sugihara, "
-                "2011), so that the last steps are Newton's:"
+                "Let {} be the motion that the tool still lacks to the wanted pose: lengths "
+                "divided by the arm's size and, where directions count, a rotation vector. Let {} "
+                "be the rows of the Jacobian {} that the task names, with all lengths in units of "
+                "the arm's size. From a start the joints go by steps of damped least squares "
+                "(C. W. Wampler, 1986). The damping {} is proportional to the squared miss "
+                "(T. Sugihara, 2011), so that the last steps are Newton's:",
+                Symbol("e", "e"),
+                Symbol(r"\hat J", "J^"),
+                Symbol("J", "J"),
+                Symbol(r"\lambda", "λ"),
             ),
             say("1. A descent."),
         ),
@@ -45,9 +50,9 @@ def numerical_section(kernel: NumericalKernel) -> list[Block]:
 
 def _step() -> Symbol:
     return Symbol(
-        r"\Delta q = A^{T} (A A^{T} + \lambda I)^{-1} e, \qquad "
+        r"\Delta q = \hat J^{T} (\hat J \hat J^{T} + \lambda I)^{-1} e, \qquad "
         rf"\lambda = {constants.DAMPING}\,\min(e \cdot e, 1) + 10^{{-13}}",
-        f"Δq = Aᵀ (A Aᵀ + λ I)⁻¹ e,  λ = {constants.DAMPING} min(e·e, 1) + 1e-13",
+        f"Δq = J^ᵀ (J^ J^ᵀ + λ I)⁻¹ e,  λ = {constants.DAMPING} min(e·e, 1) + 1e-13",
     )
 
 
