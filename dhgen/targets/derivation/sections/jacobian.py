@@ -29,12 +29,17 @@ def jacobian_columns(story: Story) -> list[Block]:
     return [
         paragraph(
             "The geometric Jacobian {} takes joint velocities to the velocity of the tool's origin "
-            "{} and its angular velocity. Its column {} is, for a revolute and for a prismatic "
-            "joint,",
+            "{} and its angular velocity. Its column {} is" + _of_kinds(story),
             *(_J, _TOOL_ORIGIN, Symbol("i", "i")),
         ),
         *_columns(story),
     ]
+
+
+def _of_kinds(story: Story) -> str:
+    """Which columns are told, where the arm has both kinds of joints."""
+    slides, joints = len(story.algebra.slides), len(story.algebra.chain.joints)
+    return ", for a revolute and for a prismatic joint," if 0 < slides < joints else ""
 
 
 def jacobian_blocks(story: Story) -> list[Block]:
@@ -58,10 +63,16 @@ def _columns(story: Story) -> list[Block]:
     )
     z, o = ("z_i", "o_i") if own else ("z_{i-1}", "o_{i-1}")
     zt, ot = ("zᵢ", "oᵢ") if own else ("zᵢ₋₁", "oᵢ₋₁")
+    turning = Symbol(
+        rf"\begin{{bmatrix}} {z} \times (o_n - {o}) \\ {z} \end{{bmatrix}}",
+        f"[{zt} × (oₙ − {ot}); {zt}]",
+    )
+    sliding = Symbol(rf"\begin{{bmatrix}} {z} \\ 0 \end{{bmatrix}}", f"[{zt}; 0]")
+    slides, joints = len(story.algebra.slides), len(story.algebra.chain.joints)
+    kinds = [turning] * (slides < joints) + [sliding] * (slides > 0)
     both = Symbol(
-        rf"\begin{{bmatrix}} {z} \times (o_n - {o}) \\ {z} \end{{bmatrix}} \qquad \text{{and}} "
-        rf"\qquad \begin{{bmatrix}} {z} \\ 0 \end{{bmatrix}},",
-        f"[{zt} × (oₙ − {ot}); {zt}]  and  [{zt}; 0],",
+        r" \qquad \text{and} \qquad ".join(each.latex for each in kinds) + ",",
+        "  and  ".join(each.text for each in kinds) + ",",
     )
     frame: Formula = Symbol("T_i^0", "Tᵢ⁰") if own else Symbol("T_{i-1}^0", "Tᵢ₋₁⁰")
     if story.algebra.chain.base != identity(story.algebra.chain.ring):

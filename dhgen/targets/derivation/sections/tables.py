@@ -34,10 +34,7 @@ _BEFORE, _OWN, _AFTER = (
     Symbol("z_{i+1}", "zᵢ₊₁"),
 )
 _I = Symbol("i", "i")
-_TEXT = (
-    "{} convention: {}. Joint {} turns about {} or slides along it; {} points along the common "
-    "normal of {} and {}."
-)
+_TEXT = "{} convention: {}. Joint {} {} {}; {} points along the common normal of {} and {}."
 _AXES_TEXT = (
     "The axes are given in the reference position, where every {} is zero, in the base frame "
     "(document 001). Frame {} moves with joint {} and has its {} axis along the joint's axis; {} "
@@ -70,12 +67,21 @@ def table_blocks(story: Story) -> list[Block]:
             say("Standard" if standard else "Modified"),
             _CONVENTIONS[geometry.convention],
             _I,
+            say(_motion(geometry)),
             axes[0],
             Symbol("x_i", "xᵢ"),
             *axes,
         ),
         _variables(story),
     ]
+
+
+def _motion(geometry: DhTable) -> str:
+    """What joints do with their axes."""
+    kinds = {row.kind for row in geometry.rows}
+    if len(kinds) > 1:
+        return "turns about or slides along"
+    return "turns about" if JointKind.REVOLUTE in kinds else "slides along"
 
 
 def axes_blocks(story: Story) -> list[Block]:
