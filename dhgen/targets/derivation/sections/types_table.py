@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.steps import step_blocks
-from dhgen.targets.derivation.text.blocks import Table, paragraph, say
+from dhgen.targets.derivation.text.blocks import Table, joined, paragraph, say
 from dhgen.targets.derivation.text.formula import Listing, Symbol
 from dhgen.targets.derivation.text.walk import symbols_of
 
@@ -52,7 +52,7 @@ _FORMS = {
     ),
 }
 
-CAPITALS = "KPQRVWXYZ"  # as steps use them; those of matrices and of signed roots are others
+CAPITALS = frozenset("KPQRVWXYZ")  # those of matrices and of signed roots are others
 _BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
@@ -68,10 +68,12 @@ def types_table(story: Story) -> list[Block]:
         f"and E. Dombre (2002{beyond}): {{}} is an unknown length, {{}} and {{}} are the cosine "
         "and sine of an unknown angle, and capitals are known."
     )
-    if any(each.text[0] in CAPITALS for each in symbols_of(_steps(story))):
-        text += " Each step defines its own capitals anew."
+    own = sorted({each.text[0] for each in symbols_of(_steps(story))} & CAPITALS)
+    if own:
+        text += " Each step defines {} anew."
     letters = Symbol("r", "r"), Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
-    return [paragraph(text, *letters), Table(header, rows)]
+    capitals = [joined([say("{}", Symbol(each, each)) for each in own])] if own else []
+    return [paragraph(text, *letters, *capitals), Table(header, rows)]
 
 
 def _steps(story: Story) -> list[Block]:
