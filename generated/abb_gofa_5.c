@@ -3468,7 +3468,8 @@ static void abb_gofa_5_close_roots(const double *E, const abb_gofa_5_roots *root
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_5_loop *loop,
                           double link[6][12], const abb_gofa_5_candidates *all,
                           const abb_gofa_5_roots *roots, abb_gofa_5_found *found)
@@ -3476,6 +3477,7 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
     double w[5], solve[2][5];
     unsigned met = 0, of_group[ABB_GOFA_5_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     abb_gofa_5_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += ABB_GOFA_5_LANES) {
@@ -3494,7 +3496,8 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= abb_gofa_5_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= abb_gofa_5_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3510,7 +3513,7 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
         }
     }
     complete = complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

@@ -3497,7 +3497,8 @@ static void fanuc_crx10ia_close_roots(const double *E, const fanuc_crx10ia_roots
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fanuc_crx10ia_loop
     *loop,
                           double link[6][12], const fanuc_crx10ia_candidates *all,
@@ -3506,6 +3507,7 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
     double w[5], solve[2][5];
     unsigned met = 0, of_group[FANUC_CRX10IA_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     fanuc_crx10ia_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += FANUC_CRX10IA_LANES) {
@@ -3524,7 +3526,8 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= fanuc_crx10ia_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= fanuc_crx10ia_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3540,7 +3543,7 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
         }
     }
     complete = complete && fanuc_crx10ia_bits(met) >= expected && fanuc_crx10ia_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

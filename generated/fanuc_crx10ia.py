@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 212c8c1209a67aed"
+_KEY = "fanuc_crx10ia 022c5017b5dc7d83"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2140,8 +2140,10 @@ def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _FANUC_CRX10IA_JOINTS[form], _fanuc_crx10ia_around(form, loop)
     E = _fanuc_crx10ia_equations(joints, links)
     good, roots, counts = _fanuc_crx10ia_real_roots(E)
@@ -2184,7 +2186,7 @@ def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _FANUC_CRX10IA_SIGNS[form] * s[k]
             place, count = _fanuc_crx10ia_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -2197,7 +2199,7 @@ def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count
             true_doubles += 1
     regular = count - _fanuc_crx10ia_marked(singular)
     complete = complete and _fanuc_crx10ia_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -2232,7 +2234,9 @@ def _fanuc_crx10ia_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _fanuc_crx10ia_follow(nearby[5], _FANUC_CRX10IA_NUDGES[n])
-        complete, found = _fanuc_crx10ia_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _fanuc_crx10ia_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

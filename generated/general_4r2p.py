@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 3b521334c1e60cf0"
+_KEY = "general_4r2p 30a21d9916794695"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1918,7 +1918,9 @@ def _general_4r2p_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _general_4r2p_follow(nearby[5], _GENERAL_4R2P_NUDGES[n])
-        complete, found = _general_4r2p_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _general_4r2p_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(8, dtype=np.int64)
         singular_here = False
         for i in range(found):

@@ -434,7 +434,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p 846e07b5ea0d7933"
+_KEY = "general_5r1p b30b999bde0c100c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2048,8 +2048,10 @@ def _general_5r1p_attempt(form, loop, q, residual, singular, doubles_met, count)
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _GENERAL_5R1P_JOINTS[form], _general_5r1p_around(form, loop)
     E = _general_5r1p_equations(joints, links)
     good, roots, counts = _general_5r1p_real_roots(E)
@@ -2092,7 +2094,7 @@ def _general_5r1p_attempt(form, loop, q, residual, singular, doubles_met, count)
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _GENERAL_5R1P_SIGNS[form] * s[k]
             place, count = _general_5r1p_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -2105,7 +2107,7 @@ def _general_5r1p_attempt(form, loop, q, residual, singular, doubles_met, count)
             true_doubles += 1
     regular = count - _general_5r1p_marked(singular)
     complete = complete and _general_5r1p_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -2135,7 +2137,9 @@ def _general_5r1p_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _general_5r1p_follow(nearby[5], _GENERAL_5R1P_NUDGES[n])
-        complete, found = _general_5r1p_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _general_5r1p_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

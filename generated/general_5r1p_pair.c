@@ -3468,7 +3468,8 @@ static void general_5r1p_pair_close_roots(const double *E, const general_5r1p_pa
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, const
     general_5r1p_pair_loop *loop,
                           double link[6][12], const general_5r1p_pair_candidates *all,
@@ -3477,6 +3478,7 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
     double w[3], solve[2][3];
     unsigned met = 0, of_group[GENERAL_5R1P_PAIR_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     general_5r1p_pair_invariants(form->joint, link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R1P_PAIR_LANES) {
@@ -3495,7 +3497,8 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= general_5r1p_pair_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= general_5r1p_pair_offer(loop, tc, ts, count, 4, doubted || from + count > simple,
+            found, place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3512,7 +3515,7 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
     }
     complete = complete && general_5r1p_pair_bits(met) >= expected &&
         general_5r1p_pair_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair 7459885e46dd5952"
+_KEY = "general_5r1p_pair 6563bb6fb65f759a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1960,8 +1960,10 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _GENERAL_5R1P_PAIR_JOINTS[form], _general_5r1p_pair_around(form, loop)
     E = _general_5r1p_pair_equations(joints, links)
     good, roots, counts = _general_5r1p_pair_real_roots(E)
@@ -2004,7 +2006,7 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _GENERAL_5R1P_PAIR_SIGNS[form] * s[k]
             place, count = _general_5r1p_pair_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -2017,7 +2019,7 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
             true_doubles += 1
     regular = count - _general_5r1p_pair_marked(singular)
     complete = complete and _general_5r1p_pair_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -2047,7 +2049,9 @@ def _general_5r1p_pair_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _general_5r1p_pair_follow(nearby[5], _GENERAL_5R1P_PAIR_NUDGES[n])
-        complete, found = _general_5r1p_pair_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _general_5r1p_pair_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

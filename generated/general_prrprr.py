@@ -403,7 +403,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr 5b427ffbb1f69b6d"
+_KEY = "general_prrprr 37ea4fa2a9e4146b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1903,7 +1903,9 @@ def _general_prrprr_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _general_prrprr_follow(nearby[5], _GENERAL_PRRPRR_NUDGES[n])
-        complete, found = _general_prrprr_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _general_prrprr_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(8, dtype=np.int64)
         singular_here = False
         for i in range(found):

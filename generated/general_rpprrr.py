@@ -391,7 +391,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr e53fb0285c7ec4d9"
+_KEY = "general_rpprrr 1671c96682d1ed40"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1891,7 +1891,9 @@ def _general_rpprrr_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _general_rpprrr_follow(nearby[5], _GENERAL_RPPRRR_NUDGES[n])
-        complete, found = _general_rpprrr_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _general_rpprrr_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(8, dtype=np.int64)
         singular_here = False
         for i in range(found):

@@ -676,6 +676,7 @@ static inline kinova_gen3_7_lane kinova_gen3_7_angle(kinova_gen3_7_lane y, kinov
 /* The loop: K0 ... K4 and the pose, three rows of four. */
 typedef struct {
     double link[6][12];
+    unsigned useless; /* bit i: formulation i vanishes at the values that are given */
 } kinova_gen3_7_loop;
 
 /* A formulation: the joints phi_1 (hidden) ... phi_6 are, from 0; phi = sign q, -1 reads the loop
@@ -1476,6 +1477,13 @@ static void kinova_gen3_7_close(const double T[16], const double free_joints[1],
     kinova_gen3_7_then(P, right);
     for (int i = 3; i < 12; i += 4) {
         P[i] *= 2.6973167800161484;
+    }
+    loop->useless = 0;
+    if (fabs(s_0) <= 1e-12 && c_0 > 0.0) {
+        loop->useless |= 0x3;
+    }
+    if (fabs(s_0) <= 1e-12 && -c_0 > 0.0) {
+        loop->useless |= 0x3;
     }
 }
 
@@ -3248,7 +3256,8 @@ static void kinova_gen3_7_close_roots(const double *E, const kinova_gen3_7_roots
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kinova_gen3_7_loop
     *loop,
                           double link[6][12], const kinova_gen3_7_candidates *all,
@@ -3257,6 +3266,7 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_GEN3_7_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     kinova_gen3_7_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_GEN3_7_LANES) {
@@ -3275,7 +3285,8 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= kinova_gen3_7_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= kinova_gen3_7_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3291,7 +3302,7 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
         }
     }
     complete = complete && kinova_gen3_7_bits(met) >= expected && kinova_gen3_7_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 
@@ -3337,6 +3348,9 @@ static int kinova_gen3_7_try(const kinova_gen3_7_loop *loop, kinova_gen3_7_found
 {
     int complete = 0;
     for (int i = 0; i < 4 && !complete; i++) {
+        if (loop->useless >> i & 1u) {
+            continue;
+        }
         complete = kinova_gen3_7_attempt(&kinova_gen3_7_formulations[i], loop, found);
     }
     return complete;

@@ -394,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 09e0b98b3bb1f8f0"
+_KEY = "kinova_gen3_7 c97d2ae29e50d236"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1044,6 +1044,19 @@ def _kinova_gen3_7_close(T, q_free):
     for i in range(3):
         links[5, 4 * i + 3] *= 2.6973167800161484
     return links
+
+
+@_inner
+def _kinova_gen3_7_useless(q_free):
+    """Bit i: formulation i vanishes at the values that are given."""
+    given_0 = q_free[0] + 3.141592653589793
+    c_0, s_0 = math.cos(given_0), math.sin(given_0)
+    useless = 0
+    if abs(s_0) <= 1e-12 and c_0 > 0.0:
+        useless |= 0x3
+    if abs(s_0) <= 1e-12 and -c_0 > 0.0:
+        useless |= 0x3
+    return useless
 
 
 @_inner
@@ -1982,8 +1995,10 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _KINOVA_GEN3_7_JOINTS[form], _kinova_gen3_7_around(form, loop)
     E = _kinova_gen3_7_equations(joints, links)
     good, roots, counts = _kinova_gen3_7_real_roots(E)
@@ -2026,7 +2041,7 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _KINOVA_GEN3_7_SIGNS[form] * s[k]
             place, count = _kinova_gen3_7_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -2039,24 +2054,24 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
             true_doubles += 1
     regular = count - _kinova_gen3_7_marked(singular)
     complete = complete and _kinova_gen3_7_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
-@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
-def _kinova_gen3_7_try(loop, q, residual, singular, doubles_met):
+@_apart("Tuple((boolean, int64))(float64[:, ::1], int64, float64[:, ::1], float64[::1], int64[::1], int64[::1])")
+def _kinova_gen3_7_try(loop, useless, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
     for i in range(16):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for form in range(4):
-        if not complete:
+        if not complete and not useless >> form & 1:
             complete, count = _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count)
     return complete, count
 
 
-@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64)")
-def _kinova_gen3_7_from_nearby(loop, q, residual, singular, count):
+@_apart("Tuple((boolean, int64))(float64[:, ::1], int64, float64[:, ::1], float64[::1], int64[::1], int64)")
+def _kinova_gen3_7_from_nearby(loop, useless, q, residual, singular, count):
     """Solve poses close by, and follow their solutions back: (whether that is all, the count).
 
     Where two solutions meet they are on one side only: both sides have to have as many as are
@@ -2069,7 +2084,9 @@ def _kinova_gen3_7_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _kinova_gen3_7_follow(nearby[5], _KINOVA_GEN3_7_NUDGES[n])
-        complete, found = _kinova_gen3_7_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _kinova_gen3_7_try(
+            nearby, useless, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):
@@ -2126,10 +2143,11 @@ def kinova_gen3_7_general(T, q_free, q, residual):
         return 0
     found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
-    certified, count = _kinova_gen3_7_try(loop, found, missing, singular, doubles_met)
+    useless = _kinova_gen3_7_useless(q_free)
+    certified, count = _kinova_gen3_7_try(loop, useless, found, missing, singular, doubles_met)
     complete = certified
     if not complete:
-        complete, count = _kinova_gen3_7_from_nearby(loop, found, missing, singular, count)
+        complete, count = _kinova_gen3_7_from_nearby(loop, useless, found, missing, singular, count)
     if not complete:
         seed = 1
         c, s = np.empty(6), np.empty(6)

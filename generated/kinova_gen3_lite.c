@@ -3395,7 +3395,8 @@ static void kinova_gen3_lite_close_roots(const double *E, const kinova_gen3_lite
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, const
     kinova_gen3_lite_loop *loop,
                           double link[6][12], const kinova_gen3_lite_candidates *all,
@@ -3404,6 +3405,7 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_GEN3_LITE_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     kinova_gen3_lite_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_GEN3_LITE_LANES) {
@@ -3422,7 +3424,8 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= kinova_gen3_lite_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= kinova_gen3_lite_offer(loop, tc, ts, count, 4, doubted || from + count > simple,
+            found, place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3438,7 +3441,7 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
         }
     }
     complete = complete && kinova_gen3_lite_bits(met) >= expected && kinova_gen3_lite_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

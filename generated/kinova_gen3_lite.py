@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite fda6b3aa9c026cdd"
+_KEY = "kinova_gen3_lite a056f27b28ceda15"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1938,8 +1938,10 @@ def _kinova_gen3_lite_attempt(form, loop, q, residual, singular, doubles_met, co
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _KINOVA_GEN3_LITE_JOINTS[form], _kinova_gen3_lite_around(form, loop)
     E = _kinova_gen3_lite_equations(joints, links)
     good, roots, counts = _kinova_gen3_lite_real_roots(E)
@@ -1982,7 +1984,7 @@ def _kinova_gen3_lite_attempt(form, loop, q, residual, singular, doubles_met, co
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _KINOVA_GEN3_LITE_SIGNS[form] * s[k]
             place, count = _kinova_gen3_lite_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -1995,7 +1997,7 @@ def _kinova_gen3_lite_attempt(form, loop, q, residual, singular, doubles_met, co
             true_doubles += 1
     regular = count - _kinova_gen3_lite_marked(singular)
     complete = complete and _kinova_gen3_lite_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -2025,7 +2027,9 @@ def _kinova_gen3_lite_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _kinova_gen3_lite_follow(nearby[5], _KINOVA_GEN3_LITE_NUDGES[n])
-        complete, found = _kinova_gen3_lite_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _kinova_gen3_lite_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

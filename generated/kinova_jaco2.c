@@ -3302,7 +3302,8 @@ static void kinova_jaco2_close_roots(const double *E, const kinova_jaco2_roots *
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinova_jaco2_loop *loop,
                           double link[6][12], const kinova_jaco2_candidates *all,
                           const kinova_jaco2_roots *roots, kinova_jaco2_found *found)
@@ -3310,6 +3311,7 @@ static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinov
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_JACO2_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     kinova_jaco2_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_JACO2_LANES) {
@@ -3328,7 +3330,8 @@ static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinov
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= kinova_jaco2_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= kinova_jaco2_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3344,7 +3347,7 @@ static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinov
         }
     }
     complete = complete && kinova_jaco2_bits(met) >= expected && kinova_jaco2_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

@@ -373,7 +373,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 44a0f174811cffd0"
+_KEY = "kinova_jaco2 abb54f6552d1953c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1891,8 +1891,10 @@ def _kinova_jaco2_attempt(form, loop, q, residual, singular, doubles_met, count)
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _KINOVA_JACO2_JOINTS[form], _kinova_jaco2_around(form, loop)
     E = _kinova_jaco2_equations(joints, links)
     good, roots, counts = _kinova_jaco2_real_roots(E)
@@ -1935,7 +1937,7 @@ def _kinova_jaco2_attempt(form, loop, q, residual, singular, doubles_met, count)
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _KINOVA_JACO2_SIGNS[form] * s[k]
             place, count = _kinova_jaco2_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -1948,7 +1950,7 @@ def _kinova_jaco2_attempt(form, loop, q, residual, singular, doubles_met, count)
             true_doubles += 1
     regular = count - _kinova_jaco2_marked(singular)
     complete = complete and _kinova_jaco2_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -1978,7 +1980,9 @@ def _kinova_jaco2_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _kinova_jaco2_follow(nearby[5], _KINOVA_JACO2_NUDGES[n])
-        complete, found = _kinova_jaco2_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _kinova_jaco2_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

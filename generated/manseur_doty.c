@@ -3244,7 +3244,8 @@ static void manseur_doty_close_roots(const double *E, const manseur_doty_roots *
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int manseur_doty_settle(const manseur_doty_formulation *form, const manseur_doty_loop *loop,
                           double link[6][12], const manseur_doty_candidates *all,
                           const manseur_doty_roots *roots, manseur_doty_found *found)
@@ -3252,6 +3253,7 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
     double w[5], solve[2][5];
     unsigned met = 0, of_group[MANSEUR_DOTY_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     manseur_doty_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += MANSEUR_DOTY_LANES) {
@@ -3270,7 +3272,8 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= manseur_doty_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= manseur_doty_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3286,7 +3289,7 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
         }
     }
     complete = complete && manseur_doty_bits(met) >= expected && manseur_doty_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

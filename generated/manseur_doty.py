@@ -352,7 +352,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "manseur_doty 6abc31d8672e6ecf"
+_KEY = "manseur_doty 3306cef52d19d29d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1870,8 +1870,10 @@ def _manseur_doty_attempt(form, loop, q, residual, singular, doubles_met, count)
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _MANSEUR_DOTY_JOINTS[form], _manseur_doty_around(form, loop)
     E = _manseur_doty_equations(joints, links)
     good, roots, counts = _manseur_doty_real_roots(E)
@@ -1914,7 +1916,7 @@ def _manseur_doty_attempt(form, loop, q, residual, singular, doubles_met, count)
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _MANSEUR_DOTY_SIGNS[form] * s[k]
             place, count = _manseur_doty_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -1927,7 +1929,7 @@ def _manseur_doty_attempt(form, loop, q, residual, singular, doubles_met, count)
             true_doubles += 1
     regular = count - _manseur_doty_marked(singular)
     complete = complete and _manseur_doty_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -1957,7 +1959,9 @@ def _manseur_doty_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _manseur_doty_follow(nearby[5], _MANSEUR_DOTY_NUDGES[n])
-        complete, found = _manseur_doty_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _manseur_doty_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

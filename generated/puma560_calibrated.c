@@ -3203,7 +3203,8 @@ static void puma560_calibrated_close_roots(const double *E, const puma560_calibr
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int puma560_calibrated_settle(const puma560_calibrated_formulation *form, const
     puma560_calibrated_loop *loop,
                           double link[6][12], const puma560_calibrated_candidates *all,
@@ -3212,6 +3213,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     double w[5], solve[2][5];
     unsigned met = 0, of_group[PUMA560_CALIBRATED_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     puma560_calibrated_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += PUMA560_CALIBRATED_LANES) {
@@ -3230,8 +3232,8 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= puma560_calibrated_offer(loop, tc, ts, count, 4, from + count > simple, found,
-            place);
+        met |= puma560_calibrated_offer(loop, tc, ts, count, 4, doubted || from + count > simple,
+            found, place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3248,7 +3250,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     }
     complete = complete && puma560_calibrated_bits(met) >= expected &&
         puma560_calibrated_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

@@ -464,7 +464,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560_calibrated a88efed609293414"
+_KEY = "puma560_calibrated 0c8b1524504917a9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1982,8 +1982,10 @@ def _puma560_calibrated_attempt(form, loop, q, residual, singular, doubles_met, 
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _PUMA560_CALIBRATED_JOINTS[form], _puma560_calibrated_around(form, loop)
     E = _puma560_calibrated_equations(joints, links)
     good, roots, counts = _puma560_calibrated_real_roots(E)
@@ -2026,7 +2028,7 @@ def _puma560_calibrated_attempt(form, loop, q, residual, singular, doubles_met, 
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _PUMA560_CALIBRATED_SIGNS[form] * s[k]
             place, count = _puma560_calibrated_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -2039,7 +2041,7 @@ def _puma560_calibrated_attempt(form, loop, q, residual, singular, doubles_met, 
             true_doubles += 1
     regular = count - _puma560_calibrated_marked(singular)
     complete = complete and _puma560_calibrated_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -2069,7 +2071,9 @@ def _puma560_calibrated_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _puma560_calibrated_follow(nearby[5], _PUMA560_CALIBRATED_NUDGES[n])
-        complete, found = _puma560_calibrated_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _puma560_calibrated_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

@@ -3326,7 +3326,8 @@ static void welding_5r_close_roots(const double *E, const welding_5r_roots *root
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int welding_5r_settle(const welding_5r_formulation *form, const welding_5r_loop *loop,
                           double link[6][12], const welding_5r_candidates *all,
                           const welding_5r_roots *roots, welding_5r_found *found)
@@ -3334,6 +3335,7 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
     double w[5], solve[2][5];
     unsigned met = 0, of_group[WELDING_5R_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     welding_5r_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += WELDING_5R_LANES) {
@@ -3352,7 +3354,8 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= welding_5r_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= welding_5r_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3368,7 +3371,7 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
         }
     }
     complete = complete && welding_5r_bits(met) >= expected && welding_5r_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

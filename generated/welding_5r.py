@@ -328,7 +328,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 92dd9c9dd4f2794d"
+_KEY = "welding_5r 6ab5c38f9e769e1d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1910,8 +1910,10 @@ def _welding_5r_attempt(form, loop, q, residual, singular, doubles_met, count):
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _WELDING_5R_JOINTS[form], _welding_5r_around(form, loop)
     E = _welding_5r_equations(joints, links)
     good, roots, counts = _welding_5r_real_roots(E)
@@ -1954,7 +1956,7 @@ def _welding_5r_attempt(form, loop, q, residual, singular, doubles_met, count):
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _WELDING_5R_SIGNS[form] * s[k]
             place, count = _welding_5r_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -1967,7 +1969,7 @@ def _welding_5r_attempt(form, loop, q, residual, singular, doubles_met, count):
             true_doubles += 1
     regular = count - _welding_5r_marked(singular)
     complete = complete and _welding_5r_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -1997,7 +1999,9 @@ def _welding_5r_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _welding_5r_follow(nearby[5], _WELDING_5R_NUDGES[n])
-        complete, found = _welding_5r_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _welding_5r_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

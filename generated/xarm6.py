@@ -348,7 +348,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 e4a45cc05fe26ec0"
+_KEY = "xarm6 081de71eb9fec24d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2063,8 +2063,10 @@ def _xarm6_attempt(form, loop, q, residual, singular, doubles_met, count):
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
     determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell.
+    of the equations may lift it off a double root, which nothing but they tell. What an attempt
+    before took for double roots is none then; whether the arm is singular there is looked at.
     """
+    doubted = doubles_met[0] > 0
     joints, links = _XARM6_JOINTS[form], _xarm6_around(form, loop)
     E = _xarm6_equations(joints, links)
     good, roots, counts = _xarm6_real_roots(E)
@@ -2107,7 +2109,7 @@ def _xarm6_attempt(form, loop, q, residual, singular, doubles_met, count):
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _XARM6_SIGNS[form] * s[k]
             place, count = _xarm6_offer(
-                loop, tc, ts, False, i >= simple, q, residual, singular, count
+                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
             )
             if place >= 0:
                 met[place] = 1
@@ -2120,7 +2122,7 @@ def _xarm6_attempt(form, loop, q, residual, singular, doubles_met, count):
             true_doubles += 1
     regular = count - _xarm6_marked(singular)
     complete = complete and _xarm6_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else counts[1]
+    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
     return complete, count
 
 
@@ -2155,7 +2157,9 @@ def _xarm6_from_nearby(loop, q, residual, singular, count):
     for n in range(10):
         nearby = loop.copy()
         _xarm6_follow(nearby[5], _XARM6_NUDGES[n])
-        complete, found = _xarm6_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        complete, found = _xarm6_try(
+            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
+        )
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):

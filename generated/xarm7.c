@@ -3104,7 +3104,8 @@ static void xarm7_close_roots(const double *E, const xarm7_roots *roots, xarm7_c
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
                           double link[6][12], const xarm7_candidates *all,
                           const xarm7_roots *roots, xarm7_found *found)
@@ -3112,6 +3113,7 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
     double w[5], solve[2][5];
     unsigned met = 0, of_group[XARM7_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     xarm7_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += XARM7_LANES) {
@@ -3129,7 +3131,7 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= xarm7_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= xarm7_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found, place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3145,7 +3147,7 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
         }
     }
     complete = complete && xarm7_bits(met) >= expected && xarm7_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

@@ -3484,7 +3484,8 @@ static void yaskawa_hc10_close_roots(const double *E, const yaskawa_hc10_roots *
  * there is another one for each of them and two more for each double root, or a singular one; and
  * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
  * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. */
+ * which nothing but they tell. What an attempt before took for double roots is none then; whether
+ * the arm is singular there is looked at. */
 static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaskawa_hc10_loop *loop,
                           double link[6][12], const yaskawa_hc10_candidates *all,
                           const yaskawa_hc10_roots *roots, yaskawa_hc10_found *found)
@@ -3492,6 +3493,7 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
     double w[5], solve[2][5];
     unsigned met = 0, of_group[YASKAWA_HC10_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
+    const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     yaskawa_hc10_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += YASKAWA_HC10_LANES) {
@@ -3510,7 +3512,8 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
             tc[form->joint[i]] = c[i];
             ts[form->joint[i]] = form->sign * s[i];
         }
-        met |= yaskawa_hc10_offer(loop, tc, ts, count, 4, from + count > simple, found, place);
+        met |= yaskawa_hc10_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
+            place);
         for (int k = 0; k < count; k++) {
             if (from + k < simple) {
                 complete &= place[k] >= 0;
@@ -3526,7 +3529,7 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
         }
     }
     complete = complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
-    found->doubles += complete ? true_doubles : roots->doubles;
+    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
     return complete;
 }
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from dhgen.general.links import Link
     from dhgen.general.loop import Loop
     from dhgen.general.offset_wrist import OffsetWrist
+    from dhgen.general.vanishing import Vanishing
 
 
 MOST = 16  # solutions
@@ -85,6 +86,7 @@ class GeneralKernel:
             first one fails, with another hidden joint, unless the arm's structure leaves only one;
             after these such as serve at values of held joints at which the former vanish.
         scores: Of the formulations.
+        vanishing: These values, and the formulations that are not tried there.
         wrist: When the arm has an offset wrist, whose polynomial is known in closed form: it is
             tried before the formulations.
         numbers: The joints' numbers in the arm, from 1.
@@ -99,6 +101,7 @@ class GeneralKernel:
     loop: Loop
     formulations: tuple[Formulation, ...]
     scores: tuple[Score, ...]
+    vanishing: tuple[Vanishing, ...] = ()
     wrist: OffsetWrist | None = None
     numbers: tuple[int, ...] = (1, 2, 3, 4, 5, 6)
     given: tuple[tuple[int, float], ...] = ()
@@ -162,6 +165,17 @@ class GeneralKernel:
     def slides_beside(self) -> bool:
         """Whether a slide is a partner of the hidden joint."""
         return bool(self.loop.slides) and not (self.slides_on_the_right or self.hides_a_slide)
+
+    def tried(self, held: Sequence[Value]) -> tuple[Formulation, ...]:
+        """The eliminations that are tried at these values of the joints that are held."""
+        size = self.loop.size
+        useless = {
+            number
+            for each in self.vanishing
+            if each.holds(held, size)
+            for number in each.formulations
+        }
+        return tuple(f for number, f in enumerate(self.eliminations) if number not in useless)
 
     def held(self, free: Sequence[float]) -> tuple[Value, ...]:
         """Angles and lengths of the joints whose values the caller gives."""

@@ -97,7 +97,7 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
     if P[:3, 3] @ P[:3, 3] > out_of_reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     links = tuple(np.array(K.at(held)) for K in loop.links)
-    search = _Search(Target(links, P, loop.slides), kernel.rows)
+    search = _Search(Target(links, P, loop.slides), kernel.rows, kernel.tried(held))
     certified = _attempt(kernel, search)
     complete = certified or _from_nearby(kernel, search)
     if not complete:
@@ -109,10 +109,10 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
 
 
 class _Search:
-    """The solutions found so far, a slide's length in arm sizes."""
+    """The solutions found so far, a slide's length in arm sizes, and what is tried for them."""
 
-    def __init__(self, target: Target, most: int) -> None:
-        self.target, self.most = target, most
+    def __init__(self, target: Target, most: int, formulations: tuple[Formulation, ...]) -> None:
+        self.target, self.most, self.formulations = target, most, formulations
         self.turns = np.array([place not in target.slides for place in range(6)])
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
@@ -183,7 +183,7 @@ def _attempt(kernel: GeneralKernel, search: _Search) -> bool:
     """Offer what the closed form and the formulations find, until that is certainly everything."""
     if any(_certified_closed(arm, search) for arm in kernel.closed):
         return True
-    return any(_certified(formulation, search) for formulation in kernel.eliminations)
+    return any(_certified(formulation, search) for formulation in search.formulations)
 
 
 def _certified_closed(arm: OffsetWrist | FourTurns, search: _Search) -> bool:
@@ -217,7 +217,8 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     The certificate: every simple root leads to a solution, there is another one for each of them
     and two more for each double root, or a singular one; and regular solutions come in pairs.
     Where f nearly vanishes all around, rounding of the equations may lift it off a double root, and
-    a closer look shows none: the equations themselves tell.
+    a closer look shows none: the equations themselves tell. What a formulation before took for
+    double roots is none then; whether the arm is singular there is looked at.
     """
     target = search.target
     around = formulation.links(target.links, target.P)
@@ -227,11 +228,11 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     if found is None:
         return False
     met: set[int | None] = set()
-    expected, doubles = len(found.simple), 0
+    expected, doubles, doubted = len(found.simple), 0, search.doubles > 0
     complete = found.complete
     for angle in found.simple:
         (phi,) = _candidates(E, around, slides, (angle, 1))
-        place = search.offer(formulation.angles(phi))
+        place = search.offer(formulation.angles(phi), doubtful=doubted)
         complete = complete and place is not None
         met |= {place} - {None}
     touching = (*found.double, *found.unseen)
@@ -243,7 +244,7 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
             doubles += 1
         met |= places
     complete = complete and len(met) >= expected and search.paired
-    search.doubles += doubles if complete else len(found.double)
+    search.doubles = doubles if complete else search.doubles + len(found.double)
     return complete
 
 
@@ -286,7 +287,7 @@ def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     before = -1
     for number, motion in enumerate(nudges()):
         moved = search.target.P @ np.array(motion)
-        nearby = _Search(replace(search.target, P=moved), search.most)
+        nearby = _Search(replace(search.target, P=moved), search.most, search.formulations)
         complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
         count = -1

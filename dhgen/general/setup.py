@@ -24,6 +24,7 @@ from dhgen.general.loop import JOINTS, QUARTERS, close_loop
 from dhgen.general.offset_wrist import offset_wrist
 from dhgen.general.recover import middle_determined
 from dhgen.general.rigid import multiply
+from dhgen.general.vanishing import Vanishing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -99,11 +100,23 @@ def _chosen(loop: Loop, every: Sequence[Formulation]) -> GeneralKernel | None:
         serving = sorted((_rank(score), i) for i, score in enumerate(some) if not score.fails)
         left = [i for _, i in serving if i not in chosen]
         chosen += left[: max(0, 2 - sum(i in chosen for _, i in serving))]
+    fails = [[some[i].fails for i in chosen] for some in special]
     return GeneralKernel(
         loop,
         tuple(every[i] for i in chosen),
         tuple(scores[i] for i in chosen),
+        _vanishing(loop, fails),
         offset_wrist(loop),
+    )
+
+
+def _vanishing(loop: Loop, fails: Sequence[Sequence[bool]]) -> tuple[Vanishing, ...]:
+    """Where some formulations fail, but not all, at the special values of the held joints."""
+    slides = _slides(loop)
+    return tuple(
+        Vanishing(place, value, slides[place], tuple(i for i, fail in enumerate(some) if fail))
+        for (place, value), some in zip(_special(loop), fails, strict=True)
+        if any(some) and not all(some)
     )
 
 
@@ -114,16 +127,18 @@ def _rank(score: Score) -> int:
 
 def _special(loop: Loop) -> list[tuple[int, Value]]:
     """Every joint that is held, at values at which the arm may have more structure."""
-    slides = {
-        held.place: held.slides
-        for link in (*loop.links, loop.left, loop.right)
-        for held, _ in link.rest
-    }
+    slides = _slides(loop)
     return [
         (place, value)
         for place in range(loop.given)
         for value in (QUARTERS[:1] if slides[place] else QUARTERS)
     ]
+
+
+def _slides(loop: Loop) -> dict[int, bool]:
+    """Which of the joints that are held slide."""
+    links = (*loop.links, loop.left, loop.right)
+    return {held.place: held.slides for link in links for held, _ in link.rest}
 
 
 def _scores(

@@ -152,3 +152,34 @@ def test_a_second_formulation_serves_where_the_first_ones_vanish() -> None:
     joints = np.random.default_rng(12).uniform(-np.pi, np.pi, (60, 7))
     joints[:, 2] = 0.0
     assert all(solve(forward.pose(q), kernel, [0.0]).complete for q in joints)
+
+
+def test_what_vanishes_at_a_given_value_is_not_tried_there() -> None:
+    kernel = known(build_chain(robot("kinova_gen3_7")))
+    for value in (0.0, np.pi, -np.pi, 2 * np.pi):
+        tried = kernel.tried(kernel.held([value]))
+        assert 2 <= len(tried) < len(kernel.formulations)
+        rest = replace(kernel, formulations=tried, vanishing=())
+        assert rest.tried(rest.held([value])) == tried
+    for value in (1e-3, 1.0, np.pi / 2):
+        assert kernel.tried(kernel.held([value])) == kernel.formulations
+
+
+TOLD_APART = [
+    (1.760872814832662, -1.6267303380308349, 0.43226084575627988, 2.6786183744569394, -1.46, 0.58),
+    (-0.22989949301346171, 1.3901414809702626, -0.98951075388561505, 1.83650654, 0.64945971, 0.9),
+    (0.57463745720434845, -0.575768972176951, 0.61293048230601943, -1.40617728, 1.60269551, 2.97),
+    (1.3319852605611018, -1.3868501001907747, 0.20961241457127633, 2.95376047, 1.97450756, -2.1),
+]
+
+
+@pytest.mark.parametrize("others", TOLD_APART)
+def test_roots_that_another_formulation_tells_apart_are_not_double(others: tuple[float, ...]) -> None:
+    """Two solutions nearly share the angle that is hidden first; the arm is far from singular."""
+    arm = build_chain(robot("kinova_gen3_7"))
+    kernel, forward = known(arm), numeric_arm(arm)
+    q = np.array([*others[:2], 0.0, *others[2:]])
+    found = solve(forward.pose(q), kernel, [0.0])
+    assert found.complete
+    assert not found.singular
+    assert len(found.q) == 8

@@ -5,11 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.general.vanishing import THERE
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.general.kernel import GeneralKernel
     from dhgen.general.links import Held
+    from dhgen.general.vanishing import Vanishing
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +49,23 @@ class LinkText:
 
 
 @dataclass(frozen=True, slots=True)
+class Special:
+    """A value of such a joint at which formulations vanish.
+
+    Attributes:
+        close: What is next to nothing there.
+        ahead: What is positive; empty for a length.
+        within: How little next to nothing is.
+        formulations: Bit i: formulation i is not tried there.
+    """
+
+    close: str
+    ahead: str
+    within: str
+    formulations: str
+
+
+@dataclass(frozen=True, slots=True)
 class Links:
     """The links K0 ... K4, L and R.
 
@@ -55,6 +75,7 @@ class Links:
         sliding: Whether one of them slides there.
         every: The links.
         firsts: The constants that they begin with, between commas.
+        special: Values that are given at which formulations vanish.
     """
 
     given: tuple[GivenJoint, ...]
@@ -62,6 +83,7 @@ class Links:
     sliding: bool
     every: tuple[LinkText, ...]
     firsts: str
+    special: tuple[Special, ...]
 
 
 def links(kernel: GeneralKernel, to: Sequence[str], array: str) -> Links:
@@ -80,7 +102,19 @@ def links(kernel: GeneralKernel, to: Sequence[str], array: str) -> Links:
         sliding=any(each.slides for each in held),
         every=every,
         firsts=", ".join(str(link.first) for link in every),
+        special=tuple(_special(each, kernel.loop.size) for each in kernel.vanishing),
     )
+
+
+def _special(vanishing: Vanishing, size: float) -> Special:
+    """A quarter turn or no length at all."""
+    place, value = vanishing.place, vanishing.value
+    formulations = hex(sum(1 << number for number in vanishing.formulations))
+    if vanishing.slides:
+        return Special(f"given_{place}", "", repr(THERE * size), formulations)
+    across, along = ("s", "c") if value.sine == 0.0 else ("c", "s")
+    sign = "-" if value.cosine + value.sine < 0.0 else ""
+    return Special(f"{across}_{place}", f"{sign}{along}_{place}", repr(THERE), formulations)
 
 
 def _given(kernel: GeneralKernel, held: Sequence[Held], array: str) -> tuple[GivenJoint, ...]:

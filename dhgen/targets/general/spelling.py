@@ -46,6 +46,8 @@ class PythonSpelling:
         circular_gap: How far apart two values of joint i are, whose difference is `gap`.
         free_type: The type of the values that the caller gives, before the others.
         free_argument: Hands them on.
+        useless_type: The type of what says which formulations are not tried, before the others.
+        useless_argument: Hands it on.
     """
 
     slides: str
@@ -54,6 +56,8 @@ class PythonSpelling:
     circular_gap: str
     free_type: str
     free_argument: str
+    useless_type: str
+    useless_argument: str
 
 
 def c_spelling(kernel: GeneralKernel, name: str) -> CSpelling:
@@ -88,6 +92,8 @@ def python_spelling(kernel: GeneralKernel) -> PythonSpelling:
         circular_gap=_unless_slide("gap", f"min(gap, {2 * pi!r} - gap)", slides),
         free_type="float64[::1], " if given else "",
         free_argument=", q_free" if given else "",
+        useless_type="int64, " if kernel.vanishing else "",
+        useless_argument=", useless" if kernel.vanishing else "",
     )
 
 
