@@ -174,7 +174,7 @@ TOLD_APART = [
 
 
 @pytest.mark.parametrize("others", TOLD_APART)
-def test_roots_that_another_formulation_tells_apart_are_not_double(others: tuple[float, ...]) -> None:
+def test_roots_that_another_formulation_tells_apart_are_simple(others: tuple[float, ...]) -> None:
     """Two solutions nearly share the angle that is hidden first; the arm is far from singular."""
     arm = build_chain(robot("kinova_gen3_7"))
     kernel, forward = known(arm), numeric_arm(arm)
