@@ -55,11 +55,11 @@ def print_circle(context: StepContext) -> StepText:
         paragraph(
             "This is of degree 2 in {} and {}. With {} it is an equation of degree 4 in {}, and "
             "its real roots, at most four, give {}; {} follows for each of them. Where the "
-            "coefficient of {} vanishes, {} is a solution too. The solutions are ordered by {}, "
-            "from {} to {}.",
+            "coefficient of {} vanishes, half a turn is a value of {} too. The solutions are "
+            "ordered by {}, from {} to {}.",
             *names,
             Power(half, 4),
-            equal(theta(kept), PI),
+            theta(kept),
             theta(kept),
             minus(PI),
             PI,
