@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import time
 import tracemalloc
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
@@ -15,6 +17,7 @@ from dhgen.robot.load import load, load_text
 from tests.robot.robot_texts import JOINTS, MINIMAL, mistake, table
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
 
     from dhgen.errors import Diagnostic
@@ -71,15 +74,29 @@ HOSTILE = {
 }
 
 
+@contextmanager
+def quickly() -> Iterator[None]:
+    """Assert that what is done here takes less than two seconds of this thread.
+
+    What the tests before have left is kept out of the collector's way: looking through it takes
+    seconds, and whom a full collection falls on is chance.
+    """
+    gc.freeze()
+    start = time.thread_time()
+    try:
+        yield
+        assert time.thread_time() - start < 2
+    finally:
+        gc.unfreeze()
+
+
 @pytest.mark.parametrize("case", HOSTILE)
 def test_hostile_files_are_refused_quickly(
     case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    start = time.process_time()
-    with pytest.raises(RobotFileError) as info:
+    with quickly(), pytest.raises(RobotFileError) as info:
         load_text(HOSTILE[case], "r.yaml")
-    assert time.process_time() - start < 2
     assert all(diagnostic.message.isprintable() for diagnostic in info.value.diagnostics)
     assert max(len(diagnostic.message) for diagnostic in info.value.diagnostics) < 500
     assert max(len(diagnostic.source) for diagnostic in info.value.diagnostics) <= 200
@@ -107,10 +124,8 @@ def test_a_large_file_is_not_read_to_its_end(tmp_path: Path) -> None:
 def test_too_many_mistakes_of_spelling_take_no_time() -> None:
     names = ", ".join(f"parameter_{i:02d}: 1" for i in range(99))
     rows = [f"theta: q + parametre_{i}, d: paramter_{i}, a: pramater_{i}" for i in range(64)]
-    start = time.process_time()
-    with pytest.raises(RobotFileError):
+    with quickly(), pytest.raises(RobotFileError):
         load_text(table(*rows, parameters=f"{{{names}}}"), "r.yaml")
-    assert time.process_time() - start < 2
 
 
 def test_a_name_from_another_alphabet() -> None:
