@@ -265,10 +265,10 @@ static const double
     d4 = 0.624, /* joint offset 4 [m] */
     d6 = 0.135, /* joint offset 6 [m] */
     free_limit_squared2 = 7.540515999999996e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 8.683614454822367e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 2.7459999999999996, /* the arm's size [m] */
     longest3 = 1.824785920858549, /* square of the longest reach [m^2] */
     shortest3 = 0.00241607914145111, /* square of the shortest reach [m^2] */
-    longest3_reach = 1.8247859208592911, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0024160791414241153, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 1.8247859208584747, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0024160791414538094, /* the shortest, where branches merge [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
@@ -283,15 +283,14 @@ static const double
     k4 = 0.8735999999999999, /* 2 * d4 * a2 [m^2] */
     k5 = 0.259, /* 2 * a3 * a2 [m^2] */
     k6 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k7 = 1.204444941425193, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k7 = 3.713502525540529e-12, /* arm_size1 * boundary3 [m^5] */
+    k8 = 1.204444941425193, /* 1 / (k4^2 + k5^2) [m^-4] */
     doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = -1.2825771957649381, /* a constant angle [rad] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 1.3523315824983721e-12,
-    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 0.7142857142857144, m3 = 0.047427857142857084, m4 = 0.21836586788038748,
-m5 = 0.7365421705803339, m6 = 0.04890566358436353, m7 = 0.01449927526138983;
+static const double m1 = 0.7142857142857144, m2 = 0.047427857142857084, m3 = 0.21836586788038748,
+m4 = 0.7365421705803339, m5 = 0.04890566358436353, m6 = 0.01449927526138983;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -440,18 +439,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         w3_m = sqrt_wide(D3_m);
 
     /* theta2 */
-    const wide X1_2_p = m3 + m2 * N3_p, X1_2_m = m3 + m2 * N3_m, v5 = Z1_3 * X1_2_p,
-        v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m, v9 = m2 * Z1_3,
+    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m, v5 = Z1_3 * X1_2_p,
+        v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m, v9 = m1 * Z1_3,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v10 = m4 * Z1_3, v11 = v10 - m5 * Z2_3_p, v12 = m5 - m6 * factor2_p,
-        v13 = m5 - m6 * factor2_m, v14 = m4 - m7 * factor2_p, v15 = m4 - m7 * factor2_m,
+    const wide v10 = m3 * Z1_3, v11 = v10 - m4 * Z2_3_p, v12 = m4 - m5 * factor2_p,
+        v13 = m4 - m5 * factor2_m, v14 = m3 - m6 * factor2_p, v15 = m3 - m6 * factor2_m,
         v16 = Z1_3 * v12 + Z2_3_p * v14, v17 = Z1_3 * v13 - v3 * v15,
         c2m3_pp = v16 + w3_p * (factor2_p * v11), c2m3_pm = v16 + w3_p * (factor2_p * -v11),
-        v18 = w3_m * (factor2_m * (v10 + m5 * v3)), c2m3_mp = v17 + v18, c2m3_mm = v17 - v18,
-        v19 = m5 * Z1_3, v20 = v19 - m4 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12,
-        v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m4 * Z2_3_p)),
+        v18 = w3_m * (factor2_m * (v10 + m4 * v3)), c2m3_mp = v17 + v18, c2m3_mm = v17 - v18,
+        v19 = m4 * Z1_3, v20 = v19 - m3 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12,
+        v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p)),
         s2m3_pp = v21 - v23, s2m3_pm = v21 + v23, s2m3_mp = v22 - w3_m * (factor2_m * v20),
         s2m3_mm = v22 - w3_m * (factor2_m * -v20), v24 = T13 * c1_p - T23 * s1_p,
         v25 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v24,
@@ -471,9 +470,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm;
 
     /* joint values */
-    const wide v40 = w3_p * v9, angle3 = atan2_wide(v5 + w3_p * (m2 * Z2_3_p), v7 - v40),
-        v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m2 * -Z2_3_p), v7 + v40),
-        v42 = angle4 - offset2, v43 = w3_m * (m2 * v3), v44 = w3_m * v9,
+    const wide v40 = w3_p * v9, angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40),
+        v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40),
+        v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9,
         angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
         angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2, q2_ppp = lowered_wide(v41),
         q2_pmp = lowered_wide(v42), q2_mpp = lowered_wide(v45), q2_mmp = lowered_wide(v46),
@@ -512,8 +511,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v80 = beyond(q3_pmp, 3) | v77 | beyond(q2_pmp, 2),
         v81 = beyond(q3_mpp, 3) | v78 | beyond(q2_mpp, 2),
         v82 = beyond(q3_mmp, 3) | v78 | beyond(q2_mmp, 2),
-        doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v31 <= m8) | (v30 <=
-            m8) | (v29 <= m8) | (v28 <= m8) | (abs_wide(D3_p) <= m1) | (abs_wide(D3_m) <= m1);
+        doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <=
+            m7) | (v29 <= m7) | (v28 <= m7) | (abs_wide(w1 * D3_p) <= k7) | (abs_wide(w1 * D3_m) <=
+            k7);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v53); q[4] = q5_ppp;
     q[5] = raised_wide(v69);
@@ -565,21 +565,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four Z2_3 = e1 * w1 - a1;
     const double v3 = Z1_3 * Z1_3;
     const four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m1;
+    const four_mask doubt2 = abs_four(w1 * D3) <= k7;
 
     /* theta2 */
-    const four X1_2 = m3 + m2 * N3, v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m2 * (e2 * Z1_3),
+    const four X1_2 = m2 + m1 * N3, v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m1 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v7 = m4 * Z1_3;
-    const four v8 = v7 - m5 * Z2_3, v9 = m5 - m6 * factor2, v10 = m4 - m7 * factor2,
+    const double v7 = m3 * Z1_3;
+    const four v8 = v7 - m4 * Z2_3, v9 = m4 - m5 * factor2, v10 = m3 - m6 * factor2,
         v11 = Z1_3 * v9 + Z2_3 * v10, c2m3 = v11 + w3 * (factor2 * (e2 * v8));
-    const double v12 = m5 * Z1_3;
-    const four v13 = v12 + m4 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9,
+    const double v12 = m4 * Z1_3;
+    const four v13 = v12 + m3 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9,
         s2m3 = v14 - w3 * (factor2 * (e2 * v13)), v15 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v15, Y4 = T23 * c1 + T13 * s1, v16 = Y4 * Y4, v17 = v16 + X4 * X4;
-    const four_mask doubt3 = v17 <= m8;
+    const four_mask doubt3 = v17 <= m7;
 
     /* theta6 */
     const four v18 = c1 * T22 + s1 * T12, v19 = c1 * T12 - s1 * T22, v20 = c1 * T21 + s1 * T11,
@@ -593,7 +593,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k6, 0, 5, 2,
-        7)), ratio2 = ratio_four(v4 + w3 * (m2 * (e2 * Z2_3)), v5 - w3 * v6),
+        7)), ratio2 = ratio_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6),
         ratio3 = ratio_four(Y4, -X4),
         ratio4 = ratio_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32)),
         ratio5 = ratio_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);
@@ -691,13 +691,13 @@ static void solve(
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
     const double Z1_3 = wz + d1;
-    const double v3 = Z1_3 * Z1_3;
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v6 = seed[1] + offset2;
+    const double v7 = seed[1] + offset2;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v9 = seed[3] + offset4;
+    const double v10 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -714,25 +714,25 @@ static void solve(
         const double K3 = N3 - k6;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v4 = k4 * K3, v5 = k5 * K3;
+        const double v5 = k4 * K3, v6 = k5 * K3;
 
         /* theta4 */
-        const double v7 = T13 * c1 - T23 * s1;
+        const double v8 = T13 * c1 - T23 * s1;
         const double Y4 = T23 * c1 + T13 * s1;
-        const double v8 = Y4 * Y4;
+        const double v9 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v10 = T22 * c1 + T12 * s1, v11 = T12 * c1 - T22 * s1,
-            v13 = T21 * c1 + T11 * s1, v14 = T11 * c1 - T21 * s1;
+        const double v11 = T22 * c1 + T12 * s1, v12 = T12 * c1 - T22 * s1,
+            v14 = T21 * c1 + T11 * s1, v15 = T11 * c1 - T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v4 + k5 * root3) * k7, c3 = k7 * (v5 - k4 * root3);
+            const double s3 = (v5 + k5 * root3) * k8, c3 = k8 * (v6 - k4 * root3);
 
             /* theta2 */
             const double X1_2 = a2 + (a3 * c3 + d4 * s3);
@@ -742,21 +742,21 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2, s2 = free2 ? sin(v6) : S2 * factor2;
+            const double c2 = free2 ? cos(v7) : C2 * factor2, s2 = free2 ? sin(v7) : S2 * factor2;
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
             const double s2m3 = c3 * s2 - s3 * c2;
-            const double X4 = T33 * s2m3 - c2m3 * v7;
-            const double w4 = sqrt(X4 * X4 + v8);
+            const double X4 = T33 * s2m3 - c2m3 * v8;
+            const double w4 = sqrt(X4 * X4 + v9);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c2m3 + s2m3 * v7;
+            const double c5 = T33 * c2m3 + s2m3 * v8;
 
             /* theta6 */
-            const double v12 = c2m3 * v11 - T32 * s2m3, v15 = c2m3 * v14 - T31 * s2m3;
+            const double v13 = c2m3 * v12 - T32 * s2m3, v16 = c2m3 * v15 - T31 * s2m3;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -767,11 +767,11 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v9) : -(X4 * factor4),
-                    s4 = free4 ? sin(v9) : Y4 * factor4;
+                const double c4 = free4 ? cos(v10) : -(X4 * factor4),
+                    s4 = free4 ? sin(v10) : Y4 * factor4;
 
                 /* theta6 */
-                const double s6 = s4 * v15 - c4 * v13, c6 = c4 * v10 - s4 * v12;
+                const double s6 = s4 * v16 - c4 * v14, c6 = c4 * v11 - s4 * v13;
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
@@ -890,7 +890,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -947,8 +947,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1010,12 +1009,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -1023,8 +1020,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -1036,8 +1033,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1048,11 +1044,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
     double x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -1060,9 +1055,9 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     for (int i = 0; i < 6; i++)
         past += fabs(past_an_end(i, q[i])) > 0.0;
     enough = off_pose(T, q, e) + 1e-14;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
             continue;
         take(x, q);
@@ -1071,9 +1066,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1091,59 +1085,65 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = COMAU_NS16_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x)
-        || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != COMAU_NS16_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = COMAU_NS16_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = COMAU_NS16_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

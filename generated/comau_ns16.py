@@ -126,10 +126,10 @@ a3 = 0.185  # link length 3 [m]
 d4 = 0.624  # joint offset 4 [m]
 d6 = 0.135  # joint offset 6 [m]
 free_limit_squared2 = 7.540515999999996e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 8.683614454822367e-07  # a root of nothing, by rounding [m]
+arm_size1 = 2.7459999999999996  # the arm's size [m]
 longest3 = 1.824785920858549  # square of the longest reach [m^2]
 shortest3 = 0.00241607914145111  # square of the shortest reach [m^2]
-longest3_reach = 1.8247859208592911  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0024160791414241153  # the shortest, with what rounding adds [m^2]
 longest3_apart = 1.8247859208584747  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0024160791414538094  # the shortest, where branches merge [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
@@ -144,7 +144,8 @@ k3 = 7.540515999999996e-28  # merge_slack1 * (d2 - d3 + merge_slack1) [m^2]
 k4 = 0.8735999999999999  # 2 * d4 * a2 [m^2]
 k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
-k7 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
+k7 = 3.713502525540529e-12  # arm_size1 * boundary3 [m^5]
+k8 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-08  # square of a length that fixes no angle [m^2]
 turn1 = -1.2825771957649381  # a constant angle [rad]
 high1 = 3.141590001
@@ -153,14 +154,13 @@ high2 = 1.658000001
 low3 = -2.967000001
 high3 = 1.919800001
 high5 = 3.141590001
-m1 = 1.3523315824983721e-12  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 0.7142857142857144  # a coefficient of X1_2
-m3 = 0.047427857142857084  # a coefficient of X1_2
-m4 = 0.21836586788038748  # a coefficient of c2m3
-m5 = 0.7365421705803339  # a coefficient of c2m3
-m6 = 0.04890566358436353  # a coefficient of c2m3
-m7 = 0.01449927526138983  # a coefficient of c2m3
-m8 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 0.7142857142857144  # a coefficient of X1_2
+m2 = 0.047427857142857084  # a coefficient of X1_2
+m3 = 0.21836586788038748  # a coefficient of c2m3
+m4 = 0.7365421705803339  # a coefficient of c2m3
+m5 = 0.04890566358436353  # a coefficient of c2m3
+m6 = 0.01449927526138983  # a coefficient of c2m3
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -412,7 +412,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 fa86186a794b8a31"
+_KEY = "comau_ns16 2a3e60ac557835d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -492,12 +492,13 @@ def _solve(pose, seed, q, status):
     wz = d6 * T33 - T34
     Z1_3 = wz + d1
     v3 = Z1_3 * Z1_3
+    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v6 = seed[1] + offset2
+    v7 = seed[1] + offset2
 
     # theta4, type 2: U4[3, 3]
-    v9 = seed[3] + offset4
+    v10 = seed[3] + offset4
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -515,22 +516,22 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k6
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k7 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v4 = k4 * K3
-        v5 = k5 * K3
+        v5 = k4 * K3
+        v6 = k5 * K3
 
         # theta4
-        v7 = T13 * c1 - T23 * s1
+        v8 = T13 * c1 - T23 * s1
         Y4 = T23 * c1 + T13 * s1
-        v8 = Y4 * Y4
+        v9 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v10 = T22 * c1 + T12 * s1
-        v11 = T12 * c1 - T22 * s1
-        v13 = T21 * c1 + T11 * s1
-        v14 = T11 * c1 - T21 * s1
+        v11 = T22 * c1 + T12 * s1
+        v12 = T12 * c1 - T22 * s1
+        v14 = T21 * c1 + T11 * s1
+        v15 = T11 * c1 - T21 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -538,8 +539,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (v4 + k5 * root3) * k7
-            c3 = k7 * (v5 - k4 * root3)
+            s3 = (v5 + k5 * root3) * k8
+            c3 = k8 * (v6 - k4 * root3)
 
             # theta2
             X1_2 = a2 + (a3 * c3 + d4 * s3)
@@ -549,23 +550,23 @@ def _solve(pose, seed, q, status):
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v6) if free2 else C2 * factor2
-            s2 = math.sin(v6) if free2 else S2 * factor2
+            c2 = math.cos(v7) if free2 else C2 * factor2
+            s2 = math.sin(v7) if free2 else S2 * factor2
 
             # theta4
             c2m3 = c3 * c2 + s3 * s2
             s2m3 = c3 * s2 - s3 * c2
-            X4 = T33 * s2m3 - c2m3 * v7
-            w4 = math.sqrt(X4 * X4 + v8)
+            X4 = T33 * s2m3 - c2m3 * v8
+            w4 = math.sqrt(X4 * X4 + v9)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * c2m3 + s2m3 * v7
+            c5 = T33 * c2m3 + s2m3 * v8
 
             # theta6
-            v12 = c2m3 * v11 - T32 * s2m3
-            v15 = c2m3 * v14 - T31 * s2m3
+            v13 = c2m3 * v12 - T32 * s2m3
+            v16 = c2m3 * v15 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -577,12 +578,12 @@ def _solve(pose, seed, q, status):
                 if e3 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
-                c4 = math.cos(v9) if free4 else -(X4 * factor4)
-                s4 = math.sin(v9) if free4 else Y4 * factor4
+                c4 = math.cos(v10) if free4 else -(X4 * factor4)
+                s4 = math.sin(v10) if free4 else Y4 * factor4
 
                 # theta6
-                s6 = s4 * v15 - c4 * v13
-                c6 = c4 * v10 - s4 * v12
+                s6 = s4 * v16 - c4 * v14
+                c6 = c4 * v11 - s4 * v13
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
@@ -1001,9 +1002,11 @@ def _lead_inside(pose, enough, most, q):
     if past < 2:
         return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    for farther in (2.0, 4.0, 8.0, 16.0):
+    farther = 2.0
+    while farther <= 16.0:
         for i in range(6):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
+        farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
             q[:] = x
             return True
@@ -1032,6 +1035,18 @@ def _stand(pose, row, rows, status):
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
+
+
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
 
 
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
@@ -1068,10 +1083,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -1084,20 +1100,20 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                for i in range(6):
-                    half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            for i in range(6):
+                half[i] += half[i] - x[i]  # the same row, not turned
+            if off < nearest and _past_ends(half) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1109,6 +1125,7 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -1164,35 +1181,35 @@ def _regular(pose, q, status):
     w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2_p = m3 + m2 * N3_p
-    X1_2_m = m3 + m2 * N3_m
+    X1_2_p = m2 + m1 * N3_p
+    X1_2_m = m2 + m1 * N3_m
     v5 = Z1_3 * X1_2_p
     v6 = Z1_3 * X1_2_m
     v7 = Z2_3_p * X1_2_p
     v8 = v3 * X1_2_m
-    v9 = m2 * Z1_3
+    v9 = m1 * Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v10 = m4 * Z1_3
-    v11 = v10 - m5 * Z2_3_p
-    v12 = m5 - m6 * factor2_p
-    v13 = m5 - m6 * factor2_m
-    v14 = m4 - m7 * factor2_p
-    v15 = m4 - m7 * factor2_m
+    v10 = m3 * Z1_3
+    v11 = v10 - m4 * Z2_3_p
+    v12 = m4 - m5 * factor2_p
+    v13 = m4 - m5 * factor2_m
+    v14 = m3 - m6 * factor2_p
+    v15 = m3 - m6 * factor2_m
     v16 = Z1_3 * v12 + Z2_3_p * v14
     v17 = Z1_3 * v13 - v3 * v15
     c2m3_pp = v16 + w3_p * (factor2_p * v11)
     c2m3_pm = v16 + w3_p * (factor2_p * -v11)
-    v18 = w3_m * (factor2_m * (v10 + m5 * v3))
+    v18 = w3_m * (factor2_m * (v10 + m4 * v3))
     c2m3_mp = v17 + v18
     c2m3_mm = v17 - v18
-    v19 = m5 * Z1_3
-    v20 = v19 - m4 * v3
+    v19 = m4 * Z1_3
+    v20 = v19 - m3 * v3
     v21 = Z1_3 * v14 + Z2_3_p * -v12
     v22 = Z1_3 * v15 - v3 * -v13
-    v23 = w3_p * (factor2_p * (v19 + m4 * Z2_3_p))
+    v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
     s2m3_pp = v21 - v23
     s2m3_pm = v21 + v23
     s2m3_mp = v22 - w3_m * (factor2_m * v20)
@@ -1228,13 +1245,13 @@ def _regular(pose, q, status):
 
     # joint values
     v40 = w3_p * v9
-    v43 = w3_m * (m2 * v3)
+    v43 = w3_m * (m1 * v3)
     v44 = w3_m * v9
     v51 = math.copysign(half_turn, Y4_p)
     v52 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m8 or v30 <= m8 or v29 <=
-        m8 or v28 <= m8 or abs(D3_p) <= m1 or abs(D3_m) <= m1
+        (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v29 <=
+        m7 or v28 <= m7 or abs(w1 * D3_p) <= k7 or abs(w1 * D3_m) <= k7
     )
 
     # a joint is free, or branches meet
@@ -1244,8 +1261,8 @@ def _regular(pose, q, status):
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
-    room[2] = v5 + w3_p * (m2 * Z2_3_p)
-    room[3] = v5 + w3_p * (m2 * -Z2_3_p)
+    room[2] = v5 + w3_p * (m1 * Z2_3_p)
+    room[3] = v5 + w3_p * (m1 * -Z2_3_p)
     room[4] = v6 - v43
     room[5] = v6 + v43
     room[6] = w3_p
@@ -1722,33 +1739,33 @@ def _in_tiles(T, q, status):
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            X1_2_p = m3 + m2 * N3_p
-            X1_2_m = m3 + m2 * N3_m
+            X1_2_p = m2 + m1 * N3_p
+            X1_2_m = m2 + m1 * N3_m
             v5 = Z1_3 * X1_2_p
             v6 = Z1_3 * X1_2_m
             v7 = Z2_3_p * X1_2_p
             v8 = v3 * X1_2_m
-            v9 = m2 * Z1_3
+            v9 = m1 * Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v10 = m4 * Z1_3
-            v11 = v10 - m5 * Z2_3_p
-            v12 = m5 - m6 * factor2_p
-            v13 = m5 - m6 * factor2_m
-            v14 = m4 - m7 * factor2_p
-            v15 = m4 - m7 * factor2_m
+            v10 = m3 * Z1_3
+            v11 = v10 - m4 * Z2_3_p
+            v12 = m4 - m5 * factor2_p
+            v13 = m4 - m5 * factor2_m
+            v14 = m3 - m6 * factor2_p
+            v15 = m3 - m6 * factor2_m
             v16 = Z1_3 * v12 + Z2_3_p * v14
             v17 = Z1_3 * v13 - v3 * v15
             c2m3_pp = v16 + w3_p * (factor2_p * v11)
             c2m3_pm = v16 + w3_p * (factor2_p * -v11)
-            v18 = w3_m * (factor2_m * (v10 + m5 * v3))
+            v18 = w3_m * (factor2_m * (v10 + m4 * v3))
             c2m3_mp = v17 + v18
             c2m3_mm = v17 - v18
-            v19 = m5 * Z1_3
-            v20 = v19 - m4 * v3
+            v19 = m4 * Z1_3
+            v20 = v19 - m3 * v3
             v21 = Z1_3 * v14 + Z2_3_p * -v12
             v22 = Z1_3 * v15 - v3 * -v13
-            v23 = w3_p * (factor2_p * (v19 + m4 * Z2_3_p))
+            v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
             s2m3_pp = v21 - v23
             s2m3_pm = v21 + v23
             s2m3_mp = v22 - w3_m * (factor2_m * v20)
@@ -1780,13 +1797,13 @@ def _in_tiles(T, q, status):
             s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp
             s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm
             v40 = w3_p * v9
-            v43 = w3_m * (m2 * v3)
+            v43 = w3_m * (m1 * v3)
             v44 = w3_m * v9
             v51 = math.copysign(half_turn, Y4_p)
             v52 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m8 or v30 <= m8 or
-                v29 <= m8 or v28 <= m8 or abs(D3_p) <= m1 or abs(D3_m) <= m1
+                (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or
+                v29 <= m7 or v28 <= m7 or abs(w1 * D3_p) <= k7 or abs(w1 * D3_m) <= k7
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1799,8 +1816,8 @@ def _in_tiles(T, q, status):
             work[400 + k] = doubt1
             work[416 + k] = s1_p
             work[432 + k] = s1_m
-            work[448 + k] = v5 + w3_p * (m2 * Z2_3_p)
-            work[464 + k] = v5 + w3_p * (m2 * -Z2_3_p)
+            work[448 + k] = v5 + w3_p * (m1 * Z2_3_p)
+            work[464 + k] = v5 + w3_p * (m1 * -Z2_3_p)
             work[480 + k] = v6 - v43
             work[496 + k] = v6 + v43
             work[512 + k] = w3_p

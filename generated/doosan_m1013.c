@@ -253,10 +253,10 @@ static const double
     d4 = 0.559, /* joint offset 4 [m] */
     d6 = 0.121, /* joint offset 6 [m] */
     free_limit_squared2 = 2.211169e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 4.70230688067038e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.487, /* the arm's size [m] */
     longest3 = 1.390041, /* square of the longest reach [m^2] */
     shortest3 = 0.003720999999999993, /* square of the shortest reach [m^2] */
-    longest3_reach = 1.390041000000351, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0037209999999818517, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 1.390040999999965, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.003721000000001807, /* the shortest, where branches merge [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
@@ -269,13 +269,12 @@ static const double
     k3 = 1.0260300000002213e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
     k4 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
     k5 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
-    k6 = 2.081291995206794, /* 1 / (k4^2) [m^-4] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 4.863633051856008e-13,
-    m4 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
+    k6 = 7.232222348109884e-13, /* arm_size1 * boundary3 [m^5] */
+    k7 = 2.081291995206794, /* 1 / (k4^2) [m^-4] */
+    m3 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 0.8064516129032259, m3 = 0.057999193548387;
+static const double m1 = 0.8064516129032259, m2 = 0.057999193548387;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -396,14 +395,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v6 = w3 - w3,
-        v7 = k4 * (N3 - k5), s3 = k6 * v7, v8 = k4 * w3, v9 = k6 * v8;
+        v7 = k4 * (N3 - k5), s3 = k7 * v7, v8 = k4 * w3, v9 = k7 * v8;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3, Y1_2 = d4 * v9, v10 = Z1_3 * X1_2, v11 = w1 * Y1_2,
-        v12 = v10 - v11, v13 = v10 + v11, v14 = m3 + m2 * N3, v15 = Z1_3 * v14,
-        v16 = w3 * (m2 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
-        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m2 * Z1_3),
-        v22 = w3 * (m2 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
+        v12 = v10 - v11, v13 = v10 + v11, v14 = m2 + m1 * N3, v15 = Z1_3 * v14,
+        v16 = w3 * (m1 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
+        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m1 * Z1_3),
+        v22 = w3 * (m1 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
         C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
         v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
         v29 = v24 + C2_mm * C2_mm, w2_pp = sqrt_wide(v25), w2_pm = sqrt_wide(v27),
@@ -458,8 +457,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19, q3_ppp = v1 + raised_wide(v62),
         q3_pmp = v1 + raised_wide(v63);
-    const wide_mask doubt1 = (v49 <= m5) | (v29 <= m4) | (v48 <= m5) | (v28 <= m4) | (v47 <= m5) |
-        (v27 <= m4) | (v46 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1) | (v25 <= m4);
+    const wide_mask doubt1 = (v49 <= m4) | (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) |
+        (v27 <= m3) | (v46 <= m4) | (abs_wide(D1) <= k2) | (abs_wide(w1 * D3) <= k6) | (v25 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v66); q[4] = raised_wide(v74);
     q[5] = angle1;
@@ -495,7 +494,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -515,15 +514,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k4 * (N3 - k5),
-        s3 = k6 * v6, v7 = k4 * w3, v8 = k6 * v7;
+        s3 = k7 * v6, v7 = k4 * w3, v8 = k7 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
     const four v11 = e1 * e2, v12 = v9 - v10 * v11;
-    const double v13 = m3 + m2 * N3, v14 = Z1_3 * v13;
-    const four S2 = v14 - w3 * (m2 * (w1 * v11));
+    const double v13 = m2 + m1 * N3, v14 = Z1_3 * v13;
+    const four S2 = v14 - w3 * (m1 * (w1 * v11));
     const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
-    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m2 * (e2 * Z1_3)),
+    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m1 * (e2 * Z1_3)),
         v21 = w1 * (e1 * v13), C2 = v20 + v21, v22 = S2 * S2 + C2 * C2, w2 = sqrt_four(v22),
         v23 = 1.0 / v22;
 
@@ -539,8 +538,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v34 = copysign(half_turn, v6);
     const four v36 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
-    const four_mask doubt2 = (v22 <= m4) | (v28 <= m5);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k6);
+    const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -553,7 +552,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle1 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
-        q2_p = raised_four(v33), v35 = e2 * angle3 + v34 * (m6 * (1.0 - e2)) - offset3,
+        q2_p = raised_four(v33), v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3,
         v37 = angle4 - offset4, v38 = angle4 - v36 - offset4, q4_p = raised_four(v37),
         q4_m = raised_four(v38), v39 = angle5 - offset5, v40 = offset5 + angle5,
         q5_p = raised_four(v39), q5_m = only_four(-v40 <= -half_turn, turn) - v40,
@@ -635,13 +634,13 @@ static void solve(
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v3 = Z1_3 * Z1_3;
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v7 = seed[1] + offset2;
+    const double v8 = seed[1] + offset2;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v11 = seed[3] + offset4;
+    const double v12 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -657,69 +656,69 @@ static void solve(
         const double K3 = N3 - k5;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k6 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double s3 = k4 * K3 * k6;
+        const double s3 = k4 * K3 * k7;
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
-        const double v5 = Z1_3 * X1_2, v6 = root1 * X1_2;
+        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
 
         /* theta4 */
-        const double v9 = T13 * c1 + T23 * s1;
+        const double v10 = T13 * c1 + T23 * s1;
         const double Y4 = T13 * s1 - T23 * c1;
-        const double v10 = Y4 * Y4;
+        const double v11 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v12 = T22 * c1 - T12 * s1, v13 = T12 * c1 + T22 * s1,
-            v15 = T21 * c1 - T11 * s1, v16 = T11 * c1 + T21 * s1;
+        const double v13 = T22 * c1 - T12 * s1, v14 = T12 * c1 + T22 * s1,
+            v16 = T21 * c1 - T11 * s1, v17 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v4 = k6 * (k4 * (w3 * e2));
+            const double v5 = k7 * (k4 * (w3 * e2));
 
             /* theta2 */
-            const double Y1_2 = d4 * v4;
-            const double S2 = v5 - root1 * Y1_2;
-            const double C2 = v6 + Z1_3 * Y1_2;
+            const double Y1_2 = d4 * v5;
+            const double S2 = v6 - root1 * Y1_2;
+            const double C2 = v7 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v7) : C2 * factor2, s2 = free2 ? sin(v7) : S2 * factor2;
+            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
 
             /* theta4 */
-            const double v8 = v4 * c2 + s3 * s2;
-            const double s23 = s3 * c2 - v4 * s2;
-            const double X4 = v8 * v9 - T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v10);
+            const double v9 = v5 * c2 + s3 * s2;
+            const double s23 = s3 * c2 - v5 * s2;
+            const double X4 = v9 * v10 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v11);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v14 = T32 * s23 - v8 * v13, v17 = T31 * s23 - v8 * v16;
+            const double v15 = T32 * s23 - v9 * v14, v18 = T31 * s23 - v9 * v17;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
-            const double q3 = wrap(atan2(s3, -v4) - offset3);
+            const double q3 = wrap(atan2(s3, -v5) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v11) : -(X4 * factor4),
-                    s4 = free4 ? sin(v11) : Y4 * factor4;
+                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
+                    s4 = free4 ? sin(v12) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v12 + s4 * v14, s6 = c4 * v15 + s4 * v17;
+                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
-                const double q5 = wrap(atan2(s5, -(T33 * v8 + s23 * v9)) - offset5);
+                const double q5 = wrap(atan2(s5, -(T33 * v9 + s23 * v10)) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -783,8 +782,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -823,8 +821,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -835,31 +832,36 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = DOOSAN_M1013_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -867,16 +869,22 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != DOOSAN_M1013_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = DOOSAN_M1013_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = DOOSAN_M1013_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -124,10 +124,10 @@ a2 = 0.62  # link length 2 [m]
 d4 = 0.559  # joint offset 4 [m]
 d6 = 0.121  # joint offset 6 [m]
 free_limit_squared2 = 2.211169e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 4.70230688067038e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.487  # the arm's size [m]
 longest3 = 1.390041  # square of the longest reach [m^2]
 shortest3 = 0.003720999999999993  # square of the shortest reach [m^2]
-longest3_reach = 1.390041000000351  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0037209999999818517  # the shortest, with what rounding adds [m^2]
 longest3_apart = 1.390040999999965  # the longest, where branches merge [m^2]
 shortest3_apart = 0.003721000000001807  # the shortest, where branches merge [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -140,12 +140,12 @@ k2 = 1.0260300000022113e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.0260300000002213e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
 k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
-k6 = 2.081291995206794  # 1 / (k4^2) [m^-4]
-m1 = 4.863633051856008e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 0.8064516129032259  # a coefficient of S2
-m3 = 0.057999193548387  # a coefficient of S2
-m4 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
-m5 = 9.999999999999999e-09  # doubt_limit^2
+k6 = 7.232222348109884e-13  # arm_size1 * boundary3 [m^5]
+k7 = 2.081291995206794  # 1 / (k4^2) [m^-4]
+m1 = 0.8064516129032259  # a coefficient of S2
+m2 = 0.057999193548387  # a coefficient of S2
+m3 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
+m4 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -390,7 +390,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 54138c3b356e6333"
+_KEY = "doosan_m1013 7f257f49fc15aed5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -470,12 +470,13 @@ def _solve(pose, seed, q, status):
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v3 = Z1_3 * Z1_3
+    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v7 = seed[1] + offset2
+    v8 = seed[1] + offset2
 
     # theta4, type 2: U4[3, 3]
-    v11 = seed[3] + offset4
+    v12 = seed[3] + offset4
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -492,59 +493,59 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k5
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k6 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        s3 = k4 * K3 * k6
+        s3 = k4 * K3 * k7
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v5 = Z1_3 * X1_2
-        v6 = root1 * X1_2
+        v6 = Z1_3 * X1_2
+        v7 = root1 * X1_2
 
         # theta4
-        v9 = T13 * c1 + T23 * s1
+        v10 = T13 * c1 + T23 * s1
         Y4 = T13 * s1 - T23 * c1
-        v10 = Y4 * Y4
+        v11 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v12 = T22 * c1 - T12 * s1
-        v13 = T12 * c1 + T22 * s1
-        v15 = T21 * c1 - T11 * s1
-        v16 = T11 * c1 + T21 * s1
+        v13 = T22 * c1 - T12 * s1
+        v14 = T12 * c1 + T22 * s1
+        v16 = T21 * c1 - T11 * s1
+        v17 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v4 = k6 * (k4 * (w3 * e2))
+            v5 = k7 * (k4 * (w3 * e2))
 
             # theta2
-            Y1_2 = d4 * v4
-            S2 = v5 - root1 * Y1_2
-            C2 = v6 + Z1_3 * Y1_2
+            Y1_2 = d4 * v5
+            S2 = v6 - root1 * Y1_2
+            C2 = v7 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v7) if free2 else C2 * factor2
-            s2 = math.sin(v7) if free2 else S2 * factor2
+            c2 = math.cos(v8) if free2 else C2 * factor2
+            s2 = math.sin(v8) if free2 else S2 * factor2
 
             # theta4
-            v8 = v4 * c2 + s3 * s2
-            s23 = s3 * c2 - v4 * s2
-            X4 = v8 * v9 - T33 * s23
-            w4 = math.sqrt(X4 * X4 + v10)
+            v9 = v5 * c2 + s3 * s2
+            s23 = s3 * c2 - v5 * s2
+            X4 = v9 * v10 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v11)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v14 = T32 * s23 - v8 * v13
-            v17 = T31 * s23 - v8 * v16
+            v15 = T32 * s23 - v9 * v14
+            v18 = T31 * s23 - v9 * v17
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
-            q3 = _wrap(_atan2(s3, -v4) - offset3)
+            q3 = _wrap(_atan2(s3, -v5) - offset3)
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -552,18 +553,18 @@ def _solve(pose, seed, q, status):
                 if e3 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
-                c4 = math.cos(v11) if free4 else -(X4 * factor4)
-                s4 = math.sin(v11) if free4 else Y4 * factor4
+                c4 = math.cos(v12) if free4 else -(X4 * factor4)
+                s4 = math.sin(v12) if free4 else Y4 * factor4
                 s5 = w4 * e3
 
                 # theta6
-                c6 = c4 * v12 + s4 * v14
-                s6 = c4 * v15 + s4 * v17
+                c6 = c4 * v13 + s4 * v15
+                s6 = c4 * v16 + s4 * v18
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
-                q5 = _wrap(_atan2(s5, -(T33 * v8 + s23 * v9)) - offset5)
+                q5 = _wrap(_atan2(s5, -(T33 * v9 + s23 * v10)) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -743,6 +744,18 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -777,10 +790,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -788,15 +802,18 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -807,6 +824,7 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -854,9 +872,9 @@ def _regular(pose, q, status):
     w3 = math.sqrt(D3)
     v6 = w3 - w3
     v7 = k4 * (N3 - k5)
-    s3 = k6 * v7
+    s3 = k7 * v7
     v8 = k4 * w3
-    v9 = k6 * v8
+    v9 = k7 * v8
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     X1_2 = a2 + d4 * s3
@@ -865,17 +883,17 @@ def _regular(pose, q, status):
     v11 = w1 * Y1_2
     v12 = v10 - v11
     v13 = v10 + v11
-    v14 = m3 + m2 * N3
+    v14 = m2 + m1 * N3
     v15 = Z1_3 * v14
-    v16 = w3 * (m2 * w1)
+    v16 = w3 * (m1 * w1)
     S2_pp = v15 - v16
     S2_pm = v15 + v16
     v17 = w1 * X1_2
     v18 = Z1_3 * Y1_2
     v19 = v17 + v18
     v20 = v17 - v18
-    v21 = w3 * (m2 * Z1_3)
-    v22 = w3 * (m2 * -Z1_3)
+    v21 = w3 * (m1 * Z1_3)
+    v22 = w3 * (m1 * -Z1_3)
     v23 = w1 * v14
     C2_pp = v21 + v23
     C2_pm = v22 + v23
@@ -942,8 +960,8 @@ def _regular(pose, q, status):
     v64 = math.copysign(half_turn, Y4_p)
     v65 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        v49 <= m5 or v29 <= m4 or v48 <= m5 or v28 <= m4 or v47 <= m5 or v27 <= m4 or v46 <= m5 or
-        abs(D1) <= k2 or abs(D3) <= m1 or v25 <= m4
+        v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or
+        abs(D1) <= k2 or abs(w1 * D3) <= k6 or v25 <= m3
     )
 
     # a joint is free, or branches meet
@@ -1397,26 +1415,26 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(D3)
             v6 = w3 - w3
             v7 = k4 * (N3 - k5)
-            s3 = k6 * v7
+            s3 = k7 * v7
             v8 = k4 * w3
-            v9 = k6 * v8
+            v9 = k7 * v8
             X1_2 = a2 + d4 * s3
             Y1_2 = d4 * v9
             v10 = Z1_3 * X1_2
             v11 = w1 * Y1_2
             v12 = v10 - v11
             v13 = v10 + v11
-            v14 = m3 + m2 * N3
+            v14 = m2 + m1 * N3
             v15 = Z1_3 * v14
-            v16 = w3 * (m2 * w1)
+            v16 = w3 * (m1 * w1)
             S2_pp = v15 - v16
             S2_pm = v15 + v16
             v17 = w1 * X1_2
             v18 = Z1_3 * Y1_2
             v19 = v17 + v18
             v20 = v17 - v18
-            v21 = w3 * (m2 * Z1_3)
-            v22 = w3 * (m2 * -Z1_3)
+            v21 = w3 * (m1 * Z1_3)
+            v22 = w3 * (m1 * -Z1_3)
             v23 = w1 * v14
             C2_pp = v21 + v23
             C2_pm = v22 + v23
@@ -1477,8 +1495,8 @@ def _in_tiles(T, q, status):
             v64 = math.copysign(half_turn, Y4_p)
             v65 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                v49 <= m5 or v29 <= m4 or v48 <= m5 or v28 <= m4 or v47 <= m5 or v27 <= m4 or v46 <=
-                m5 or abs(D1) <= k2 or abs(D3) <= m1 or v25 <= m4
+                v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <=
+                m4 or abs(D1) <= k2 or abs(w1 * D3) <= k6 or v25 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v6

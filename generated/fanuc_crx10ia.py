@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 022c5017b5dc7d83"
+_KEY = "fanuc_crx10ia 4d0769ba78c9308e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2642,9 +2642,11 @@ def _lead_inside(pose, enough, most, q):
     if past < 2:
         return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    for farther in (2.0, 4.0, 8.0, 16.0):
+    farther = 2.0
+    while farther <= 16.0:
         for i in range(6):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
+        farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
             q[:] = x
             return True

@@ -258,6 +258,8 @@ static const double
     d7 = 0.107, /* z of the tool frame [m] */
     reach_slack2 = 1.9404490000000003e-13, /* rounding at the boundary of the workspace [m^2] */
     merge_slack2 = 1.940449e-14, /* nearer to that boundary two branches are one [m^2] */
+    least_root2 = 6.136238523396071e-07, /* a root of nothing, by rounding [m^2] */
+    arm_size2 = 1.940449, /* the arm's size [m^2] */
     free_limit_squared2 = 1.940449e-24, /* square of a length that fixes no angle [m^2] */
     reach_slack1 = 1.393e-13, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 1.393e-14, /* nearer to that boundary two branches are one [m] */
@@ -431,12 +433,12 @@ HELPER wide_mask solve_wide(
     const wide v10 = a3 * c4_p + d3 * s4_p - a4, v11 = a3 * c4_m - d3 * v8 - a4, v12 = m4 + m5 * Z4,
         v13 = m3 * w4, v14 = v12 - v13, v15 = v12 + v13, N5_p = v14 * v14, N5_m = v15 * v15,
         Z5 = c7 * w2y + s7 * w2x, v16 = Z5 * Z5, D5_p = N5_p - v16, D5_m = N5_m - v16,
-        v17 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5)), w5_p = sqrt_wide(D5_p),
-        w5_m = sqrt_wide(D5_m), v18 = w5_p - w5_p, v19 = w5_m - w5_m, inverse5_p = 1.0 / N5_p,
-        inverse5_m = 1.0 / N5_m, v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20,
-        v23 = inverse5_m * v21, v24 = v14 * Z5, v25 = v15 * Z5, s5_p = inverse5_p * v24,
-        s5_m = inverse5_m * v25, angle2 = atan2_wide(v24, -v20), angle3 = atan2_wide(v25, -v21),
-        q5_pmp = signed_wide(half_turn, v24) - angle2,
+        w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v17 = w5_p - w5_p, v18 = w5_m - w5_m,
+        v19 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5))),
+        inverse5_p = 1.0 / N5_p, inverse5_m = 1.0 / N5_m, v20 = v14 * w5_p, v21 = v15 * w5_m,
+        v22 = inverse5_p * v20, v23 = inverse5_m * v21, v24 = v14 * Z5, v25 = v15 * Z5,
+        s5_p = inverse5_p * v24, s5_m = inverse5_m * v25, angle2 = atan2_wide(v24, -v20),
+        angle3 = atan2_wide(v25, -v21), q5_pmp = signed_wide(half_turn, v24) - angle2,
         q5_mmp = signed_wide(half_turn, v25) - angle3;
 
     /* theta6 */
@@ -534,11 +536,11 @@ HELPER wide_mask solve_wide(
         v135 = beyond(v131, 6);
     const wide q6_ppp = pick_wide(v132, angle4, v128), q6_pmp = pick_wide(v133, angle5, v129),
         q6_mpp = pick_wide(v134, angle6, v130), q6_mmp = pick_wide(v135, angle7, v131),
-        q4_ppp = v18 + v116, q4_mpp = v19 + v117, v136 = free_joints[0] + (w4 - w4),
-        q7_ppp = v18 + v136, q7_mpp = v19 + v136;
+        q4_ppp = v17 + v116, q4_mpp = v18 + v117, v136 = free_joints[0] + (w4 - w4),
+        q7_ppp = v17 + v136, q7_mpp = v18 + v136;
     const wide_mask doubt1 = (v73 <= m9) | (v43 <= m8) | (v72 <= m9) | (v42 <= m8) | (v71 <= m9) |
-        (v41 <= m8) | (v70 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v17) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(D5_p) <= v17) | (abs_wide(D4) <= reach_slack2 *
+        (v41 <= m8) | (v70 <= m9) | (v40 <= m8) | (abs_wide(w4 * D5_m) <= v19) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(w4 * D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 *
         (reach_slack2 + 2.0 * abs_wide(Z4))) | exceeds(free_joints[0], 7) | (N5_p <=
         doubt_limit_squared2);
 
@@ -599,11 +601,10 @@ HELPER int solve_regular(
     const double v7 = m4 + m5 * Z4;
     const four v8 = v7 - w4 * (m3 * e1), N5 = v8 * v8;
     const double Z5 = c7 * w2y + s7 * w2x, v9 = Z5 * Z5;
-    const four D5 = N5 - v9;
-    const double v10 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
-    const four w5 = sqrt_four(D5), v11 = w5 - w5, inverse5 = 1.0 / N5, v12 = v8 * w5,
-        v13 = inverse5 * v12, v14 = v8 * Z5, s5 = inverse5 * v14, v15 = signed_four(half_turn, v14),
-        v16 = m6 * (1.0 - e2);
+    const four D5 = N5 - v9, w5 = sqrt_four(D5), v10 = w5 - w5;
+    const double v11 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5)));
+    const four inverse5 = 1.0 / N5, v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5,
+        s5 = inverse5 * v14, v15 = signed_four(half_turn, v14), v16 = m6 * (1.0 - e2);
 
     /* theta6 */
     const double v17 = m7 + m3 * Z4;
@@ -641,10 +642,10 @@ HELPER int solve_regular(
 
     /* joint values */
     const double v67 = free_joints[0] + (w4 - w4);
-    const four q7_p = v11 + v67;
+    const four q7_p = v10 + v67;
     const int doubt1 = (fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4))) | (high(7) <
         fabs(free_joints[0]));
-    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v10),
+    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(w4 * D5) <= v11),
         doubt3 = (v23 <= m8) | (v37 <= m9);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
@@ -667,7 +668,7 @@ HELPER int solve_regular(
         v64 = exceeds_four(q5_p, 5);
     const four v65 = angle3 + only_four(angle3 < low(6), turn);
     const four_mask v66 = beyond_four(v65, 6);
-    const four q6_p = pick_four(v66, angle3, v65), q4_p = v11 + v61;
+    const four q6_p = pick_four(v66, angle3, v65), q4_p = v10 + v61;
     const four_mask outside_p = v66 | v64 | v63 | exceeds_four(angle4, 3) | v62 |
         exceeds_four(angle6, 1),
         outside_m = v66 | v64 | v63 | exceeds_four(q3_m, 3) | v62 | exceeds_four(q1_m, 1);
@@ -759,97 +760,98 @@ static void solve(
     const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
     if (!(-(reach_slack2 * (v4 + reach_slack2)) <= D4)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v5 = k1 * Z4, v6 = k2 * Z4;
+    const double v5 = apart4 ? w4 : least_root2, v6 = k1 * Z4, v7 = k2 * Z4;
 
     /* theta5, type 2: A7 U0^-1 A1 [3, 4] */
     const double Z5 = c7 * w2y + s7 * w2x;
-    const double v8 = Z5 * Z5, v9 = fabs(Z5), v10 = 2.0 * v9,
-        v11 = merge_slack1 * (v10 + merge_slack1);
+    const double v9 = Z5 * Z5, v10 = fabs(Z5), v11 = 2.0 * v10,
+        v12 = merge_slack1 * (v11 + merge_slack1);
 
     /* theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4] */
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
 
     /* theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3] */
-    const double v16 = c7 * T31 - s7 * T32, v21 = c7 * T32 + s7 * T31;
+    const double v17 = c7 * T31 - s7 * T32, v22 = c7 * T32 + s7 * T31;
 
     /* theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3] */
-    const double v27 = c7 * T11 - s7 * T12, v30 = c7 * T12 + s7 * T11, v38 = c7 * T21 - s7 * T22,
-        v41 = c7 * T22 + s7 * T21;
+    const double v28 = c7 * T11 - s7 * T12, v31 = c7 * T12 + s7 * T11, v39 = c7 * T21 - s7 * T22,
+        v42 = c7 * T22 + s7 * T21;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
         const double root4 = w4 * e1;
-        const double c4 = k5 * (v6 + k1 * root4), s4 = k5 * (k2 * root4 - v5);
+        const double c4 = k5 * (v7 + k1 * root4), s4 = k5 * (k2 * root4 - v6);
         const double q4 = atan2(s4, c4);
 
         /* theta5 */
-        const double v7 = a3 * c4 + d3 * s4 - a4;
-        const double N5 = -v7 * -v7;
+        const double v8 = a3 * c4 + d3 * s4 - a4;
+        const double N5 = -v8 * -v8;
         const int free5 = N5 <= free_limit_squared2;
-        const double D5 = N5 - v8;
-        const int apart5 = v11 < D5;
-        if (!(-(reach_slack1 * (v10 + reach_slack1)) <= D5)) continue; /* out of reach */
+        const double D5 = N5 - v9;
+        const int apart5 = v12 < D5;
+        if (!(-(arm_size2 * (reach_slack1 * (v11 + reach_slack1))) <= v5 * D5))
+            continue; /* out of reach */
         const double w5 = sqrt(apart5 ? D5 : 0.0);
-        const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v9 * sqrt(N5)));
-        const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v7 * Z5);
+        const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v10 * sqrt(N5)));
+        const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v8 * Z5);
 
         /* theta6 */
         const double Y1_6 = d5 + (d3 * c4 - a3 * s4);
-        const double v13 = Y1_6 * Z2_6, v15 = w2z * Y1_6;
+        const double v14 = Y1_6 * Z2_6, v16 = w2z * Y1_6;
 
         /* theta3 */
-        const double v17 = c4 * v16, v18 = T33 * s4, v19 = T33 * c4, v20 = s4 * v16,
-            v22 = s5 * (c4 * v21), v24 = s5 * v16, v25 = T33 * s5;
+        const double v18 = c4 * v17, v19 = T33 * s4, v20 = T33 * c4, v21 = s4 * v17,
+            v23 = s5 * (c4 * v22), v25 = s5 * v17, v26 = T33 * s5;
 
         /* theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1] */
-        const double v26 = s5 * (s4 * v21);
+        const double v27 = s5 * (s4 * v22);
 
         /* theta1 */
-        const double v28 = s5 * v27, v29 = T13 * s5, v32 = c4 * v27, v33 = T13 * s4, v34 = T13 * c4,
-            v35 = s4 * v27, v36 = s5 * (c4 * v30), v39 = s5 * v38, v40 = T23 * s5, v43 = c4 * v38,
-            v44 = T23 * s4, v45 = T23 * c4, v46 = s4 * v38, v47 = s5 * (c4 * v41);
+        const double v29 = s5 * v28, v30 = T13 * s5, v33 = c4 * v28, v34 = T13 * s4, v35 = T13 * c4,
+            v36 = s4 * v28, v37 = s5 * (c4 * v31), v40 = s5 * v39, v41 = T23 * s5, v44 = c4 * v39,
+            v45 = T23 * s4, v46 = T23 * c4, v47 = s4 * v39, v48 = s5 * (c4 * v42);
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
             if (e2 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
-            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (-v7 * (w5 * e2)));
+            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (-v8 * (w5 * e2)));
             const double q5 = atan2(s5, c5);
 
             /* theta6 */
-            const double v12 = v7 * c5, v14 = w2z * v12 + v13;
-            const double C6 = v15 - v12 * Z2_6;
-            const double w6 = sqrt(v14 * v14 + C6 * C6);
+            const double v13 = v8 * c5, v15 = w2z * v13 + v14;
+            const double C6 = v16 - v13 * Z2_6;
+            const double w6 = sqrt(v15 * v15 + C6 * C6);
             const int free6 = w6 <= free_limit_squared2;
             const double factor6 = 1.0 / (free6 ? 1.0 : w6);
             const double c6 = free6 ? cos(seed[5]) : C6 * factor6,
-                s6 = free6 ? sin(seed[5]) : -(v14 * factor6);
+                s6 = free6 ? sin(seed[5]) : -(v15 * factor6);
             const double q6 = atan2(s6, c6);
 
             /* theta3 */
-            const double v23 = c6 * (c5 * v17 + v18) + s6 * (c5 * v19 - v20) + v22;
-            const double Y3 = c5 * v21 - (c6 * v24 + s6 * v25);
-            const double w3 = sqrt(v23 * v23 + Y3 * Y3);
+            const double v24 = c6 * (c5 * v18 + v19) + s6 * (c5 * v20 - v21) + v23;
+            const double Y3 = c5 * v22 - (c6 * v25 + s6 * v26);
+            const double w3 = sqrt(v24 * v24 + Y3 * Y3);
             const int free3 = w3 <= free_limit;
             const double divisor3 = free3 ? 1.0 : w3;
 
             /* theta2 */
-            const double c2 = c6 * (c5 * v20 - v19) + s6 * (v17 + c5 * v18) + v26;
+            const double c2 = c6 * (c5 * v21 - v20) + s6 * (v18 + c5 * v19) + v27;
 
             /* theta1 */
-            const double v31 = c5 * v30 - (c6 * v28 + s6 * v29),
-                v37 = c6 * (c5 * v32 + v33) + s6 * (c5 * v34 - v35) + v36,
-                v42 = c5 * v41 - (c6 * v39 + s6 * v40),
-                v48 = c6 * (c5 * v43 + v44) + s6 * (c5 * v45 - v46) + v47;
+            const double v32 = c5 * v31 - (c6 * v29 + s6 * v30),
+                v38 = c6 * (c5 * v33 + v34) + s6 * (c5 * v35 - v36) + v37,
+                v43 = c5 * v42 - (c6 * v40 + s6 * v41),
+                v49 = c6 * (c5 * v44 + v45) + s6 * (c5 * v46 - v47) + v48;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip3, flip3 */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta3 */
                 if (e3 < 0.0 && free3) continue; /* both signs give the same */
                 const double factor3 = e3 / divisor3;
-                const double c3 = free3 ? cos(seed[2]) : v23 * factor3,
+                const double c3 = free3 ? cos(seed[2]) : v24 * factor3,
                     s3 = free3 ? sin(seed[2]) : Y3 * factor3;
                 const double q3 = atan2(s3, c3);
 
@@ -857,7 +859,7 @@ static void solve(
                 const double q2 = atan2(-(w3 * e3), c2);
 
                 /* theta1 */
-                const double s1 = c3 * v31 - s3 * v37, c1 = s3 * v48 - c3 * v42;
+                const double s1 = c3 * v32 - s3 * v38, c1 = s3 * v49 - c3 * v43;
                 const double q1 = atan2(s1, c1);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
@@ -974,7 +976,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -1031,8 +1033,7 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -1064,12 +1065,10 @@ static int settle(const double T[16], double enough, double most, double q[7])
 {
     double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[7] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 7 && stands && miss < enough; i++) {
@@ -1077,8 +1076,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 7; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -1090,8 +1089,7 @@ static int settle(const double T[16], double enough, double most, double q[7])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1102,9 +1100,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
@@ -1122,55 +1119,61 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][7], unsigned char status[8])
 {
     const int held[7] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[7], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 7 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 7 && ends; i++) {
             status[n / 8] = FRANKA_PANDA_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    double x[7], half[7], e[6], least = HUGE_VAL;
+    double x[7], half[7], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 7; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
     x[6] = free_joints[0];
-    if (!settle(T, 1e-12, 0.15, x)
-        || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != FRANKA_PANDA_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                if (beyond_limits(q[row]) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest && beyond_limits(q[row]) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = FRANKA_PANDA_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = FRANKA_PANDA_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -129,6 +129,8 @@ a6 = 0.088  # link length 7 [m]
 d7 = 0.107  # z of the tool frame [m]
 reach_slack2 = 1.9404490000000003e-13  # rounding at the boundary of the workspace [m^2]
 merge_slack2 = 1.940449e-14  # nearer to that boundary two branches are one [m^2]
+least_root2 = 6.136238523396071e-07  # a root of nothing, by rounding [m^2]
+arm_size2 = 1.940449  # the arm's size [m^2]
 free_limit_squared2 = 1.940449e-24  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.393e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1.393e-14  # nearer to that boundary two branches are one [m]
@@ -151,9 +153,9 @@ high6 = 3.752500001
 high7 = 2.897300001
 m1 = 1.754896834873102  # a coefficient of c4
 m2 = 3.4805529861209807  # a coefficient of c4
-m3 = 1.2446337324912609  # a coefficient of v7
-m4 = 0.0825  # a coefficient of v7
-m5 = 0.2674017784649193  # a coefficient of v7
+m3 = 1.2446337324912609  # a coefficient of v8
+m4 = 0.0825  # a coefficient of v8
+m5 = 0.2674017784649193  # a coefficient of v8
 m7 = 0.384  # a coefficient of Y1_6
 m8 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m9 = 9.999999999999999e-09  # doubt_limit^2
@@ -425,7 +427,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 42d947dab74ba8f6"
+_KEY = "franka_panda a28183651a73e4fb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -508,28 +510,29 @@ def _solve(pose, q_free, seed, q, status):
     if not (-(reach_slack2 * (v4 + reach_slack2)) <= D4):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
-    v5 = k1 * Z4
-    v6 = k2 * Z4
+    v5 = w4 if apart4 else least_root2
+    v6 = k1 * Z4
+    v7 = k2 * Z4
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
     Z5 = c7 * w2y + s7 * w2x
-    v8 = Z5 * Z5
-    v9 = abs(Z5)
-    v10 = 2.0 * v9
-    v11 = merge_slack1 * (v10 + merge_slack1)
+    v9 = Z5 * Z5
+    v10 = abs(Z5)
+    v11 = 2.0 * v10
+    v12 = merge_slack1 * (v11 + merge_slack1)
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
 
     # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
-    v16 = c7 * T31 - s7 * T32
-    v21 = c7 * T32 + s7 * T31
+    v17 = c7 * T31 - s7 * T32
+    v22 = c7 * T32 + s7 * T31
 
     # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
-    v27 = c7 * T11 - s7 * T12
-    v30 = c7 * T12 + s7 * T11
-    v38 = c7 * T21 - s7 * T22
-    v41 = c7 * T22 + s7 * T21
+    v28 = c7 * T11 - s7 * T12
+    v31 = c7 * T12 + s7 * T11
+    v39 = c7 * T21 - s7 * T22
+    v42 = c7 * T22 + s7 * T21
 
     for i1 in range(2):  # noflip4, flip4
         e1 = 1.0 - 2.0 * i1
@@ -537,89 +540,89 @@ def _solve(pose, q_free, seed, q, status):
         if e1 < 0.0 and not apart4:
             continue  # both signs give the same
         root4 = w4 * e1
-        c4 = k5 * (v6 + k1 * root4)
-        s4 = k5 * (k2 * root4 - v5)
+        c4 = k5 * (v7 + k1 * root4)
+        s4 = k5 * (k2 * root4 - v6)
         q4 = _atan2(s4, c4)
 
         # theta5
-        v7 = a3 * c4 + d3 * s4 - a4
-        N5 = -v7 * -v7
+        v8 = a3 * c4 + d3 * s4 - a4
+        N5 = -v8 * -v8
         free5 = N5 <= free_limit_squared2
-        D5 = N5 - v8
-        apart5 = v11 < D5
-        if not (-(reach_slack1 * (v10 + reach_slack1)) <= D5):
+        D5 = N5 - v9
+        apart5 = v12 < D5
+        if not (-(arm_size2 * (reach_slack1 * (v11 + reach_slack1))) <= v5 * D5):
             continue  # out of reach
         w5 = math.sqrt(D5 if apart5 else 0.0)
-        inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v9 * math.sqrt(N5)))
-        s5 = math.sin(seed[4]) if free5 else inverse5 * (-v7 * Z5)
+        inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v10 * math.sqrt(N5)))
+        s5 = math.sin(seed[4]) if free5 else inverse5 * (-v8 * Z5)
 
         # theta6
         Y1_6 = d5 + (d3 * c4 - a3 * s4)
-        v13 = Y1_6 * Z2_6
-        v15 = w2z * Y1_6
+        v14 = Y1_6 * Z2_6
+        v16 = w2z * Y1_6
 
         # theta3
-        v17 = c4 * v16
-        v18 = T33 * s4
-        v19 = T33 * c4
-        v20 = s4 * v16
-        v22 = s5 * (c4 * v21)
-        v24 = s5 * v16
-        v25 = T33 * s5
+        v18 = c4 * v17
+        v19 = T33 * s4
+        v20 = T33 * c4
+        v21 = s4 * v17
+        v23 = s5 * (c4 * v22)
+        v25 = s5 * v17
+        v26 = T33 * s5
 
         # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-        v26 = s5 * (s4 * v21)
+        v27 = s5 * (s4 * v22)
 
         # theta1
-        v28 = s5 * v27
-        v29 = T13 * s5
-        v32 = c4 * v27
-        v33 = T13 * s4
-        v34 = T13 * c4
-        v35 = s4 * v27
-        v36 = s5 * (c4 * v30)
-        v39 = s5 * v38
-        v40 = T23 * s5
-        v43 = c4 * v38
-        v44 = T23 * s4
-        v45 = T23 * c4
-        v46 = s4 * v38
-        v47 = s5 * (c4 * v41)
+        v29 = s5 * v28
+        v30 = T13 * s5
+        v33 = c4 * v28
+        v34 = T13 * s4
+        v35 = T13 * c4
+        v36 = s4 * v28
+        v37 = s5 * (c4 * v31)
+        v40 = s5 * v39
+        v41 = T23 * s5
+        v44 = c4 * v39
+        v45 = T23 * s4
+        v46 = T23 * c4
+        v47 = s4 * v39
+        v48 = s5 * (c4 * v42)
 
         for i2 in range(2):  # noflip5, flip5
             e2 = 1.0 - 2.0 * i2
             # theta5
             if e2 < 0.0 and (free5 or not apart5):
                 continue  # both signs give the same
-            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (-v7 * (w5 * e2)))
+            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (-v8 * (w5 * e2)))
             q5 = _atan2(s5, c5)
 
             # theta6
-            v12 = v7 * c5
-            v14 = w2z * v12 + v13
-            C6 = v15 - v12 * Z2_6
-            w6 = math.sqrt(v14 * v14 + C6 * C6)
+            v13 = v8 * c5
+            v15 = w2z * v13 + v14
+            C6 = v16 - v13 * Z2_6
+            w6 = math.sqrt(v15 * v15 + C6 * C6)
             free6 = w6 <= free_limit_squared2
             factor6 = 1.0 / (1.0 if free6 else w6)
             c6 = math.cos(seed[5]) if free6 else C6 * factor6
-            s6 = math.sin(seed[5]) if free6 else -(v14 * factor6)
+            s6 = math.sin(seed[5]) if free6 else -(v15 * factor6)
             q6 = _atan2(s6, c6)
 
             # theta3
-            v23 = c6 * (c5 * v17 + v18) + s6 * (c5 * v19 - v20) + v22
-            Y3 = c5 * v21 - (c6 * v24 + s6 * v25)
-            w3 = math.sqrt(v23 * v23 + Y3 * Y3)
+            v24 = c6 * (c5 * v18 + v19) + s6 * (c5 * v20 - v21) + v23
+            Y3 = c5 * v22 - (c6 * v25 + s6 * v26)
+            w3 = math.sqrt(v24 * v24 + Y3 * Y3)
             free3 = w3 <= free_limit
             divisor3 = 1.0 if free3 else w3
 
             # theta2
-            c2 = c6 * (c5 * v20 - v19) + s6 * (v17 + c5 * v18) + v26
+            c2 = c6 * (c5 * v21 - v20) + s6 * (v18 + c5 * v19) + v27
 
             # theta1
-            v31 = c5 * v30 - (c6 * v28 + s6 * v29)
-            v37 = c6 * (c5 * v32 + v33) + s6 * (c5 * v34 - v35) + v36
-            v42 = c5 * v41 - (c6 * v39 + s6 * v40)
-            v48 = c6 * (c5 * v43 + v44) + s6 * (c5 * v45 - v46) + v47
+            v32 = c5 * v31 - (c6 * v29 + s6 * v30)
+            v38 = c6 * (c5 * v33 + v34) + s6 * (c5 * v35 - v36) + v37
+            v43 = c5 * v42 - (c6 * v40 + s6 * v41)
+            v49 = c6 * (c5 * v44 + v45) + s6 * (c5 * v46 - v47) + v48
 
             for i3 in range(2):  # noflip3, flip3
                 e3 = 1.0 - 2.0 * i3
@@ -627,7 +630,7 @@ def _solve(pose, q_free, seed, q, status):
                 if e3 < 0.0 and free3:
                     continue  # both signs give the same
                 factor3 = e3 / divisor3
-                c3 = math.cos(seed[2]) if free3 else v23 * factor3
+                c3 = math.cos(seed[2]) if free3 else v24 * factor3
                 s3 = math.sin(seed[2]) if free3 else Y3 * factor3
                 q3 = _atan2(s3, c3)
 
@@ -635,8 +638,8 @@ def _solve(pose, q_free, seed, q, status):
                 q2 = _atan2(-(w3 * e3), c2)
 
                 # theta1
-                s1 = c3 * v31 - s3 * v37
-                c1 = s3 * v48 - c3 * v42
+                s1 = c3 * v32 - s3 * v38
+                c1 = s3 * v49 - c3 * v43
                 q1 = _atan2(s1, c1)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
@@ -1032,6 +1035,18 @@ def _stand(pose, row, rows, status):
         q[:] = x
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(7):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -1066,10 +1081,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
+    nearest = 0.001
     for i in range(7):
         x[i] = seed[i] - _overshoot(i, seed[i])
     x[6] = q_free[0]
@@ -1080,18 +1096,18 @@ def _stay(pose, q_free, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                if _beyond_limits(q[row]) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            if off < nearest and _beyond_limits(q[row]) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(7):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(7):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1103,6 +1119,7 @@ def _whole(pose, q_free, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, q_free, seed, q, status)
     _choose(pose, q_free, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, q_free, seed, q, status)
     count = 0
@@ -1168,11 +1185,11 @@ def _regular(pose, q_free, q, status):
     v16 = Z5 * Z5
     D5_p = N5_p - v16
     D5_m = N5_m - v16
-    v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
     w5_p = math.sqrt(D5_p)
     w5_m = math.sqrt(D5_m)
-    v18 = w5_p - w5_p
-    v19 = w5_m - w5_m
+    v17 = w5_p - w5_p
+    v18 = w5_m - w5_m
+    v19 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * abs(Z5)))
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
     v20 = v14 * w5_p
@@ -1315,13 +1332,13 @@ def _regular(pose, q_free, q, status):
 
     # joint values
     v136 = q_free[0] + (w4 - w4)
-    q7_ppp = v18 + v136
-    q7_mpp = v19 + v136
+    q7_ppp = v17 + v136
+    q7_mpp = v18 + v136
     doubt1 = (
         v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or
-        v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v17 or abs(D4)
-        <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or N5_p <=
-        doubt_limit_squared2
+        v40 <= m8 or abs(w4 * D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(w4 * D5_p) <= v19
+        or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or
+        N5_p <= doubt_limit_squared2
     )
 
     # a joint is free, or branches meet
@@ -1448,8 +1465,8 @@ def _regular(pose, q_free, q, status):
     q6_pmp = angle5 if v133 else v129
     q6_mpp = angle6 if v134 else v130
     q6_mmp = angle7 if v135 else v131
-    q4_ppp = v18 + v116
-    q4_mpp = v19 + v117
+    q4_ppp = v17 + v116
+    q4_mpp = v18 + v117
     outside_ppp = v132 or v124 or v122 or high3 < abs(angle8) or v118 or high1 < abs(angle16)
     outside_ppm = v132 or v124 or v122 or high3 < abs(q3_ppm) or v118 or high1 < abs(q1_ppm)
     outside_pmp = v133 or v125 or v122 or high3 < abs(angle9) or v119 or high1 < abs(angle17)
@@ -1845,11 +1862,11 @@ def _in_tiles(T, q_free, q, status):
             v16 = Z5 * Z5
             D5_p = N5_p - v16
             D5_m = N5_m - v16
-            v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
             w5_p = math.sqrt(D5_p)
             w5_m = math.sqrt(D5_m)
-            v18 = w5_p - w5_p
-            v19 = w5_m - w5_m
+            v17 = w5_p - w5_p
+            v18 = w5_m - w5_m
+            v19 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * abs(Z5)))
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
             v20 = v14 * w5_p
@@ -1982,16 +1999,16 @@ def _in_tiles(T, q_free, q, status):
             v114 = v22 * (T23 * c4_p)
             v115 = v23 * (T23 * c4_m)
             v136 = given1 + (w4 - w4)
-            q7_ppp = v18 + v136
-            q7_mpp = v19 + v136
+            q7_ppp = v17 + v136
+            q7_mpp = v18 + v136
             doubt1 = (
                 v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <=
-                m9 or v40 <= m8 or abs(D5_m) <= v17 or N5_m <= doubt_limit_squared2 or abs(D5_p) <=
-                v17 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 <
+                m9 or v40 <= m8 or abs(w4 * D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(w4 *
+                D5_p) <= v19 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 <
                 abs(given1) or N5_p <= doubt_limit_squared2
             )
-            work[368 + k] = v18
-            work[384 + k] = v19
+            work[368 + k] = v17
+            work[384 + k] = v18
             work[400 + k] = v24
             work[416 + k] = v25
             work[432 + k] = v66
@@ -2058,8 +2075,8 @@ def _in_tiles(T, q_free, q, status):
         for k in range(608, 912):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v18 = work[368 + k]
-            v19 = work[384 + k]
+            v17 = work[368 + k]
+            v18 = work[384 + k]
             v24 = work[400 + k]
             v25 = work[416 + k]
             v66 = work[432 + k]
@@ -2128,8 +2145,8 @@ def _in_tiles(T, q_free, q, status):
             q6_pmp = angle5 if v133 else v129
             q6_mpp = angle6 if v134 else v130
             q6_mmp = angle7 if v135 else v131
-            q4_ppp = v18 + v116
-            q4_mpp = v19 + v117
+            q4_ppp = v17 + v116
+            q4_mpp = v18 + v117
             outside_ppp = (
                 v132 or v124 or v122 or high3 < abs(angle8) or v118 or high1 < abs(angle16)
             )

@@ -3762,8 +3762,7 @@ static double off_pose(const double T[16], const double x[5], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[5], double damping, double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
@@ -3825,12 +3824,10 @@ static int settle(const double T[16], double enough, double most, double q[5])
 {
     double x[5], half[5], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[5] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 5 && stands && miss < enough; i++) {
@@ -3838,8 +3835,8 @@ static int settle(const double T[16], double enough, double most, double q[5])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 5; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -3851,8 +3848,7 @@ static int settle(const double T[16], double enough, double most, double q[5])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -3863,11 +3859,10 @@ static int settle(const double T[16], double enough, double most, double q[5])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[5])
 {
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
     double x[5], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -3875,9 +3870,9 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     for (int i = 0; i < 5; i++)
         past += fabs(past_an_end(i, q[i])) > 0.0;
     enough = off_pose(T, q, e) + 1e-14;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
         for (int i = 0; i < 5; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
             continue;
         take(x, q);
@@ -3886,9 +3881,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[16][5], const unsigned char status[16])
 {
     double x[5], half[5], to[5], *q = rows[row], off = past_ends(q);

@@ -3782,8 +3782,7 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -3815,12 +3814,10 @@ static int settle(const double T[16], double enough, double most, double q[7])
 {
     double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[7] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 7 && stands && miss < enough; i++) {
@@ -3828,8 +3825,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 7; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -3841,8 +3838,7 @@ static int settle(const double T[16], double enough, double most, double q[7])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -3853,9 +3849,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[16][7], const unsigned char status[16])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);

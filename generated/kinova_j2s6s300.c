@@ -262,11 +262,11 @@ static const double
     d4 = 0.31105, /* joint offset 4 [m] */
     d6 = 0.26375, /* joint offset 6 [m] */
     free_limit_squared2 = 1.6212928899999995e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 4.026528144692397e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.2732999999999999, /* the arm's size [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     longest3 = 0.5199131025, /* square of the longest reach [m^2] */
     shortest3 = 0.009791102499999996, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.5199131025001836, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.009791102499974799, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.5199131024999816, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.009791102500002518, /* the shortest, where branches merge [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
@@ -279,13 +279,12 @@ static const double
     k4 = 2.4956680000016213e-16, /* merge_slack1 * (merge_slack1 - k1 * 2) [m^2] */
     k5 = 0.255061, /* 2 * d4 * a2 [m^2] */
     k6 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
-    k7 = 15.371345486276748, /* 1 / (k5^2) [m^-4] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 9.367415598763348e-14,
-    m4 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
+    k7 = 1.192753028190537e-13, /* arm_size1 * boundary3 [m^5] */
+    k8 = 15.371345486276748, /* 1 / (k5^2) [m^-4] */
+    m3 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 1.2195121951219514, m3 = 0.08700963109756096;
+static const double m1 = 1.2195121951219514, m2 = 0.08700963109756096;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -434,13 +433,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v4 = w3 - w3,
-        v5 = k5 * (N3 - k6), v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
+        v5 = k5 * (N3 - k6), v6 = k8 * v5, v7 = k5 * w3, c3 = k8 * v7;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
-        v11 = v8 - v9, v12 = m3 + m2 * N3, v13 = Z1_3 * v12, v14 = w3 * (m2 * w1),
+        v11 = v8 - v9, v12 = m2 + m1 * N3, v13 = Z1_3 * v12, v14 = w3 * (m1 * w1),
         S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
-        v18 = v15 + v16, v19 = w3 * (m2 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
+        v18 = v15 + v16, v19 = w3 * (m1 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
         C2_pm = v19 + v20, v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp,
         v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 - C2_pp * -C2_pp, w2_pp = sqrt_wide(v22),
         w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24), v25 = 1.0 / v22, v26 = 1.0 / v23,
@@ -520,8 +519,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = v4 + raised_wide(v54), q1_mpp = v4 + raised_wide(v55),
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
-        doubt1 = (v42 <= m5) | (v24 <= m4) | (v41 <= m5) | (v40 <= m5) | (v23 <= m4) | (v39 <= m5) |
-            (abs_wide(D1) <= k3) | (abs_wide(D3) <= m1) | (v22 <= m4);
+        doubt1 = (v42 <= m4) | (v24 <= m3) | (v41 <= m4) | (v40 <= m4) | (v23 <= m3) | (v39 <= m4) |
+            (abs_wide(D1) <= k3) | (abs_wide(w1 * D3) <= k7) | (v22 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
     q[5] = lowered_wide(v62);
@@ -553,7 +552,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -573,15 +572,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k5 * (N3 - k6),
-        v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
+        v6 = k8 * v5, v7 = k5 * w3, c3 = k8 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
     const four v10 = e1 * e2, v11 = v8 + v9 * v10;
-    const double v12 = m3 + m2 * N3, v13 = Z1_3 * v12;
-    const four S2 = v13 + w3 * (m2 * (w1 * v10));
+    const double v12 = m2 + m1 * N3, v13 = Z1_3 * v12;
+    const four S2 = v13 + w3 * (m1 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m2 * (e2 * Z1_3)),
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m1 * (e2 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
         v22 = 1.0 / v21;
 
@@ -597,8 +596,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v35 = copysign(half_turn, -v5);
-    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3) <= m1);
-    const four_mask doubt2 = (v21 <= m4) | (v27 <= m5);
+    const int doubt1 = (fabs(D1) <= k3) | (fabs(w1 * D3) <= k7);
+    const four_mask doubt2 = (v21 <= m3) | (v27 <= m4);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -611,7 +610,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle6 = angle_four(ratio4), angle2 = angle_four(ratio5);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = raised_four(v34), v36 = e2 * angle5 + v35 * (m6 * (1.0 - e2)) - offset3,
+        q2_ = raised_four(v34), v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
         q3_ = raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = lowered_four(v37),
         q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn);
@@ -704,10 +703,10 @@ static void solve(
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
     const double Z1_3 = wz + d1;
-    const double v4 = Z1_3 * Z1_3;
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v8 = seed[1] + offset2;
+    const double v9 = seed[1] + offset2;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -722,20 +721,20 @@ static void solve(
         const double K3 = N3 - k6;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k7 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v5 = k5 * K3 * k7;
+        const double v6 = k5 * K3 * k8;
 
         /* theta2 */
-        const double X1_2 = a2 + d4 * v5;
-        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
+        const double X1_2 = a2 + d4 * v6;
+        const double v7 = Z1_3 * X1_2, v8 = root1 * X1_2;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v9 = T13 * c1 - T23 * s1, v10 = T23 * c1 + T13 * s1, v11 = v10 * v10;
+        const double v10 = T13 * c1 - T23 * s1, v11 = T23 * c1 + T13 * s1, v12 = v11 * v11;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v12 = T22 * c1 + T12 * s1, v13 = T12 * c1 - T22 * s1,
-            v15 = T21 * c1 + T11 * s1, v16 = T11 * c1 - T21 * s1;
+        const double v13 = T22 * c1 + T12 * s1, v14 = T12 * c1 - T22 * s1,
+            v16 = T21 * c1 + T11 * s1, v17 = T11 * c1 - T21 * s1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -744,31 +743,31 @@ static void solve(
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double c3 = k7 * (k5 * (w3 * e2));
+            const double c3 = k8 * (k5 * (w3 * e2));
 
             /* theta2 */
             const double X2_2 = d4 * c3;
-            const double S2 = v6 + root1 * X2_2;
-            const double C2 = v7 - Z1_3 * X2_2;
+            const double S2 = v7 + root1 * X2_2;
+            const double C2 = v8 - Z1_3 * X2_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
+            const double c2 = free2 ? cos(v9) : C2 * factor2, s2 = free2 ? sin(v9) : S2 * factor2;
 
             /* theta4 */
-            const double c2m3 = c3 * c2 - v5 * s2;
-            const double s2m3 = c3 * s2 + v5 * c2;
-            const double X4 = T33 * s2m3 - c2m3 * v9;
-            const double w4 = sqrt(X4 * X4 + v11);
+            const double c2m3 = c3 * c2 - v6 * s2;
+            const double s2m3 = c3 * s2 + v6 * c2;
+            const double X4 = T33 * s2m3 - c2m3 * v10;
+            const double w4 = sqrt(X4 * X4 + v12);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v14 = c2m3 * v13 - T32 * s2m3, v17 = c2m3 * v16 - T31 * s2m3;
+            const double v15 = c2m3 * v14 - T32 * s2m3, v18 = c2m3 * v17 - T31 * s2m3;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
-            const double q3 = wrap(atan2(-v5, c3) - offset3);
+            const double q3 = wrap(atan2(-v6, c3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -776,17 +775,17 @@ static void solve(
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
-                    s4 = free4 ? sin(seed[3]) : -(v10 * factor4);
+                    s4 = free4 ? sin(seed[3]) : -(v11 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-                const double q5 = atan2(-(w4 * e3), -(T33 * c2m3 + s2m3 * v9));
+                const double q5 = atan2(-(w4 * e3), -(T33 * c2m3 + s2m3 * v10));
 
                 /* theta6 */
-                const double s6 = c4 * v15 + s4 * v17;
+                const double s6 = c4 * v16 + s4 * v18;
 
                 /* joint values */
-                const double q6 = wrap(atan2(s6, -(c4 * v12 + s4 * v14)) - offset6);
+                const double q6 = wrap(atan2(s6, -(c4 * v13 + s4 * v15)) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -901,7 +900,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -958,8 +957,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1021,12 +1019,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -1034,8 +1030,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -1047,8 +1043,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1059,11 +1054,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
     double x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -1071,9 +1065,9 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     for (int i = 0; i < 6; i++)
         past += fabs(past_an_end(i, q[i])) > 0.0;
     enough = off_pose(T, q, e) + 1e-14;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
             continue;
         take(x, q);
@@ -1082,9 +1076,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1102,59 +1095,65 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = KINOVA_J2S6S300_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x)
-        || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != KINOVA_J2S6S300_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = KINOVA_J2S6S300_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = KINOVA_J2S6S300_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

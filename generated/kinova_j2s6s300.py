@@ -125,11 +125,11 @@ d3 = 0.0114  # joint offset 3 [m]
 d4 = 0.31105  # joint offset 4 [m]
 d6 = 0.26375  # joint offset 6 [m]
 free_limit_squared2 = 1.6212928899999995e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 4.026528144692397e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.2732999999999999  # the arm's size [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 longest3 = 0.5199131025  # square of the longest reach [m^2]
 shortest3 = 0.009791102499999996  # square of the shortest reach [m^2]
-longest3_reach = 0.5199131025001836  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.009791102499974799  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.5199131024999816  # the longest, where branches merge [m^2]
 shortest3_apart = 0.009791102500002518  # the shortest, where branches merge [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -142,18 +142,18 @@ k3 = 2.495668000016213e-15  # reach_slack1 * (reach_slack1 - k1 * 2) [m^2]
 k4 = 2.4956680000016213e-16  # merge_slack1 * (merge_slack1 - k1 * 2) [m^2]
 k5 = 0.255061  # 2 * d4 * a2 [m^2]
 k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
-k7 = 15.371345486276748  # 1 / (k5^2) [m^-4]
+k7 = 1.192753028190537e-13  # arm_size1 * boundary3 [m^5]
+k8 = 15.371345486276748  # 1 / (k5^2) [m^-4]
 low2 = 0.820304747437335
 high2 = 5.462880559742252
 low3 = 0.3316125568789226
 high3 = 5.951572750300664
 low5 = 0.5235987745982988
 high5 = 5.759586532581287
-m1 = 9.367415598763348e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 1.2195121951219514  # a coefficient of S2
-m3 = 0.08700963109756096  # a coefficient of S2
-m4 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
-m5 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.2195121951219514  # a coefficient of S2
+m2 = 0.08700963109756096  # a coefficient of S2
+m3 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
+m4 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -399,7 +399,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 eacb5bf49de07925"
+_KEY = "kinova_j2s6s300 b4cea64d68898c0c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -480,9 +480,10 @@ def _solve(pose, seed, q, status):
     wz = d6 * T33 - T34
     Z1_3 = wz + d1
     v4 = Z1_3 * Z1_3
+    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = seed[1] + offset2
+    v9 = seed[1] + offset2
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -498,26 +499,26 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k6
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k7 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k5 * K3 * k7
+        v6 = k5 * K3 * k8
 
         # theta2
-        X1_2 = a2 + d4 * v5
-        v6 = Z1_3 * X1_2
-        v7 = root1 * X1_2
+        X1_2 = a2 + d4 * v6
+        v7 = Z1_3 * X1_2
+        v8 = root1 * X1_2
 
         # theta4, type 2: U4[3, 3]
-        v9 = T13 * c1 - T23 * s1
-        v10 = T23 * c1 + T13 * s1
-        v11 = v10 * v10
+        v10 = T13 * c1 - T23 * s1
+        v11 = T23 * c1 + T13 * s1
+        v12 = v11 * v11
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v12 = T22 * c1 + T12 * s1
-        v13 = T12 * c1 - T22 * s1
-        v15 = T21 * c1 + T11 * s1
-        v16 = T11 * c1 - T21 * s1
+        v13 = T22 * c1 + T12 * s1
+        v14 = T12 * c1 - T22 * s1
+        v16 = T21 * c1 + T11 * s1
+        v17 = T11 * c1 - T21 * s1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -527,33 +528,33 @@ def _solve(pose, seed, q, status):
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            c3 = k7 * (k5 * (w3 * e2))
+            c3 = k8 * (k5 * (w3 * e2))
 
             # theta2
             X2_2 = d4 * c3
-            S2 = v6 + root1 * X2_2
-            C2 = v7 - Z1_3 * X2_2
+            S2 = v7 + root1 * X2_2
+            C2 = v8 - Z1_3 * X2_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v8) if free2 else C2 * factor2
-            s2 = math.sin(v8) if free2 else S2 * factor2
+            c2 = math.cos(v9) if free2 else C2 * factor2
+            s2 = math.sin(v9) if free2 else S2 * factor2
 
             # theta4
-            c2m3 = c3 * c2 - v5 * s2
-            s2m3 = c3 * s2 + v5 * c2
-            X4 = T33 * s2m3 - c2m3 * v9
-            w4 = math.sqrt(X4 * X4 + v11)
+            c2m3 = c3 * c2 - v6 * s2
+            s2m3 = c3 * s2 + v6 * c2
+            X4 = T33 * s2m3 - c2m3 * v10
+            w4 = math.sqrt(X4 * X4 + v12)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v14 = c2m3 * v13 - T32 * s2m3
-            v17 = c2m3 * v16 - T31 * s2m3
+            v15 = c2m3 * v14 - T32 * s2m3
+            v18 = c2m3 * v17 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
-            q3 = _wrap(_atan2(-v5, c3) - offset3)
+            q3 = _wrap(_atan2(-v6, c3) - offset3)
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -562,17 +563,17 @@ def _solve(pose, seed, q, status):
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
-                s4 = math.sin(seed[3]) if free4 else -(v10 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v11 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5, type 3: U4[2, 3] and U4[1, 3]
-                q5 = _atan2(-(w4 * e3), -(T33 * c2m3 + s2m3 * v9))
+                q5 = _atan2(-(w4 * e3), -(T33 * c2m3 + s2m3 * v10))
 
                 # theta6
-                s6 = c4 * v15 + s4 * v17
+                s6 = c4 * v16 + s4 * v18
 
                 # joint values
-                q6 = _wrap(_atan2(s6, -(c4 * v12 + s4 * v14)) - offset6)
+                q6 = _wrap(_atan2(s6, -(c4 * v13 + s4 * v15)) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -986,9 +987,11 @@ def _lead_inside(pose, enough, most, q):
     if past < 2:
         return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    for farther in (2.0, 4.0, 8.0, 16.0):
+    farther = 2.0
+    while farther <= 16.0:
         for i in range(6):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
+        farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
             q[:] = x
             return True
@@ -1017,6 +1020,18 @@ def _stand(pose, row, rows, status):
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
+
+
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
 
 
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
@@ -1053,10 +1068,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -1069,20 +1085,20 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                for i in range(6):
-                    half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            for i in range(6):
+                half[i] += half[i] - x[i]  # the same row, not turned
+            if off < nearest and _past_ends(half) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1094,6 +1110,7 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -1144,9 +1161,9 @@ def _regular(pose, q, status):
     w3 = math.sqrt(D3)
     v4 = w3 - w3
     v5 = k5 * (N3 - k6)
-    v6 = k7 * v5
+    v6 = k8 * v5
     v7 = k5 * w3
-    c3 = k7 * v7
+    c3 = k8 * v7
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     X1_2 = a2 + d4 * v6
@@ -1155,16 +1172,16 @@ def _regular(pose, q, status):
     v9 = w1 * X2_2
     v10 = v8 + v9
     v11 = v8 - v9
-    v12 = m3 + m2 * N3
+    v12 = m2 + m1 * N3
     v13 = Z1_3 * v12
-    v14 = w3 * (m2 * w1)
+    v14 = w3 * (m1 * w1)
     S2_pp = v13 + v14
     S2_pm = v13 - v14
     v15 = w1 * X1_2
     v16 = Z1_3 * X2_2
     v17 = v15 - v16
     v18 = v15 + v16
-    v19 = w3 * (m2 * Z1_3)
+    v19 = w3 * (m1 * Z1_3)
     v20 = w1 * v12
     C2_pp = v20 - v19
     C2_pm = v19 + v20
@@ -1226,8 +1243,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v42 <= m5 or v24 <= m4 or v41 <= m5 or v40 <= m5 or v23 <= m4 or v39 <= m5 or abs(D1) <= k3
-        or abs(D3) <= m1 or v22 <= m4
+        v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <= m4 or v23 <= m3 or v39 <= m4 or abs(D1) <= k3
+        or abs(w1 * D3) <= k7 or v22 <= m3
     )
 
     # a joint is free, or branches meet
@@ -1721,25 +1738,25 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(D3)
             v4 = w3 - w3
             v5 = k5 * (N3 - k6)
-            v6 = k7 * v5
+            v6 = k8 * v5
             v7 = k5 * w3
-            c3 = k7 * v7
+            c3 = k8 * v7
             X1_2 = a2 + d4 * v6
             X2_2 = d4 * c3
             v8 = Z1_3 * X1_2
             v9 = w1 * X2_2
             v10 = v8 + v9
             v11 = v8 - v9
-            v12 = m3 + m2 * N3
+            v12 = m2 + m1 * N3
             v13 = Z1_3 * v12
-            v14 = w3 * (m2 * w1)
+            v14 = w3 * (m1 * w1)
             S2_pp = v13 + v14
             S2_pm = v13 - v14
             v15 = w1 * X1_2
             v16 = Z1_3 * X2_2
             v17 = v15 - v16
             v18 = v15 + v16
-            v19 = w3 * (m2 * Z1_3)
+            v19 = w3 * (m1 * Z1_3)
             v20 = w1 * v12
             C2_pp = v20 - v19
             C2_pm = v19 + v20
@@ -1793,8 +1810,8 @@ def _in_tiles(T, q, status):
             s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
             doubt1 = (
-                v42 <= m5 or v24 <= m4 or v41 <= m5 or v40 <= m5 or v23 <= m4 or v39 <= m5 or
-                abs(D1) <= k3 or abs(D3) <= m1 or v22 <= m4
+                v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <= m4 or v23 <= m3 or v39 <= m4 or
+                abs(D1) <= k3 or abs(w1 * D3) <= k7 or v22 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v4

@@ -269,6 +269,8 @@ static const double
     shortest4_reach = 0.0003999999999947745, /* the shortest, with what rounding adds [m^2] */
     longest4_apart = 0.6723999999999786, /* the longest, where branches merge [m^2] */
     shortest4_apart = 0.00040000000000052087, /* the shortest, where branches merge [m^2] */
+    least_root2 = 5.393694619178955e-07, /* a root of nothing, by rounding [m^2] */
+    arm_size2 = 1.7056360000000002, /* the arm's size [m^2] */
     free_limit_squared2 = 1.705636e-24, /* square of a length that fixes no angle [m^2] */
     reach_slack1 = 1.3060000000000002e-13, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 1.306e-14, /* nearer to that boundary two branches are one [m] */
@@ -487,8 +489,8 @@ HELPER wide_mask solve_wide(
     /* joint values */
     const wide angle5 = atan2_wide(-v4, -v2);
     const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) |
-        exceeds(free_joints[0], 3) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
-        abs_wide(Z1)));
+        exceeds(free_joints[0], 3) | (abs_wide(w4 * D1) <= arm_size2 * (reach_slack1 * (reach_slack1
+        + 2.0 * abs_wide(Z1))));
     left |= doubt1;
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
@@ -560,7 +562,8 @@ HELPER int solve_regular(
     /* joint values */
     const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
-        fabs(free_joints[0])) | (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1)));
+        fabs(free_joints[0])) | (fabs(w4 * D1) <= arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 *
+        fabs(Z1))));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -678,99 +681,100 @@ static void solve(
     const int apart4 = shortest4_apart < V4 && V4 < longest4_apart;
     if (!(shortest4_reach <= V4 && V4 <= longest4_reach)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v2 = k3 * (k1 * Z4);
+    const double v2 = apart4 ? w4 : least_root2, v3 = k3 * (k1 * Z4);
 
     /* theta1, type 2: U1 A7^-1 [3, 4] */
     const double N1 = v1 + -wx * -wx;
     const int free1 = N1 <= free_limit_squared2;
-    const double v6 = sqrt(N1), v9 = seed[0] + offset1;
+    const double v7 = sqrt(N1), v10 = seed[0] + offset1;
 
     /* theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4] */
-    const double X2_2 = d3 + d5 * v2;
-    const double v12 = Z1_2 * X2_2, v14 = seed[1] + offset2;
+    const double X2_2 = d3 + d5 * v3;
+    const double v13 = Z1_2 * X2_2, v15 = seed[1] + offset2;
 
     /* theta5, type 2: U5[3, 3] */
-    const double v15 = c3 * T13, v16 = v2 * v15, v17 = c3 * T23, v18 = v2 * v17, v22 = c3 * T33,
-        v23 = v2 * v22, v26 = s3 * T33;
+    const double v16 = c3 * T13, v17 = v3 * v16, v18 = c3 * T23, v19 = v3 * v18, v23 = c3 * T33,
+        v24 = v3 * v23, v27 = s3 * T33;
 
     /* theta6, type 3: U5[2, 3] and U5[1, 3] */
-    const double v29 = T33 * v2, v30 = T13 * v2, v31 = T23 * v2;
+    const double v30 = T33 * v3, v31 = T13 * v3, v32 = T23 * v3;
 
     /* theta7, type 3: U5[3, 2] and U5[3, 1] */
-    const double v33 = s3 * T32, v36 = v2 * (c3 * T12), v37 = v2 * (c3 * T22),
-        v41 = v2 * (c3 * T32), v43 = s3 * T31, v46 = v2 * (c3 * T11), v47 = v2 * (c3 * T21),
-        v51 = v2 * (c3 * T31);
+    const double v34 = s3 * T32, v37 = v3 * (c3 * T12), v38 = v3 * (c3 * T22),
+        v42 = v3 * (c3 * T32), v44 = s3 * T31, v47 = v3 * (c3 * T11), v48 = v3 * (c3 * T21),
+        v52 = v3 * (c3 * T31);
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double v3 = k3 * (k1 * (w4 * e1));
+        const double v4 = k3 * (k1 * (w4 * e1));
 
         /* theta1 */
-        const double Z1 = d5 * (s3 * v3);
+        const double Z1 = d5 * (s3 * v4);
         const double D1 = N1 - Z1 * Z1;
-        const double v4 = fabs(Z1), v5 = 2.0 * v4;
-        const int apart1 = merge_slack1 * (v5 + merge_slack1) < D1;
-        if (!(-(reach_slack1 * (v5 + reach_slack1)) <= D1)) continue; /* out of reach */
+        const double v5 = fabs(Z1), v6 = 2.0 * v5;
+        const int apart1 = merge_slack1 * (v6 + merge_slack1) < D1;
+        if (!(-(arm_size2 * (reach_slack1 * (v6 + reach_slack1))) <= v2 * D1))
+            continue; /* out of reach */
         const double w1 = sqrt(apart1 ? D1 : 0.0);
-        const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v4 * v6));
-        const double v7 = -wx * Z1, v8 = wy * Z1;
+        const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v5 * v7));
+        const double v8 = -wx * Z1, v9 = wy * Z1;
 
         /* theta2 */
-        const double v10 = d5 * (c3 * v3), v11 = Z1_2 * v10;
+        const double v11 = d5 * (c3 * v4), v12 = Z1_2 * v11;
 
         /* theta5 */
-        const double v19 = T33 * v3, v20 = T13 * v3, v21 = T23 * v3;
+        const double v20 = T33 * v4, v21 = T13 * v4, v22 = T23 * v4;
 
         /* theta6 */
-        const double v27 = v3 * v15, v28 = v3 * v17, v32 = v3 * v22;
+        const double v28 = v4 * v16, v29 = v4 * v18, v33 = v4 * v23;
 
         /* theta7 */
-        const double v38 = T32 * v3, v39 = T12 * v3, v40 = T22 * v3, v48 = T31 * v3, v49 = T11 * v3,
-            v50 = T21 * v3;
+        const double v39 = T32 * v4, v40 = T12 * v4, v41 = T22 * v4, v49 = T31 * v4, v50 = T11 * v4,
+            v51 = T21 * v4;
 
         /* joint values */
-        const double q4 = wrap(atan2(-v3, -v2) - offset4);
+        const double q4 = wrap(atan2(-v4, -v3) - offset4);
 
         for (int i2 = 0; i2 < 2; i2++) { /* left, right */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
             if (e2 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
             const double root1 = w1 * e2;
-            const double c1 = free1 ? cos(v9) : inverse1 * (v8 - -wx * root1),
-                s1 = free1 ? sin(v9) : inverse1 * (v7 + wy * root1);
+            const double c1 = free1 ? cos(v10) : inverse1 * (v9 - -wx * root1),
+                s1 = free1 ? sin(v10) : inverse1 * (v8 + wy * root1);
 
             /* theta2 */
-            const double S2 = root1 * X2_2 - v11;
-            const double v13 = root1 * v10 + v12;
-            const double w2 = sqrt(S2 * S2 + v13 * v13);
+            const double S2 = root1 * X2_2 - v12;
+            const double v14 = root1 * v11 + v13;
+            const double w2 = sqrt(S2 * S2 + v14 * v14);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v14) : -(v13 * factor2),
-                s2 = free2 ? sin(v14) : S2 * factor2;
+            const double c2 = free2 ? cos(v15) : -(v14 * factor2),
+                s2 = free2 ? sin(v15) : S2 * factor2;
 
             /* theta5 */
-            const double v24 = T13 * s1 - T23 * c1, v25 = s3 * v24;
-            const double X5 = v2 * v25 - (c2 * (v19 - (c1 * v16 + s1 * v18)) - s2 * (c1 * v20 + s1 *
-                v21 + v23));
-            const double Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v26 - c3 * v24;
+            const double v25 = T13 * s1 - T23 * c1, v26 = s3 * v25;
+            const double X5 = v3 * v26 - (c2 * (v20 - (c1 * v17 + s1 * v19)) - s2 * (c1 * v21 + s1 *
+                v22 + v24));
+            const double Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v27 - c3 * v25;
             const double w5 = sqrt(X5 * X5 + Y5 * Y5);
             const int free5 = w5 <= free_limit;
             const double divisor5 = free5 ? 1.0 : w5;
 
             /* theta6 */
-            const double c6 = v3 * v25 - (s2 * (c1 * v30 + s1 * v31 - v32) - c2 * (c1 * v27 + s1 *
-                v28 + v29));
+            const double c6 = v4 * v26 - (s2 * (c1 * v31 + s1 * v32 - v33) - c2 * (c1 * v28 + s1 *
+                v29 + v30));
 
             /* theta7 */
-            const double v34 = T12 * s1 - T22 * c1,
-                v35 = c3 * v34 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v33),
-                v42 = c2 * (v38 - (c1 * v36 + s1 * v37)) - s2 * (c1 * v39 + s1 * v40 + v41) - v2 *
-                    (s3 * v34), v44 = T11 * s1 - T21 * c1,
-                v45 = c3 * v44 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v43),
-                v52 = c2 * (v48 - (c1 * v46 + s1 * v47)) - s2 * (c1 * v49 + s1 * v50 + v51) - v2 *
-                    (s3 * v44);
+            const double v35 = T12 * s1 - T22 * c1,
+                v36 = c3 * v35 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v34),
+                v43 = c2 * (v39 - (c1 * v37 + s1 * v38)) - s2 * (c1 * v40 + s1 * v41 + v42) - v3 *
+                    (s3 * v35), v45 = T11 * s1 - T21 * c1,
+                v46 = c3 * v45 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v44),
+                v53 = c2 * (v49 - (c1 * v47 + s1 * v48)) - s2 * (c1 * v50 + s1 * v51 + v52) - v3 *
+                    (s3 * v45);
 
             /* joint values */
             const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -787,7 +791,7 @@ static void solve(
                 const double s6 = w5 * e3;
 
                 /* theta7 */
-                const double c7 = c5 * v35 + s5 * v42, s7 = c5 * v45 + s5 * v52;
+                const double c7 = c5 * v36 + s5 * v43, s7 = c5 * v46 + s5 * v53;
                 const double q7 = atan2(s7, c7);
 
                 /* joint values */
@@ -907,7 +911,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -964,8 +968,7 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -997,12 +1000,10 @@ static int settle(const double T[16], double enough, double most, double q[7])
 {
     double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[7] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 7 && stands && miss < enough; i++) {
@@ -1010,8 +1011,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 7; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -1023,8 +1024,7 @@ static int settle(const double T[16], double enough, double most, double q[7])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1035,9 +1035,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
@@ -1055,55 +1054,61 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][7], unsigned char status[8])
 {
     const int held[7] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[7], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 7 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 7 && ends; i++) {
             status[n / 8] = KUKA_IIWA14_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    double x[7], half[7], e[6], least = HUGE_VAL;
+    double x[7], half[7], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 7; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
     x[2] = free_joints[0];
-    if (!settle(T, 1e-12, 0.15, x)
-        || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != KUKA_IIWA14_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                if (beyond_limits(q[row]) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest && beyond_limits(q[row]) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = KUKA_IIWA14_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = KUKA_IIWA14_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -130,6 +130,8 @@ longest4_reach = 0.6724000000002143  # the longest, with what rounding adds [m^2
 shortest4_reach = 0.0003999999999947745  # the shortest, with what rounding adds [m^2]
 longest4_apart = 0.6723999999999786  # the longest, where branches merge [m^2]
 shortest4_apart = 0.00040000000000052087  # the shortest, where branches merge [m^2]
+least_root2 = 5.393694619178955e-07  # a root of nothing, by rounding [m^2]
+arm_size2 = 1.7056360000000002  # the arm's size [m^2]
 free_limit_squared2 = 1.705636e-24  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.3060000000000002e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1.306e-14  # nearer to that boundary two branches are one [m]
@@ -419,7 +421,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 38ec721625ed229b"
+_KEY = "kuka_iiwa14 b79715e68e0abcd5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -497,87 +499,88 @@ def _solve(pose, q_free, seed, q, status):
     if not (shortest4_reach <= V4 and V4 <= longest4_reach):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
-    v2 = k3 * (k1 * Z4)
+    v2 = w4 if apart4 else least_root2
+    v3 = k3 * (k1 * Z4)
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
     free1 = N1 <= free_limit_squared2
-    v6 = math.sqrt(N1)
-    v9 = seed[0] + offset1
+    v7 = math.sqrt(N1)
+    v10 = seed[0] + offset1
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
-    X2_2 = d3 + d5 * v2
-    v12 = Z1_2 * X2_2
-    v14 = seed[1] + offset2
+    X2_2 = d3 + d5 * v3
+    v13 = Z1_2 * X2_2
+    v15 = seed[1] + offset2
 
     # theta5, type 2: U5[3, 3]
-    v15 = c3 * T13
-    v16 = v2 * v15
-    v17 = c3 * T23
-    v18 = v2 * v17
-    v22 = c3 * T33
-    v23 = v2 * v22
-    v26 = s3 * T33
+    v16 = c3 * T13
+    v17 = v3 * v16
+    v18 = c3 * T23
+    v19 = v3 * v18
+    v23 = c3 * T33
+    v24 = v3 * v23
+    v27 = s3 * T33
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v29 = T33 * v2
-    v30 = T13 * v2
-    v31 = T23 * v2
+    v30 = T33 * v3
+    v31 = T13 * v3
+    v32 = T23 * v3
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v33 = s3 * T32
-    v36 = v2 * (c3 * T12)
-    v37 = v2 * (c3 * T22)
-    v41 = v2 * (c3 * T32)
-    v43 = s3 * T31
-    v46 = v2 * (c3 * T11)
-    v47 = v2 * (c3 * T21)
-    v51 = v2 * (c3 * T31)
+    v34 = s3 * T32
+    v37 = v3 * (c3 * T12)
+    v38 = v3 * (c3 * T22)
+    v42 = v3 * (c3 * T32)
+    v44 = s3 * T31
+    v47 = v3 * (c3 * T11)
+    v48 = v3 * (c3 * T21)
+    v52 = v3 * (c3 * T31)
 
     for i1 in range(2):  # noflip4, flip4
         e1 = 1.0 - 2.0 * i1
         # theta4
         if e1 < 0.0 and not apart4:
             continue  # both signs give the same
-        v3 = k3 * (k1 * (w4 * e1))
+        v4 = k3 * (k1 * (w4 * e1))
 
         # theta1
-        Z1 = d5 * (s3 * v3)
+        Z1 = d5 * (s3 * v4)
         D1 = N1 - Z1 * Z1
-        v4 = abs(Z1)
-        v5 = 2.0 * v4
-        apart1 = merge_slack1 * (v5 + merge_slack1) < D1
-        if not (-(reach_slack1 * (v5 + reach_slack1)) <= D1):
+        v5 = abs(Z1)
+        v6 = 2.0 * v5
+        apart1 = merge_slack1 * (v6 + merge_slack1) < D1
+        if not (-(arm_size2 * (reach_slack1 * (v6 + reach_slack1))) <= v2 * D1):
             continue  # out of reach
         w1 = math.sqrt(D1 if apart1 else 0.0)
-        inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v4 * v6))
-        v7 = -wx * Z1
-        v8 = wy * Z1
+        inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v5 * v7))
+        v8 = -wx * Z1
+        v9 = wy * Z1
 
         # theta2
-        v10 = d5 * (c3 * v3)
-        v11 = Z1_2 * v10
+        v11 = d5 * (c3 * v4)
+        v12 = Z1_2 * v11
 
         # theta5
-        v19 = T33 * v3
-        v20 = T13 * v3
-        v21 = T23 * v3
+        v20 = T33 * v4
+        v21 = T13 * v4
+        v22 = T23 * v4
 
         # theta6
-        v27 = v3 * v15
-        v28 = v3 * v17
-        v32 = v3 * v22
+        v28 = v4 * v16
+        v29 = v4 * v18
+        v33 = v4 * v23
 
         # theta7
-        v38 = T32 * v3
-        v39 = T12 * v3
-        v40 = T22 * v3
-        v48 = T31 * v3
-        v49 = T11 * v3
-        v50 = T21 * v3
+        v39 = T32 * v4
+        v40 = T12 * v4
+        v41 = T22 * v4
+        v49 = T31 * v4
+        v50 = T11 * v4
+        v51 = T21 * v4
 
         # joint values
-        q4 = _wrap(_atan2(-v3, -v2) - offset4)
+        q4 = _wrap(_atan2(-v4, -v3) - offset4)
 
         for i2 in range(2):  # left, right
             e2 = 1.0 - 2.0 * i2
@@ -585,42 +588,42 @@ def _solve(pose, q_free, seed, q, status):
             if e2 < 0.0 and (free1 or not apart1):
                 continue  # both signs give the same
             root1 = w1 * e2
-            c1 = math.cos(v9) if free1 else inverse1 * (v8 - -wx * root1)
-            s1 = math.sin(v9) if free1 else inverse1 * (v7 + wy * root1)
+            c1 = math.cos(v10) if free1 else inverse1 * (v9 - -wx * root1)
+            s1 = math.sin(v10) if free1 else inverse1 * (v8 + wy * root1)
 
             # theta2
-            S2 = root1 * X2_2 - v11
-            v13 = root1 * v10 + v12
-            w2 = math.sqrt(S2 * S2 + v13 * v13)
+            S2 = root1 * X2_2 - v12
+            v14 = root1 * v11 + v13
+            w2 = math.sqrt(S2 * S2 + v14 * v14)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v14) if free2 else -(v13 * factor2)
-            s2 = math.sin(v14) if free2 else S2 * factor2
+            c2 = math.cos(v15) if free2 else -(v14 * factor2)
+            s2 = math.sin(v15) if free2 else S2 * factor2
 
             # theta5
-            v24 = T13 * s1 - T23 * c1
-            v25 = s3 * v24
-            X5 = v2 * v25 - (c2 * (v19 - (c1 * v16 + s1 * v18)) - s2 * (c1 * v20 + s1 * v21 + v23))
-            Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v26 - c3 * v24
+            v25 = T13 * s1 - T23 * c1
+            v26 = s3 * v25
+            X5 = v3 * v26 - (c2 * (v20 - (c1 * v17 + s1 * v19)) - s2 * (c1 * v21 + s1 * v22 + v24))
+            Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v27 - c3 * v25
             w5 = math.sqrt(X5 * X5 + Y5 * Y5)
             free5 = w5 <= free_limit
             divisor5 = 1.0 if free5 else w5
 
             # theta6
-            c6 = v3 * v25 - (s2 * (c1 * v30 + s1 * v31 - v32) - c2 * (c1 * v27 + s1 * v28 + v29))
+            c6 = v4 * v26 - (s2 * (c1 * v31 + s1 * v32 - v33) - c2 * (c1 * v28 + s1 * v29 + v30))
 
             # theta7
-            v34 = T12 * s1 - T22 * c1
-            v35 = c3 * v34 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v33)
-            v42 = (
-                c2 * (v38 - (c1 * v36 + s1 * v37)) - s2 * (c1 * v39 + s1 * v40 + v41) - v2 * (s3 *
-                v34)
+            v35 = T12 * s1 - T22 * c1
+            v36 = c3 * v35 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v34)
+            v43 = (
+                c2 * (v39 - (c1 * v37 + s1 * v38)) - s2 * (c1 * v40 + s1 * v41 + v42) - v3 * (s3 *
+                v35)
             )
-            v44 = T11 * s1 - T21 * c1
-            v45 = c3 * v44 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v43)
-            v52 = (
-                c2 * (v48 - (c1 * v46 + s1 * v47)) - s2 * (c1 * v49 + s1 * v50 + v51) - v2 * (s3 *
-                v44)
+            v45 = T11 * s1 - T21 * c1
+            v46 = c3 * v45 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v44)
+            v53 = (
+                c2 * (v49 - (c1 * v47 + s1 * v48)) - s2 * (c1 * v50 + s1 * v51 + v52) - v3 * (s3 *
+                v45)
             )
 
             # joint values
@@ -639,8 +642,8 @@ def _solve(pose, q_free, seed, q, status):
                 s6 = w5 * e3
 
                 # theta7
-                c7 = c5 * v35 + s5 * v42
-                s7 = c5 * v45 + s5 * v52
+                c7 = c5 * v36 + s5 * v43
+                s7 = c5 * v46 + s5 * v53
                 q7 = _atan2(s7, c7)
 
                 # joint values
@@ -1039,6 +1042,18 @@ def _stand(pose, row, rows, status):
         q[:] = x
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(7):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -1073,10 +1088,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
+    nearest = 0.001
     for i in range(7):
         x[i] = seed[i] - _overshoot(i, seed[i])
     x[2] = q_free[0]
@@ -1087,18 +1103,18 @@ def _stay(pose, q_free, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                if _beyond_limits(q[row]) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            if off < nearest and _beyond_limits(q[row]) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(7):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(7):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1110,6 +1126,7 @@ def _whole(pose, q_free, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, q_free, seed, q, status)
     _choose(pose, q_free, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, q_free, seed, q, status)
     count = 0
@@ -1311,9 +1328,9 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
-        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0
-        * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26 <= m2 or v48 <= m3 or
-        high3 < abs(q_free[0]) or v25 <= m2
+        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(w4 * D1) <= arm_size2 * (reach_slack1 *
+        (reach_slack1 + 2.0 * abs(Z1))) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26
+        <= m2 or v48 <= m3 or high3 < abs(q_free[0]) or v25 <= m2
     )
 
     # a joint is free, or branches meet
@@ -2045,9 +2062,9 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
-                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3
-                or v26 <= m2 or v48 <= m3 or high3 < abs(given1) or v25 <= m2
+                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(w4 * D1) <= arm_size2 *
+                (reach_slack1 * (reach_slack1 + 2.0 * abs(Z1))) or v51 <= m3 or v27 <= m2 or v50 <=
+                m3 or v49 <= m3 or v26 <= m2 or v48 <= m3 or high3 < abs(given1) or v25 <= m2
             )
             work[720 + k] = c1_pp
             work[736 + k] = v12

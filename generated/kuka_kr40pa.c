@@ -939,7 +939,7 @@ static double summit(struct search *s, double low, double high)
     /* beside a place where the branches meet, this one has no solution of its own */
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
-    (void)attempt(s, low);
+    attempt(s, low);
     return serves(s) ? low : (double)NAN;
 }
 
@@ -975,10 +975,9 @@ static double serving_value(struct search *s)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
- * own. */
+/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
+ * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
+ * rounding of what it was taken from, `solve` takes it as its own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -1006,10 +1005,9 @@ static void choose_again(
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
-    lost.start = nearly ? q[row][1] : seed[lost.joint];
-    lost.start = fmod(lost.start, turn);
+    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : KUKA_KR40PA_UNREACHABLE;
     for (int i = 0; i < 4; i++)
@@ -1169,8 +1167,7 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
@@ -1209,8 +1206,7 @@ static int settle(const double T[16], double enough, double most, double q[4])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1221,13 +1217,13 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
-    double x[4], half[4], e[6], least = HUGE_VAL;
+    double x[4], half[4], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -1235,16 +1231,22 @@ static void stay(
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != KUKA_KR40PA_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = KUKA_KR40PA_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = KUKA_KR40PA_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

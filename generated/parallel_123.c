@@ -841,7 +841,7 @@ static double summit(struct search *s, double low, double high)
     /* beside a place where the branches meet, this one has no solution of its own */
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
-    (void)attempt(s, low);
+    attempt(s, low);
     return serves(s) ? low : (double)NAN;
 }
 
@@ -877,10 +877,9 @@ static double serving_value(struct search *s)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
- * own. */
+/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
+ * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
+ * rounding of what it was taken from, `solve` takes it as its own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -908,10 +907,9 @@ static void choose_again(
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
-    lost.start = nearly ? q[row][1] : seed[lost.joint];
-    lost.start = fmod(lost.start, turn);
+    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : PARALLEL_123_UNREACHABLE;
     for (int i = 0; i < 6; i++)
@@ -1195,8 +1193,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1235,8 +1232,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1253,25 +1249,29 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = 0;
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = PARALLEL_123_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -1279,16 +1279,22 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != PARALLEL_123_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = PARALLEL_123_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = PARALLEL_123_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 int parallel_123_ik(

@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 0a2de4157cc71a75"
+_KEY = "phantomx 68673f1ee61869c8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1264,10 +1264,11 @@ def _seek(pose, seed, begun, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
+    nearest = 0.001
     for i in range(4):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -1275,15 +1276,18 @@ def _stay(pose, seed, q, status):
     for row in range(2 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(4):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(4):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -533,7 +533,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -587,8 +587,7 @@ static double off_pose(const double T[16], const double x[2], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[2], double damping, double e[6], double x[2])
 {
     double A[6][8] = { { 0.0 } }, square[6] = { 0.0 }, J[12];
@@ -620,12 +619,10 @@ static int settle(const double T[16], double enough, double most, double q[2])
 {
     double x[2], half[2], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[2] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[2] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 2 && stands && miss < enough; i++) {
@@ -633,8 +630,8 @@ static int settle(const double T[16], double enough, double most, double q[2])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 2; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -646,8 +643,7 @@ static int settle(const double T[16], double enough, double most, double q[2])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -658,9 +654,8 @@ static int settle(const double T[16], double enough, double most, double q[2])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[2][2], const unsigned char status[2])
 {
     double x[2], half[2], to[2], *q = rows[row], off = beyond_limits(q);
@@ -678,36 +673,37 @@ static void stand(const double T[16], int row, double rows[2][2], const unsigned
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[2], double q[2][2],
     unsigned char status[2])
 {
-    double x[2], half[2], e[6], least = HUGE_VAL;
+    double x[2], half[2], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 2; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 1e-12, 0.15, x)
-        || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != PLANAR_RP_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                if (beyond_limits(q[row]) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest && beyond_limits(q[row]) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = PLANAR_RP_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = PLANAR_RP_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

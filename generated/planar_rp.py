@@ -250,7 +250,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp a63f854a9a97f399"
+_KEY = "planar_rp fe8e9478faa1d6a9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -691,10 +691,11 @@ def _stand(pose, row, rows, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(2), np.empty(2), 0, math.inf
+    nearest = 0.001
     for i in range(2):
         x[i] = seed[i] - _overshoot(i, seed[i])
     if not _settle(pose, 1e-12, 0.15, x):
@@ -704,18 +705,18 @@ def _stay(pose, seed, q, status):
     for row in range(2 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                if _beyond_limits(q[row]) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            if off < nearest and _beyond_limits(q[row]) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(2):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(2):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -235,10 +235,10 @@ static const double
     D3 = 0.15005, /* x of axis 4 [m] */
     D4 = 0.4318, /* z of axis 5 [m] */
     free_limit_squared2 = 3.57281304106196e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 5.977301264836799e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.8901886257889609, /* the arm's size [m] */
     longest3 = 0.7458049600000001, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.7458049600003266, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.7458049599999674, /* the longest, where branches merge [m^2] */
     shortest3_apart = 3.5728130410619605e-28, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -247,15 +247,14 @@ static const double
     k3 = 5.6724560659962443e-14, /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
     k4 = 5.672456065993029e-15, /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
     k5 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
-    k6 = 2.681666262986505, /* 1 / k5 [m^-2] */
+    k6 = 4.602943744218876e-13, /* arm_size1 * boundary3 [m^5] */
+    k7 = 2.681666262986505, /* 1 / k5 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
     g1 = 0.8636, /* L2 + D4 [m] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 2.435176934946171e-13,
-    m3 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m2 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 1.1579434923575729, m4 = 3.105217997900075, m5 = 2.3158869847151458;
+static const double m1 = 1.1579434923575729, m3 = 3.105217997900075, m4 = 2.3158869847151458;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -382,8 +381,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle1 = atan2_wide(w3, N3 - k5);
 
     /* theta2 */
-    const wide v7 = w3 * (m2 * t34), v8 = m2 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
-        v11 = m2 * (t34 * N3), v12 = w3 * (m2 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
+    const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
+        v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
         v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14,
         v16 = v14 - v10 * -v10, factor2_pp = sqrt_wide(v13) * (1.0 / v13),
         factor2_pm = sqrt_wide(v15) * (1.0 / v15), factor2_mp = sqrt_wide(v16) * (1.0 / v16),
@@ -391,7 +390,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide v17 = m4 * N3, v18 = m2 - v17, v19 = v17 - m5, v20 = w1 * (N3 * (v18 + v19)),
+    const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19)),
         s23_pp = v7 + v20, s23_pm = v20 - v7, v21 = w1 * (N3 * (-v18 - v19)), s23_mp = v7 + v21,
         s23_mm = v21 - v7, v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m,
         X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm,
@@ -431,8 +430,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle18 = atan2_wide(s1_p, c1_p), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, c1_m), q1_mpp = v6 + angle19, q3_ppp = v1 + angle1,
         q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = (v31 <= m6) | (v30 <= m6) | (v16 <= m3) | (v29 <= m6) | (v15 <= m3) |
-        (v28 <= m6) | (abs_wide(D1) <= k3) | (abs_wide(D3_) <= m1) | (v13 <= m3);
+    const wide_mask doubt1 = (v31 <= m5) | (v30 <= m5) | (v16 <= m2) | (v29 <= m5) | (v15 <= m2) |
+        (v28 <= m5) | (abs_wide(D1) <= k3) | (abs_wide(w1 * D3_) <= k6) | (v13 <= m2);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -484,16 +483,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_), v4 = w3 - w3;
 
     /* theta2 */
-    const four v5 = w3 * (m2 * (e2 * t34)), v6 = m2 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
-    const double v9 = m2 * (t34 * N3);
-    const four C2 = v9 - w3 * (m2 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
+    const four v5 = w3 * (m1 * (e2 * t34)), v6 = m1 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
+    const double v9 = m1 * (t34 * N3);
+    const four C2 = v9 - w3 * (m1 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
         factor2 = sqrt_four(v10) * (1.0 / v10);
 
     /* theta4 */
-    const four c23 = v9 + w3 * (w1 * (m2 * v8));
-    const double v11 = m4 * N3, v12 = m2 - v11;
+    const four c23 = v9 + w3 * (w1 * (m1 * v8));
+    const double v11 = m3 * N3, v12 = m1 - v11;
     const four v13 = e1 * v12;
-    const double v14 = v11 - m5;
+    const double v14 = v11 - m4;
     const four v15 = e2 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)), v16 = T13 * s1 - T23 * c1,
         X4 = c23 * v16 - T33 * s23, v17 = T13 * c1 + T23 * s1, v18 = v17 * v17,
         v19 = v18 + factor2 * (X4 * (factor2 * X4)), v20 = signed_four(half_turn, -v17);
@@ -503,8 +502,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3_) <= m1);
-    const four_mask doubt2 = (v10 <= m3) | (v19 <= m6);
+    const int doubt1 = (fabs(D1) <= k3) | (fabs(w1 * D3_) <= k6);
+    const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -595,7 +594,7 @@ static void solve(
 
     /* theta3, type 8: U1[3, 4] and U1[2, 4] */
     const double t34 = T34 + D3 * T31 + k1 * T33;
-    const double v3 = t34 * t34;
+    const double v3 = t34 * t34, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -611,50 +610,50 @@ static void solve(
         const double K3 = N3 - k5;
         const double D3_ = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k6 <= D3_ * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3_ : 0.0);
-        const double c3 = K3 * k6;
+        const double c3 = K3 * k7;
 
         /* theta2, type 3: U1[3, 4] and U1[2, 4] */
         const double Y1_2 = L2 + D4 * c3;
-        const double v5 = root1 * Y1_2, v7 = t34 * Y1_2;
+        const double v6 = root1 * Y1_2, v8 = t34 * Y1_2;
 
         /* theta4, type 2: U4[1, 3] */
-        const double v8 = T13 * s1 - T23 * c1, v9 = T13 * c1 + T23 * s1, v10 = v9 * v9;
+        const double v9 = T13 * s1 - T23 * c1, v10 = T13 * c1 + T23 * s1, v11 = v10 * v10;
 
         /* theta6, type 3: U4[1, 2] and U4[1, 1] */
-        const double v11 = T12 * c1 + T22 * s1, v12 = T12 * s1 - T22 * c1,
-            v14 = T11 * c1 + T21 * s1, v15 = T11 * s1 - T21 * c1;
+        const double v12 = T12 * c1 + T22 * s1, v13 = T12 * s1 - T22 * c1,
+            v15 = T11 * c1 + T21 * s1, v16 = T11 * s1 - T21 * c1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k6;
+            const double s3 = w3 * e2 * k7;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
-            const double v4 = D4 * s3, v6 = t34 * v4 + v5;
-            const double C2 = v7 - root1 * v4;
-            const double w2 = sqrt(v6 * v6 + C2 * C2);
+            const double v5 = D4 * s3, v7 = t34 * v5 + v6;
+            const double C2 = v8 - root1 * v5;
+            const double w2 = sqrt(v7 * v7 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
             const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(v6 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
-            const double X4 = c23 * v8 - T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v10);
+            const double X4 = c23 * v9 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v11);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[3, 3] and U4[2, 3] */
-            const double c5 = T33 * c23 + s23 * v8;
+            const double c5 = T33 * c23 + s23 * v9;
 
             /* theta6 */
-            const double v13 = T32 * s23 - c23 * v12, v16 = T31 * s23 - c23 * v15;
+            const double v14 = T32 * s23 - c23 * v13, v17 = T31 * s23 - c23 * v16;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -662,15 +661,15 @@ static void solve(
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
-                    s4 = free4 ? sin(seed[3]) : -(v9 * factor4);
+                    s4 = free4 ? sin(seed[3]) : -(v10 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
                 /* theta6 */
-                const double c6 = c4 * v14 + s4 * v16;
-                const double q6 = atan2(-(c4 * v11 + s4 * v13), c6);
+                const double c6 = c4 * v15 + s4 * v17;
+                const double q6 = atan2(-(c4 * v12 + s4 * v14), c6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -734,8 +733,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -774,8 +772,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -786,31 +783,36 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = PUMA_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -818,16 +820,22 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != PUMA_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = PUMA_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = PUMA_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

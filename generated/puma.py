@@ -121,10 +121,10 @@ L2 = 0.4318  # z of axis 3 [m]
 D3 = 0.15005  # x of axis 4 [m]
 D4 = 0.4318  # z of axis 5 [m]
 free_limit_squared2 = 3.57281304106196e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 5.977301264836799e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.8901886257889609  # the arm's size [m]
 longest3 = 0.7458049600000001  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
-longest3_reach = 0.7458049600003266  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.7458049599999674  # the longest, where branches merge [m^2]
 shortest3_apart = 3.5728130410619605e-28  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
@@ -133,15 +133,15 @@ k2 = 0.022515002499999996  # D3^2 [m^2]
 k3 = 5.6724560659962443e-14  # reach_slack1 * (2 * D3 + reach_slack1) [m^2]
 k4 = 5.672456065993029e-15  # merge_slack1 * (2 * D3 + merge_slack1) [m^2]
 k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
-k6 = 2.681666262986505  # 1 / k5 [m^-2]
+k6 = 4.602943744218876e-13  # arm_size1 * boundary3 [m^5]
+k7 = 2.681666262986505  # 1 / k5 [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
-m1 = 2.435176934946171e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 1.1579434923575729  # a coefficient of v5
-m3 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
-m4 = 3.105217997900075  # a coefficient of c23
-m5 = 2.3158869847151458  # a coefficient of s23
-m6 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.1579434923575729  # a coefficient of v6
+m2 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
+m3 = 3.105217997900075  # a coefficient of c23
+m4 = 2.3158869847151458  # a coefficient of s23
+m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma b19134e3014251eb"
+_KEY = "puma 0534461eac10bade"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -460,6 +460,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 8: U1[3, 4] and U1[2, 4]
     t34 = T34 + D3 * T31 + k1 * T33
     v3 = t34 * t34
+    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -476,60 +477,60 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k5
         D3_ = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k6 <= D3_ * v4):
             continue  # out of reach
         w3 = math.sqrt(D3_ if apart3 else 0.0)
-        c3 = K3 * k6
+        c3 = K3 * k7
 
         # theta2, type 3: U1[3, 4] and U1[2, 4]
         Y1_2 = L2 + D4 * c3
-        v5 = root1 * Y1_2
-        v7 = t34 * Y1_2
+        v6 = root1 * Y1_2
+        v8 = t34 * Y1_2
 
         # theta4, type 2: U4[1, 3]
-        v8 = T13 * s1 - T23 * c1
-        v9 = T13 * c1 + T23 * s1
-        v10 = v9 * v9
+        v9 = T13 * s1 - T23 * c1
+        v10 = T13 * c1 + T23 * s1
+        v11 = v10 * v10
 
         # theta6, type 3: U4[1, 2] and U4[1, 1]
-        v11 = T12 * c1 + T22 * s1
-        v12 = T12 * s1 - T22 * c1
-        v14 = T11 * c1 + T21 * s1
-        v15 = T11 * s1 - T21 * c1
+        v12 = T12 * c1 + T22 * s1
+        v13 = T12 * s1 - T22 * c1
+        v15 = T11 * c1 + T21 * s1
+        v16 = T11 * s1 - T21 * c1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k6
+            s3 = w3 * e2 * k7
             q3 = _atan2(s3, c3)
 
             # theta2
-            v4 = D4 * s3
-            v6 = t34 * v4 + v5
-            C2 = v7 - root1 * v4
-            w2 = math.sqrt(v6 * v6 + C2 * C2)
+            v5 = D4 * s3
+            v7 = t34 * v5 + v6
+            C2 = v8 - root1 * v5
+            w2 = math.sqrt(v7 * v7 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
             c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(v6 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(v7 * factor2)
             q2 = _atan2(s2, c2)
 
             # theta4
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            X4 = c23 * v8 - T33 * s23
-            w4 = math.sqrt(X4 * X4 + v10)
+            X4 = c23 * v9 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v11)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[3, 3] and U4[2, 3]
-            c5 = T33 * c23 + s23 * v8
+            c5 = T33 * c23 + s23 * v9
 
             # theta6
-            v13 = T32 * s23 - c23 * v12
-            v16 = T31 * s23 - c23 * v15
+            v14 = T32 * s23 - c23 * v13
+            v17 = T31 * s23 - c23 * v16
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -538,15 +539,15 @@ def _solve(pose, seed, q, status):
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
-                s4 = math.sin(seed[3]) if free4 else -(v9 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v10 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5
                 q5 = _atan2(-(w4 * e3), c5)
 
                 # theta6
-                c6 = c4 * v14 + s4 * v16
-                q6 = _atan2(-(c4 * v11 + s4 * v13), c6)
+                c6 = c4 * v15 + s4 * v17
+                q6 = _atan2(-(c4 * v12 + s4 * v14), c6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -726,6 +727,18 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -760,10 +773,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -771,15 +785,18 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -790,6 +807,7 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -840,12 +858,12 @@ def _regular(pose, q, status):
     v6 = w3 - w3
 
     # theta2, type 3: U1[3, 4] and U1[2, 4]
-    v7 = w3 * (m2 * t34)
-    v8 = m2 * (w1 * N3)
+    v7 = w3 * (m1 * t34)
+    v8 = m1 * (w1 * N3)
     v9 = v7 + v8
     v10 = v8 - v7
-    v11 = m2 * (t34 * N3)
-    v12 = w3 * (m2 * w1)
+    v11 = m1 * (t34 * N3)
+    v12 = w3 * (m1 * w1)
     C2_pp = v11 - v12
     C2_pm = v11 + v12
     v13 = v9 * v9 + C2_pp * C2_pp
@@ -857,9 +875,9 @@ def _regular(pose, q, status):
     factor2_mp = math.sqrt(v16) * (1.0 / v16)
 
     # theta4, type 2: U4[1, 3]
-    v17 = m4 * N3
-    v18 = m2 - v17
-    v19 = v17 - m5
+    v17 = m3 * N3
+    v18 = m1 - v17
+    v19 = v17 - m4
     v20 = w1 * (N3 * (v18 + v19))
     s23_pp = v7 + v20
     s23_pm = v20 - v7
@@ -903,8 +921,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v31 <= m6 or v30 <= m6 or v16 <= m3 or v29 <= m6 or v15 <= m3 or v28 <= m6 or abs(D1) <= k3
-        or abs(D3_) <= m1 or v13 <= m3
+        v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <= m5 or v15 <= m2 or v28 <= m5 or abs(D1) <= k3
+        or abs(w1 * D3_) <= k6 or v13 <= m2
     )
 
     # a joint is free, or branches meet
@@ -1323,12 +1341,12 @@ def _in_tiles(T, q, status):
             D3_ = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3_)
             v6 = w3 - w3
-            v7 = w3 * (m2 * t34)
-            v8 = m2 * (w1 * N3)
+            v7 = w3 * (m1 * t34)
+            v8 = m1 * (w1 * N3)
             v9 = v7 + v8
             v10 = v8 - v7
-            v11 = m2 * (t34 * N3)
-            v12 = w3 * (m2 * w1)
+            v11 = m1 * (t34 * N3)
+            v12 = w3 * (m1 * w1)
             C2_pp = v11 - v12
             C2_pm = v11 + v12
             v13 = v9 * v9 + C2_pp * C2_pp
@@ -1338,9 +1356,9 @@ def _in_tiles(T, q, status):
             factor2_pp = math.sqrt(v13) * (1.0 / v13)
             factor2_pm = math.sqrt(v15) * (1.0 / v15)
             factor2_mp = math.sqrt(v16) * (1.0 / v16)
-            v17 = m4 * N3
-            v18 = m2 - v17
-            v19 = v17 - m5
+            v17 = m3 * N3
+            v18 = m1 - v17
+            v19 = v17 - m4
             v20 = w1 * (N3 * (v18 + v19))
             s23_pp = v7 + v20
             s23_pm = v20 - v7
@@ -1378,8 +1396,8 @@ def _in_tiles(T, q, status):
             v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
             doubt1 = (
-                v31 <= m6 or v30 <= m6 or v16 <= m3 or v29 <= m6 or v15 <= m3 or v28 <= m6 or
-                abs(D1) <= k3 or abs(D3_) <= m1 or v13 <= m3
+                v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <= m5 or v15 <= m2 or v28 <= m5 or
+                abs(D1) <= k3 or abs(w1 * D3_) <= k6 or v13 <= m2
             )
             work[272 + k] = v1
             work[288 + k] = v6

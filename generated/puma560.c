@@ -251,10 +251,10 @@ static const double
     a3 = 0.0203, /* link length 3 [m] */
     d4 = 0.4318, /* joint offset 4 [m] */
     free_limit_squared2 = 2.9096854084e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 5.394149987162018e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.70578, /* the arm's size [m] */
     longest3 = 0.7466289125534531, /* square of the longest reach [m^2] */
     shortest3 = 2.274465470660925e-07, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.7466289125537477, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 2.2744654690339056e-07, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.7466289125534236, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.2744654708236271e-07, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -264,14 +264,13 @@ static const double
     k4 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
     k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k7 = 3.752656713253594e-13, /* arm_size1 * boundary3 [m^5] */
+    k8 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 2.1999652436149993e-13,
-    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 0.12579382426107213, m3 = 0.9988973492016866, m4 = 2.675752380095121,
-m5 = 0.046960667412677716, m6 = 1.1579434923575729, m7 = 0.000477176933765627;
+static const double m1 = 0.12579382426107213, m2 = 0.9988973492016866, m3 = 2.675752380095121,
+m4 = 0.046960667412677716, m5 = 1.1579434923575729, m6 = 0.000477176933765627;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -414,13 +413,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m3 - m4 * N3, v9 = m2 * w3, s3_p = v8 + v9,
-        s3_m = v8 - v9, v10 = m2 * N3 - m5, v11 = m4 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
         angle3 = atan2_wide(w3, N3 - k6), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m6 * N3 - m7, v13 = Z1_3 * X1_2, v14 = w3 * (m6 * w1), S2_pp = v13 - v14,
-        S2_pm = v13 + v14, v15 = w3 * (m6 * Z1_3), v16 = w3 * (m6 * -Z1_3), v17 = w1 * X1_2,
+    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
         v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
         C2_mm = v16 + v18, factor2 = 1.0 / N3, angle4 = atan2_wide(S2_pp, C2_pp),
         angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
@@ -471,8 +470,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
         outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
         outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(D3) <= m1) | (abs_wide(D1) <= k2) | (v31 <= m8) | (v30 <= m8) | (v28 <=
-            m8) | (v29 <= m8);
+        doubt1 = (abs_wide(w1 * D3) <= k7) | (abs_wide(D1) <= k2) | (v31 <= m7) | (v30 <= m7) | (v28
+            <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -520,14 +519,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v4 = w3 - w3, v5 = m3 - m4 * N3;
-    const four s3 = v5 + w3 * (m2 * e2);
-    const double v6 = m2 * N3 - m5;
-    const four c3 = v6 + w3 * (m4 * e2);
+        w3 = sqrt(D3), v4 = w3 - w3, v5 = m2 - m3 * N3;
+    const four s3 = v5 + w3 * (m1 * e2);
+    const double v6 = m1 * N3 - m4;
+    const four c3 = v6 + w3 * (m3 * e2);
 
     /* theta2 */
-    const double X1_2 = m6 * N3 - m7, v7 = Z1_3 * X1_2;
-    const four S2 = v7 - w3 * (m6 * (w1 * (e1 * e2))), v8 = w3 * (m6 * (e2 * Z1_3)),
+    const double X1_2 = m5 * N3 - m6, v7 = Z1_3 * X1_2;
+    const four S2 = v7 - w3 * (m5 * (w1 * (e1 * e2))), v8 = w3 * (m5 * (e2 * Z1_3)),
         v9 = w1 * (e1 * X1_2), C2 = v8 + v9;
     const double factor2 = 1.0 / N3;
 
@@ -535,7 +534,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, v10 = c1 * T13 + s1 * T23,
         c4 = c23 * v10 + s23 * T33, Y4 = c1 * T23 - s1 * T13, v11 = Y4 * Y4, v12 = factor2 * c4,
         v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m8;
+    const four_mask doubt2 = v13 <= m7;
     const four v14 = signed_four(half_turn, Y4);
 
     /* theta6 */
@@ -543,7 +542,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v18 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -638,7 +637,7 @@ static void solve(
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
-    const double v3 = Z1_3 * Z1_3;
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -654,25 +653,25 @@ static void solve(
         const double K3 = N3 - k6;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v4 = k4 * K3, v5 = k5 * K3;
+        const double v5 = k4 * K3, v6 = k5 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v6 = T13 * c1 + T23 * s1;
+        const double v7 = T13 * c1 + T23 * s1;
         const double Y4 = T23 * c1 - T13 * s1;
-        const double v8 = Y4 * Y4;
+        const double v9 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
-            v13 = T11 * c1 + T21 * s1;
+        const double v10 = T12 * s1 - T22 * c1, v11 = T12 * c1 + T22 * s1,
+            v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k5 * root3 - v4) * k7, c3 = k7 * (v5 + k4 * root3);
+            const double s3 = (k5 * root3 - v5) * k8, c3 = k8 * (v6 + k4 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -689,23 +688,23 @@ static void solve(
 
             /* theta4 */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v7 = c23 * v6 + T33 * s23;
-            const double w4 = sqrt(v7 * v7 + v8);
+                v8 = c23 * v7 + T33 * s23;
+            const double w4 = sqrt(v8 * v8 + v9);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c23 - s23 * v6;
+            const double c5 = T33 * c23 - s23 * v7;
 
             /* theta6 */
-            const double v11 = c23 * v10 + T32 * s23, v14 = c23 * v13 + T31 * s23;
+            const double v12 = c23 * v11 + T32 * s23, v15 = c23 * v14 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : v7 * factor4,
+                const double c4 = free4 ? cos(seed[3]) : v8 * factor4,
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
@@ -713,7 +712,7 @@ static void solve(
                 const double q5 = atan2(-(w4 * e3), c5);
 
                 /* theta6 */
-                const double q6 = atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
+                const double q6 = atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -827,7 +826,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -884,8 +883,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -947,12 +945,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -960,8 +956,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -973,8 +969,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -985,11 +980,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
     double x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -997,9 +991,9 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     for (int i = 0; i < 6; i++)
         past += fabs(past_an_end(i, q[i])) > 0.0;
     enough = off_pose(T, q, e) + 1e-14;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
             continue;
         take(x, q);
@@ -1008,9 +1002,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1028,59 +1021,65 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = PUMA560_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x)
-        || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != PUMA560_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = PUMA560_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = PUMA560_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

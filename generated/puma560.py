@@ -123,10 +123,10 @@ d3 = 0.15005  # joint offset 3 [m]
 a3 = 0.0203  # link length 3 [m]
 d4 = 0.4318  # joint offset 4 [m]
 free_limit_squared2 = 2.9096854084e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 5.394149987162018e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.70578  # the arm's size [m]
 longest3 = 0.7466289125534531  # square of the longest reach [m^2]
 shortest3 = 2.274465470660925e-07  # square of the shortest reach [m^2]
-longest3_reach = 0.7466289125537477  # the longest, with what rounding adds [m^2]
-shortest3_reach = 2.2744654690339056e-07  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.7466289125534236  # the longest, where branches merge [m^2]
 shortest3_apart = 2.2744654708236271e-07  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
@@ -136,20 +136,20 @@ k3 = 5.1190457800002905e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
-k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
+k7 = 3.752656713253594e-13  # arm_size1 * boundary3 [m^5]
+k8 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345
 high5 = 1.7453292529943296
-m1 = 2.1999652436149993e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 0.12579382426107213  # a coefficient of s3
-m3 = 0.9988973492016866  # a coefficient of s3
-m4 = 2.675752380095121  # a coefficient of s3
-m5 = 0.046960667412677716  # a coefficient of c3
-m6 = 1.1579434923575729  # a coefficient of X1_2
-m7 = 0.000477176933765627  # a coefficient of X1_2
-m8 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 0.12579382426107213  # a coefficient of s3
+m2 = 0.9988973492016866  # a coefficient of s3
+m3 = 2.675752380095121  # a coefficient of s3
+m4 = 0.046960667412677716  # a coefficient of c3
+m5 = 1.1579434923575729  # a coefficient of X1_2
+m6 = 0.000477176933765627  # a coefficient of X1_2
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 34b85726e419acc2"
+_KEY = "puma560 db07c9aa6f5a0c3b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -440,6 +440,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     v3 = Z1_3 * Z1_3
+    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -456,22 +457,22 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k6
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k7 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v4 = k4 * K3
-        v5 = k5 * K3
+        v5 = k4 * K3
+        v6 = k5 * K3
 
         # theta4, type 2: U4[3, 3]
-        v6 = T13 * c1 + T23 * s1
+        v7 = T13 * c1 + T23 * s1
         Y4 = T23 * c1 - T13 * s1
-        v8 = Y4 * Y4
+        v9 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9 = T12 * s1 - T22 * c1
-        v10 = T12 * c1 + T22 * s1
-        v12 = T11 * s1 - T21 * c1
-        v13 = T11 * c1 + T21 * s1
+        v10 = T12 * s1 - T22 * c1
+        v11 = T12 * c1 + T22 * s1
+        v13 = T11 * s1 - T21 * c1
+        v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -479,8 +480,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (k5 * root3 - v4) * k7
-            c3 = k7 * (v5 + k4 * root3)
+            s3 = (k5 * root3 - v5) * k8
+            c3 = k8 * (v6 + k4 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -498,17 +499,17 @@ def _solve(pose, seed, q, status):
             # theta4
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v7 = c23 * v6 + T33 * s23
-            w4 = math.sqrt(v7 * v7 + v8)
+            v8 = c23 * v7 + T33 * s23
+            w4 = math.sqrt(v8 * v8 + v9)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * c23 - s23 * v6
+            c5 = T33 * c23 - s23 * v7
 
             # theta6
-            v11 = c23 * v10 + T32 * s23
-            v14 = c23 * v13 + T31 * s23
+            v12 = c23 * v11 + T32 * s23
+            v15 = c23 * v14 + T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -516,7 +517,7 @@ def _solve(pose, seed, q, status):
                 if e3 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
-                c4 = math.cos(seed[3]) if free4 else v7 * factor4
+                c4 = math.cos(seed[3]) if free4 else v8 * factor4
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
 
@@ -524,7 +525,7 @@ def _solve(pose, seed, q, status):
                 q5 = _atan2(-(w4 * e3), c5)
 
                 # theta6
-                q6 = _atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11))
+                q6 = _atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12))
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -938,9 +939,11 @@ def _lead_inside(pose, enough, most, q):
     if past < 2:
         return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    for farther in (2.0, 4.0, 8.0, 16.0):
+    farther = 2.0
+    while farther <= 16.0:
         for i in range(6):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
+        farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
             q[:] = x
             return True
@@ -969,6 +972,18 @@ def _stand(pose, row, rows, status):
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
+
+
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
 
 
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
@@ -1005,10 +1020,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -1021,20 +1037,20 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                for i in range(6):
-                    half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            for i in range(6):
+                half[i] += half[i] - x[i]  # the same row, not turned
+            if off < nearest and _past_ends(half) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1046,6 +1062,7 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -1095,23 +1112,23 @@ def _regular(pose, q, status):
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
     v7 = w3 - w3
-    v8 = m3 - m4 * N3
-    v9 = m2 * w3
+    v8 = m2 - m3 * N3
+    v9 = m1 * w3
     s3_p = v8 + v9
     s3_m = v8 - v9
-    v10 = m2 * N3 - m5
-    v11 = m4 * w3
+    v10 = m1 * N3 - m4
+    v11 = m3 * w3
     c3_p = v10 + v11
     c3_m = v10 - v11
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m6 * N3 - m7
+    X1_2 = m5 * N3 - m6
     v13 = Z1_3 * X1_2
-    v14 = w3 * (m6 * w1)
+    v14 = w3 * (m5 * w1)
     S2_pp = v13 - v14
     S2_pm = v13 + v14
-    v15 = w3 * (m6 * Z1_3)
-    v16 = w3 * (m6 * -Z1_3)
+    v15 = w3 * (m5 * Z1_3)
+    v16 = w3 * (m5 * -Z1_3)
     v17 = w1 * X1_2
     v18 = w1 * -X1_2
     C2_pp = v15 + v17
@@ -1163,7 +1180,7 @@ def _regular(pose, q, status):
     v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
     # joint values
-    doubt1 = abs(D3) <= m1 or abs(D1) <= k2 or v31 <= m8 or v30 <= m8 or v28 <= m8 or v29 <= m8
+    doubt1 = abs(w1 * D3) <= k7 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1597,21 +1614,21 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v7 = w3 - w3
-            v8 = m3 - m4 * N3
-            v9 = m2 * w3
+            v8 = m2 - m3 * N3
+            v9 = m1 * w3
             s3_p = v8 + v9
             s3_m = v8 - v9
-            v10 = m2 * N3 - m5
-            v11 = m4 * w3
+            v10 = m1 * N3 - m4
+            v11 = m3 * w3
             c3_p = v10 + v11
             c3_m = v10 - v11
-            X1_2 = m6 * N3 - m7
+            X1_2 = m5 * N3 - m6
             v13 = Z1_3 * X1_2
-            v14 = w3 * (m6 * w1)
+            v14 = w3 * (m5 * w1)
             S2_pp = v13 - v14
             S2_pm = v13 + v14
-            v15 = w3 * (m6 * Z1_3)
-            v16 = w3 * (m6 * -Z1_3)
+            v15 = w3 * (m5 * Z1_3)
+            v16 = w3 * (m5 * -Z1_3)
             v17 = w1 * X1_2
             v18 = w1 * -X1_2
             C2_pp = v15 + v17
@@ -1658,7 +1675,8 @@ def _in_tiles(T, q, status):
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
             doubt1 = (
-                abs(D3) <= m1 or abs(D1) <= k2 or v31 <= m8 or v30 <= m8 or v28 <= m8 or v29 <= m8
+                abs(w1 * D3) <= k7 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <=
+                m7
             )
             work[272 + k] = v1
             work[288 + k] = v7

@@ -131,10 +131,10 @@ static const float
     a3 = 0.0203f, /* link length 3 [m] */
     d4 = 0.4318f, /* joint offset 4 [m] */
     free_limit_squared2 = 1.1638741e-09f, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 0.00341156f, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.70578f, /* the arm's size [m] */
     longest3 = 0.74662894f, /* square of the longest reach [m^2] */
     shortest3 = 2.2744655e-07f, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.7466407f, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 2.2098503e-07f, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.74662864f, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.2760928e-07f, /* the shortest, where branches merge [m^2] */
     free_limit = 2e-05f, /* a length that fixes no angle */
@@ -144,16 +144,15 @@ static const float
     k4 = 0.37290248f, /* 2 * d4 * a2 [m^2] */
     k5 = 0.01753108f, /* 2 * a3 * a2 [m^2] */
     k6 = 0.37331456f, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 7.175475f, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k7 = 1.5017639e-05f, /* arm_size1 * boundary3 [m^5] */
+    k8 = 7.175475f, /* 1 / (k4^2 + k5^2) [m^-4] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.9096855e-06f,
     turn1 = 1.5238184f, /* a constant angle [rad] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 8.803972e-06f,
-    m8 = 1e-06f; /* doubt_limit^2 */
+    m7 = 1e-06f; /* doubt_limit^2 */
 /* coefficients */
-static const float m2 = 0.12579383f, m3 = 0.9988974f, m4 = 2.6757524f,
-m5 = 0.046960667f, m6 = 1.1579435f, m7 = 0.00047717695f;
+static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
+m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -298,13 +297,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m3 - m4 * N3, v9 = m2 * w3, s3_p = v8 + v9,
-        s3_m = v8 - v9, v10 = m2 * N3 - m5, v11 = m4 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
         angle3 = atan2_wide(w3, N3 - k6), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m6 * N3 - m7, v13 = Z1_3 * X1_2, v14 = w3 * (m6 * w1), S2_pp = v13 - v14,
-        S2_pm = v13 + v14, v15 = w3 * (m6 * Z1_3), v16 = w3 * (m6 * -Z1_3), v17 = w1 * X1_2,
+    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
         v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
         C2_mm = v16 + v18, factor2 = 1.0f / N3, angle4 = atan2_wide(S2_pp, C2_pp),
         angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
@@ -355,8 +354,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
         outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
         outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(D3) <= m1) | (abs_wide(D1) <= k2) | (N3 <= doubt_limit_squared2) | (v31
-            <= m8) | (v30 <= m8) | (v28 <= m8) | (v29 <= m8);
+        doubt1 = (abs_wide(w1 * D3) <= k7) | (abs_wide(D1) <= k2) | (N3 <= doubt_limit_squared2) |
+            (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -418,7 +417,7 @@ static void solve(
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const float Z1_3 = T34 - d1;
-    const float v3 = Z1_3 * Z1_3;
+    const float v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
@@ -434,25 +433,25 @@ static void solve(
         const float K3 = N3 - k6;
         const float D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
         const float w3 = sqrtf(apart3 ? D3 : 0.0f);
-        const float v4 = k4 * K3, v5 = k5 * K3;
+        const float v5 = k4 * K3, v6 = k5 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const float v6 = T13 * c1 + T23 * s1;
+        const float v7 = T13 * c1 + T23 * s1;
         const float Y4 = T23 * c1 - T13 * s1;
-        const float v8 = Y4 * Y4;
+        const float v9 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const float v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
-            v13 = T11 * c1 + T21 * s1;
+        const float v10 = T12 * s1 - T22 * c1, v11 = T12 * c1 + T22 * s1,
+            v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const float e2 = i2 == 0 ? 1.0f : -1.0f;
             /* theta3 */
             if (e2 < 0.0f && !apart3) continue; /* both signs give the same */
             const float root3 = w3 * e2;
-            const float s3 = (k5 * root3 - v4) * k7, c3 = k7 * (v5 + k4 * root3);
+            const float s3 = (k5 * root3 - v5) * k8, c3 = k8 * (v6 + k4 * root3);
             const float q3 = atan2f(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -469,23 +468,23 @@ static void solve(
 
             /* theta4 */
             const float c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v7 = c23 * v6 + T33 * s23;
-            const float w4 = sqrtf(v7 * v7 + v8);
+                v8 = c23 * v7 + T33 * s23;
+            const float w4 = sqrtf(v8 * v8 + v9);
             const int free4 = w4 <= free_limit;
             const float divisor4 = free4 ? 1.0f : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const float c5 = T33 * c23 - s23 * v6;
+            const float c5 = T33 * c23 - s23 * v7;
 
             /* theta6 */
-            const float v11 = c23 * v10 + T32 * s23, v14 = c23 * v13 + T31 * s23;
+            const float v12 = c23 * v11 + T32 * s23, v15 = c23 * v14 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const float e3 = i3 == 0 ? 1.0f : -1.0f;
                 /* theta4 */
                 if (e3 < 0.0f && free4) continue; /* both signs give the same */
                 const float factor4 = e3 / divisor4;
-                const float c4 = free4 ? cosf(seed[3]) : v7 * factor4,
+                const float c4 = free4 ? cosf(seed[3]) : v8 * factor4,
                     s4 = free4 ? sinf(seed[3]) : Y4 * factor4;
                 const float q4 = atan2f(s4, c4);
 
@@ -493,7 +492,7 @@ static void solve(
                 const float q5 = atan2f(-(w4 * e3), c5);
 
                 /* theta6 */
-                const float q6 = atan2f(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
+                const float q6 = atan2f(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -607,7 +606,7 @@ static void keep_limits(
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -664,8 +663,7 @@ static float off_pose(const float T[16], const float x[6], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], float damping, float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
@@ -727,12 +725,10 @@ static int settle(const float T[16], float enough, float most, float q[6])
 {
     float x[6], half[6], e[6], last = HUGE_VALF;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        float miss = off_pose(T, x, e);
-        float past = 0.0f;
+        float miss = off_pose(T, x, e), past = 0.0f;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-06f : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -740,8 +736,8 @@ static int settle(const float T[16], float enough, float most, float q[6])
             worst = fabsf(off) > fabsf(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabsf(past) > 0.0f) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabsf(past) > 0.0f) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -753,8 +749,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
             take(x, q);
             settled = 1;
             enough = 0.5f * miss;
-        } else if (settled
-            || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -765,11 +760,10 @@ static int settle(const float T[16], float enough, float most, float q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[6])
 {
-    static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
     float x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -777,9 +771,9 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     for (int i = 0; i < 6; i++)
         past += fabsf(past_an_end(i, q[i])) > 0.0f;
     enough = off_pose(T, q, e) + 1e-06f;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (float farther = 2.0f; past > 1 && farther <= 16.0f; farther *= 2.0f) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0f)
             continue;
         take(x, q);
@@ -788,9 +782,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
     float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -808,59 +801,65 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         float half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.03f || isnan(half[0]))
-            continue;
-        float miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13f, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-07f; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 5e-05f && !settle(T, 5e-05f, 0.15f, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.03f) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13f, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-07f;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = PUMA560_F32_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
 {
-    float x[6], half[6], e[6], least = HUGE_VALF;
+    float x[6], half[6], e[6], least = HUGE_VALF, nearest = 0.03f;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const float seen = seed[i], past = fabsf(past_an_end(i, seen));
         const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 5e-05f, 0.15f, x)
-        || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
+    if (!settle(T, 5e-05f, 0.15f, x) || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;
         if (status[row] != PUMA560_F32_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.03f) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0f)
-                    return;
-                between = 0.0f;
-            } else {
-                between = fmaxf(off_pose(T, half, e), 5e-05f);
+            const float off = half_way(x, q[row], half);
+            between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0f) {
+                nearest = off;
+                place = row;
+                least = -1.0f; /* its own */
             }
         }
         if (between <= 2.0f * least)
             place = row;
         least = fminf(least, between);
     }
-    status[place] = PUMA560_F32_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0f)
+        status[place] = PUMA560_F32_FREE_JOINT;
+    if (nearest > 0.003f)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

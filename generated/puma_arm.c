@@ -227,10 +227,10 @@ static const double
     a3 = 0.0203, /* link length 3 [m] */
     d4 = 0.4318, /* z of the tool frame [m] */
     free_limit_squared2 = 2.9096854084e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 5.394149987162018e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.70578, /* the arm's size [m] */
     longest3 = 0.7466289125534531, /* square of the longest reach [m^2] */
     shortest3 = 2.274465470660925e-07, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.7466289125537477, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 2.2744654690339056e-07, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.7466289125534236, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.2744654708236271e-07, /* the shortest, where branches merge [m^2] */
     k1 = 0.022515002499999996, /* d3^2 [m^2] */
@@ -239,12 +239,11 @@ static const double
     k4 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
     k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
-    turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 2.1999652436149993e-13;
+    k7 = 3.752656713253594e-13, /* arm_size1 * boundary3 [m^5] */
+    k8 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
+    turn1 = 1.5238184104468135; /* a constant angle [rad] */
 /* coefficients */
-static const double m2 = 1.1579434923575729, m3 = 0.000477176933765627;
+static const double m1 = 1.1579434923575729, m2 = 0.000477176933765627;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -318,15 +317,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         v7 = turn1 + angle1;
 
     /* theta2 */
-    const wide X1_2 = m2 * N3 - m3, v8 = Z1_3 * X1_2, v9 = w3 * (m2 * Z1_3),
-        v10 = w3 * (m2 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m2 * w1),
+    const wide X1_2 = m1 * N3 - m2, v8 = Z1_3 * X1_2, v9 = w3 * (m1 * Z1_3),
+        v10 = w3 * (m1 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m1 * w1),
         v14 = v8 - v13, v15 = v8 + v13;
 
     /* joint values */
     const wide angle6 = atan2_wide(v2 + v5, v4 - v3), q1_pp = v6 + angle6,
         angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
         q3_pp = v1 + raised_wide(q3__p), q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1);
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(w1 * D3) <= k7);
 
     q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -359,18 +358,18 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
         w3 = sqrt(D3), v6 = w3 - w3;
 
     /* theta2 */
-    const double X1_2 = m2 * N3 - m3, v7 = Z1_3 * X1_2;
-    const four v8 = w3 * (m2 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
+    const double X1_2 = m1 * N3 - m2, v7 = Z1_3 * X1_2;
+    const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3), shuffle(e1
         * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3)),
-        ratio2 = ratio_four(v7 - w3 * (m2 * (w1 * (e1 * e2))), v8 + v9);
+        ratio2 = ratio_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2);
     const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3, q3 = v1 + raised_four(q3_);
@@ -445,7 +444,7 @@ static void solve(
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
-    const double v3 = Z1_3 * Z1_3;
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -461,16 +460,16 @@ static void solve(
         const double K3 = N3 - k6;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v4 = k4 * K3, v5 = k5 * K3;
+        const double v5 = k4 * K3, v6 = k5 * K3;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k5 * root3 - v4) * k7, c3 = k7 * (v5 + k4 * root3);
+            const double s3 = (k5 * root3 - v5) * k8, c3 = k8 * (v6 + k4 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -540,8 +539,7 @@ static double off_pose(const double T[16], const double x[3], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[3], double damping, double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
@@ -580,8 +578,7 @@ static int settle(const double T[16], double enough, double most, double q[3])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -592,31 +589,36 @@ static int settle(const double T[16], double enough, double most, double q[3])
     return settled;
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[4][3], unsigned char status[4])
 {
     const int held[3] = { 0 };
     for (int n = 0; n < 4 * 4; n++) {
         double half[3], e[6], *row = q[n / 4];
-        if (n % 4 >= n / 4 || half_way(q[n % 4], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 3 && miss <= 1e-14; i++) {
+        const int k = n % 4;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 4 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 3 && ends; i++) {
             status[n / 4] = PUMA_ARM_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])
 {
-    double x[3], half[3], e[6], least = HUGE_VAL;
+    double x[3], half[3], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -624,16 +626,22 @@ static void stay(
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != PUMA_ARM_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = PUMA_ARM_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = PUMA_ARM_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -116,10 +116,10 @@ d3 = 0.15005  # joint offset 3 [m]
 a3 = 0.0203  # link length 3 [m]
 d4 = 0.4318  # z of the tool frame [m]
 free_limit_squared2 = 2.9096854084e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 5.394149987162018e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.70578  # the arm's size [m]
 longest3 = 0.7466289125534531  # square of the longest reach [m^2]
 shortest3 = 2.274465470660925e-07  # square of the shortest reach [m^2]
-longest3_reach = 0.7466289125537477  # the longest, with what rounding adds [m^2]
-shortest3_reach = 2.2744654690339056e-07  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.7466289125534236  # the longest, where branches merge [m^2]
 shortest3_apart = 2.2744654708236271e-07  # the shortest, where branches merge [m^2]
 k1 = 0.022515002499999996  # d3^2 [m^2]
@@ -128,11 +128,11 @@ k3 = 5.1190457800002905e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
-k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
+k7 = 3.752656713253594e-13  # arm_size1 * boundary3 [m^5]
+k8 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
-m1 = 2.1999652436149993e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 1.1579434923575729  # a coefficient of X1_2
-m3 = 0.000477176933765627  # a coefficient of X1_2
+m1 = 1.1579434923575729  # a coefficient of X1_2
+m2 = 0.000477176933765627  # a coefficient of X1_2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm a9e7f540df4d9482"
+_KEY = "puma_arm eab1bd5b5ca20678"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -379,6 +379,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     v3 = Z1_3 * Z1_3
+    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -395,11 +396,11 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k6
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k7 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v4 = k4 * K3
-        v5 = k5 * K3
+        v5 = k4 * K3
+        v6 = k5 * K3
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -407,8 +408,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (k5 * root3 - v4) * k7
-            c3 = k7 * (v5 + k4 * root3)
+            s3 = (k5 * root3 - v5) * k8
+            c3 = k8 * (v6 + k4 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -561,6 +562,18 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(4):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(3):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -595,10 +608,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
+    nearest = 0.001
     for i in range(3):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -606,15 +620,18 @@ def _stay(pose, seed, q, status):
     for row in range(4 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(3):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -625,6 +642,7 @@ def _whole(pose, seed, q, status):
         for i in range(3):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -667,18 +685,18 @@ def _regular(pose, q, status):
     v6 = w3 - w3
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m2 * N3 - m3
+    X1_2 = m1 * N3 - m2
     v8 = Z1_3 * X1_2
-    v9 = w3 * (m2 * Z1_3)
-    v10 = w3 * (m2 * -Z1_3)
+    v9 = w3 * (m1 * Z1_3)
+    v10 = w3 * (m1 * -Z1_3)
     v11 = w1 * X1_2
     v12 = w1 * -X1_2
-    v13 = w3 * (m2 * w1)
+    v13 = w3 * (m1 * w1)
     v14 = v8 - v13
     v15 = v8 + v13
 
     # joint values
-    doubt1 = abs(D1) <= k2 or abs(D3) <= m1
+    doubt1 = abs(D1) <= k2 or abs(w1 * D3) <= k7
 
     # a joint is free, or branches meet
     if doubt1:
@@ -980,16 +998,16 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v6 = w3 - w3
-            X1_2 = m2 * N3 - m3
+            X1_2 = m1 * N3 - m2
             v8 = Z1_3 * X1_2
-            v9 = w3 * (m2 * Z1_3)
-            v10 = w3 * (m2 * -Z1_3)
+            v9 = w3 * (m1 * Z1_3)
+            v10 = w3 * (m1 * -Z1_3)
             v11 = w1 * X1_2
             v12 = w1 * -X1_2
-            v13 = w3 * (m2 * w1)
+            v13 = w3 * (m1 * w1)
             v14 = v8 - v13
             v15 = v8 + v13
-            doubt1 = abs(D1) <= k2 or abs(D3) <= m1
+            doubt1 = abs(D1) <= k2 or abs(w1 * D3) <= k7
             work[272 + k] = v1
             work[288 + k] = v6
             work[304 + k] = doubt1

@@ -241,7 +241,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp 763d4aa0413703a9"
+_KEY = "rpp 755c9ed4a4c4158b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -467,10 +467,11 @@ def _settle(pose, enough, most, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
+    nearest = 0.001
     for i in range(3):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -478,15 +479,18 @@ def _stay(pose, seed, q, status):
     for row in range(2 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(3):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit

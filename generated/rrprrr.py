@@ -302,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rrprrr 6f8af195d1a3bd54"
+_KEY = "rrprrr 7b0b11c578542384"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -624,10 +624,11 @@ def _settle(pose, enough, most, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -635,15 +636,18 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -499,7 +499,7 @@ static void keep_limits(
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -558,8 +558,7 @@ static float off_pose(const float T[16], const float x[4], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[4], float damping, float e[6], float x[4])
 {
     float A[6][10] = { { 0.0f } }, square[6] = { 0.0f }, J[24];
@@ -623,12 +622,10 @@ static int settle(const float T[16], float enough, float most, float q[4])
 {
     float x[4], half[4], e[6], last = HUGE_VALF;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[4] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        float miss = off_pose(T, x, e);
-        float past = 0.0f;
+        float miss = off_pose(T, x, e), past = 0.0f;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-06f : enough;
         for (int i = 0; i < 4 && stands && miss < enough; i++) {
@@ -636,8 +633,8 @@ static int settle(const float T[16], float enough, float most, float q[4])
             worst = fabsf(off) > fabsf(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabsf(past) > 0.0f) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabsf(past) > 0.0f) {
             moves++;
             for (int i = 0; i < 4; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -649,8 +646,7 @@ static int settle(const float T[16], float enough, float most, float q[4])
             take(x, q);
             settled = 1;
             enough = 0.5f * miss;
-        } else if (settled
-            || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -661,11 +657,10 @@ static int settle(const float T[16], float enough, float most, float q[4])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[4])
 {
-    static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
     float x[4], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -673,9 +668,9 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
     for (int i = 0; i < 4; i++)
         past += fabsf(past_an_end(i, q[i])) > 0.0f;
     enough = off_pose(T, q, e) + 1e-06f;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (float farther = 2.0f; past > 1 && farther <= 16.0f; farther *= 2.0f) {
         for (int i = 0; i < 4; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0f)
             continue;
         take(x, q);
@@ -684,9 +679,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const float T[16], int row, float rows[2][4], const unsigned char status[2])
 {
     float x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
@@ -704,41 +698,42 @@ static void stand(const float T[16], int row, float rows[2][4], const unsigned c
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[4], float q[2][4],
     unsigned char status[2])
 {
-    float x[4], half[4], e[6], least = HUGE_VALF;
+    float x[4], half[4], e[6], least = HUGE_VALF, nearest = 0.03f;
     int place = 0;
     for (int i = 0; i < 4; i++) {
         const float seen = seed[i], past = fabsf(past_an_end(i, seen));
         const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 5e-05f, 0.15f, x)
-        || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
+    if (!settle(T, 5e-05f, 0.15f, x) || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         float between = 0.0005f;
         if (status[row] != SCARA_F32_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.03f) {
-                for (int i = 0; i < 4; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0f)
-                    return;
-                between = 0.0f;
-            } else {
-                between = fmaxf(off_pose(T, half, e), 5e-05f);
+            const float off = half_way(x, q[row], half);
+            between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
+            for (int i = 0; i < 4; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0f) {
+                nearest = off;
+                place = row;
+                least = -1.0f; /* its own */
             }
         }
         if (between <= 2.0f * least)
             place = row;
         least = fminf(least, between);
     }
-    status[place] = SCARA_F32_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0f)
+        status[place] = SCARA_F32_FREE_JOINT;
+    if (nearest > 0.003f)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -252,10 +252,10 @@ static const double
     d4 = 0.38, /* joint offset 4 [m] */
     d6 = 0.07, /* joint offset 6 [m] */
     free_limit_squared2 = 3.1684000000000017e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 5.628854235099716e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.7800000000000005, /* the arm's size [m] */
     longest3 = 0.6732407360639862, /* square of the longest reach [m^2] */
     shortest3 = 0.0015592639360138612, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.6732407360642781, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0015592639359998035, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.673240736063957, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.001559263936015267, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -266,14 +266,13 @@ static const double
     k5 = 0.3268, /* 2 * d4 * a2 [m^2] */
     k6 = 0.0774, /* 2 * a3 * a2 [m^2] */
     k7 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k8 = 8.866112830151877, /* 1 / (k5^2 + k6^2) [m^-4] */
+    k8 = 3.490995985201702e-13, /* arm_size1 * boundary3 [m^5] */
+    k9 = 8.866112830151877, /* 1 / (k5^2 + k6^2) [m^-4] */
     turn1 = -1.3382393849899876, /* a constant angle [rad] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 1.961233699551518e-13,
-    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 1.1627906976744187, m3 = 0.03767441860465117, m4 = 0.29508196721311475,
-m5 = 1.2459016393442623, m6 = 0.04036721311475411, m7 = 0.00956065573770492;
+static const double m1 = 1.1627906976744187, m2 = 0.03767441860465117, m3 = 0.29508196721311475,
+m4 = 1.2459016393442623, m5 = 0.04036721311475411, m6 = 0.00956065573770492;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -402,22 +401,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3__mp = angle2 - turn1, v9 = turn1 + angle2;
 
     /* theta2 */
-    const wide v10 = Z1_3 * (m3 + m2 * N3_p), v11 = Z1_3 * (m3 + m2 * N3_m), factor2_p = 1.0 / N3_p,
-        factor2_m = 1.0 / N3_m, v12 = v5 * (m2 + m3 * factor2_p), v13 = v6 * (m2 + m3 * factor2_m),
-        v14 = w3_p * (m2 * v5),
-        angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m2 * (Z1_3 * factor2_p)))),
-        angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m2 * (-Z1_3 * factor2_p)))),
-        angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m2 * v6))), -(v13 + w3_m * (m2 * (Z1_3 *
+    const wide v10 = Z1_3 * (m2 + m1 * N3_p), v11 = Z1_3 * (m2 + m1 * N3_m), factor2_p = 1.0 / N3_p,
+        factor2_m = 1.0 / N3_m, v12 = v5 * (m1 + m2 * factor2_p), v13 = v6 * (m1 + m2 * factor2_m),
+        v14 = w3_p * (m1 * v5),
+        angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))),
+        angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))),
+        angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 * (Z1_3 *
             factor2_m)))),
-        angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m2 * -v6))), -(v13 + w3_m * (m2 * (-Z1_3 *
+        angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 * (-Z1_3 *
             factor2_m))));
 
     /* theta4 */
-    const wide v15 = m4 * Z1_3, v16 = m5 - m6 * factor2_p, v17 = m5 - m6 * factor2_m,
-        v18 = m7 * factor2_p - m4, v19 = m7 * factor2_m - m4, v20 = Z1_3 * v16 + v5 * v18,
-        v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m5 * v5)), c23_pp = v20 + v22,
-        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m5 * v6)), c23_mp = v21 + v23,
-        c23_mm = v21 - v23, v24 = m5 * Z1_3, v25 = v24 - m4 * v5, v26 = v24 - m4 * v6,
+    const wide v15 = m3 * Z1_3, v16 = m4 - m5 * factor2_p, v17 = m4 - m5 * factor2_m,
+        v18 = m6 * factor2_p - m3, v19 = m6 * factor2_m - m3, v20 = Z1_3 * v16 + v5 * v18,
+        v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m4 * v5)), c23_pp = v20 + v22,
+        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m4 * v6)), c23_mp = v21 + v23,
+        c23_mm = v21 - v23, v24 = m4 * Z1_3, v25 = v24 - m3 * v5, v26 = v24 - m3 * v6,
         v27 = Z1_3 * v18 + v5 * -v16, v28 = Z1_3 * v19 + v6 * -v17,
         s23_pp = v27 + w3_p * (factor2_p * v25), s23_pm = v27 + w3_p * (factor2_p * -v25),
         s23_mp = v28 + w3_m * (factor2_m * v26), s23_mm = v28 + w3_m * (factor2_m * -v26),
@@ -455,8 +454,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_mpp = lowered_wide(q3__mp), q3_mmp = only_wide(half_turn < -v9, -turn) - v9,
         angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
         angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (v36 <= m8) | (v35 <= m8) | (v34 <= m8) | (v33 <= m8) | (abs_wide(D3_m)
-        <= m1) | (abs_wide(D1) <= k3) | (abs_wide(D3_p) <= m1);
+    const wide_mask doubt1 = (v36 <= m7) | (v35 <= m7) | (v34 <= m7) | (v33 <= m7) | (abs_wide(w1 *
+        D3_m) <= k8) | (abs_wide(D1) <= k3) | (abs_wide(w1 * D3_p) <= k8);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -513,21 +512,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m1;
+    const four_mask doubt2 = abs_four(w1 * D3) <= k8;
 
     /* theta2 */
-    const four v6 = Z1_3 * (m3 + m2 * N3), v7 = e2 * Z1_3, factor2 = 1.0 / N3,
-        v8 = v4 * (m2 + m3 * factor2);
+    const four v6 = Z1_3 * (m2 + m1 * N3), v7 = e2 * Z1_3, factor2 = 1.0 / N3,
+        v8 = v4 * (m1 + m2 * factor2);
 
     /* theta4 */
-    const double v9 = m4 * Z1_3;
-    const four v10 = v9 + m5 * v4, v11 = m5 - m6 * factor2, v12 = m7 * factor2 - m4,
+    const double v9 = m3 * Z1_3;
+    const four v10 = v9 + m4 * v4, v11 = m4 - m5 * factor2, v12 = m6 * factor2 - m3,
         v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
-    const double v14 = m5 * Z1_3;
-    const four v15 = v14 - m4 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+    const double v14 = m4 * Z1_3;
+    const four v15 = v14 - m3 * v4, v16 = Z1_3 * v12 + v4 * -v11,
         s23 = v16 + w3 * (factor2 * (e2 * v15)), v17 = T23 * s1 - T13 * v2,
         X4 = c23 * v17 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v18 = Y4 * Y4, v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m8;
+    const four_mask doubt3 = v19 <= m7;
     const four v20 = signed_four(half_turn, Y4);
 
     /* theta6 */
@@ -539,7 +538,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k7, -v2, 0, 5, 2,
         7)),
-        ratio2 = ratio_four(-(factor2 * (v6 - w3 * (m2 * (e2 * v4)))), -(v8 + w3 * (m2 * (v7 *
+        ratio2 = ratio_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7 *
             factor2)))), ratio3 = ratio_four(Y4, -X4),
         ratio4 = ratio_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 * (c23 *
             v22 - s23 * T32))), ratio5 = ratio_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
@@ -626,7 +625,7 @@ static void solve(
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v4 = Z1_3 * Z1_3;
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -643,51 +642,51 @@ static void solve(
         const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k8 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v5 = k5 * K3, v6 = k6 * K3;
+        const double v6 = k5 * K3, v7 = k6 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v8 = T13 * c1 + T23 * s1;
+        const double v9 = T13 * c1 + T23 * s1;
         const double Y4 = T13 * s1 - T23 * c1;
-        const double v9 = Y4 * Y4;
+        const double v10 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v10 = T12 * s1 - T22 * c1, v11 = T12 * c1 + T22 * s1,
-            v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
+        const double v11 = T12 * s1 - T22 * c1, v12 = T12 * c1 + T22 * s1,
+            v14 = T11 * s1 - T21 * c1, v15 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v5 + k6 * root3) * k8, c3 = k8 * (v6 - k5 * root3);
+            const double s3 = (v6 + k6 * root3) * k9, c3 = k9 * (v7 - k5 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
             const double X1_2 = d4 * c3 - a3 * s3;
             const double Y1_2 = a2 + (a3 * c3 + d4 * s3);
-            const double v7 = v3 * X1_2 + Z1_3 * Y1_2;
+            const double v8 = v3 * X1_2 + Z1_3 * Y1_2;
             const double C2 = Z1_3 * X1_2 - v3 * Y1_2;
-            const double w2 = sqrt(v7 * v7 + C2 * C2);
+            const double w2 = sqrt(v8 * v8 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
             const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(v8 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
-            const double X4 = c23 * v8 - T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v9);
+            const double X4 = c23 * v9 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v10);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c23 + s23 * v8;
+            const double c5 = T33 * c23 + s23 * v9;
 
             /* theta6 */
-            const double v12 = c23 * v11 - T32 * s23, v15 = c23 * v14 - T31 * s23;
+            const double v13 = c23 * v12 - T32 * s23, v16 = c23 * v15 - T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -702,7 +701,7 @@ static void solve(
                 const double q5 = atan2(-(w4 * e3), c5);
 
                 /* theta6 */
-                const double q6 = atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
+                const double q6 = atan2(-(c4 * v14 + s4 * v16), -(c4 * v11 + s4 * v13));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -767,8 +766,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -807,8 +805,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -819,31 +816,36 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -851,16 +853,22 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

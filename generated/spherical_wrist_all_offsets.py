@@ -128,10 +128,10 @@ a3 = 0.09  # link length 3 [m]
 d4 = 0.38  # joint offset 4 [m]
 d6 = 0.07  # joint offset 6 [m]
 free_limit_squared2 = 3.1684000000000017e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 5.628854235099716e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.7800000000000005  # the arm's size [m]
 longest3 = 0.6732407360639862  # square of the longest reach [m^2]
 shortest3 = 0.0015592639360138612  # square of the shortest reach [m^2]
-longest3_reach = 0.6732407360642781  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0015592639359998035  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.673240736063957  # the longest, where branches merge [m^2]
 shortest3_apart = 0.001559263936015267  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
@@ -142,16 +142,16 @@ k4 = 2.4920000000003178e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
 k5 = 0.3268  # 2 * d4 * a2 [m^2]
 k6 = 0.0774  # 2 * a3 * a2 [m^2]
 k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
-k8 = 8.866112830151877  # 1 / (k5^2 + k6^2) [m^-4]
+k8 = 3.490995985201702e-13  # arm_size1 * boundary3 [m^5]
+k9 = 8.866112830151877  # 1 / (k5^2 + k6^2) [m^-4]
 turn1 = -1.3382393849899876  # a constant angle [rad]
-m1 = 1.961233699551518e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 1.1627906976744187  # a coefficient of Y1_2
-m3 = 0.03767441860465117  # a coefficient of Y1_2
-m4 = 0.29508196721311475  # a coefficient of c23
-m5 = 1.2459016393442623  # a coefficient of c23
-m6 = 0.04036721311475411  # a coefficient of c23
-m7 = 0.00956065573770492  # a coefficient of c23
-m8 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.1627906976744187  # a coefficient of Y1_2
+m2 = 0.03767441860465117  # a coefficient of Y1_2
+m3 = 0.29508196721311475  # a coefficient of c23
+m4 = 1.2459016393442623  # a coefficient of c23
+m5 = 0.04036721311475411  # a coefficient of c23
+m6 = 0.00956065573770492  # a coefficient of c23
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets d9c6f5498517336a"
+_KEY = "spherical_wrist_all_offsets ad4f45d49dff6695"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -468,6 +468,7 @@ def _solve(pose, seed, q, status):
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v4 = Z1_3 * Z1_3
+    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -485,22 +486,22 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k8 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k5 * K3
-        v6 = k6 * K3
+        v6 = k5 * K3
+        v7 = k6 * K3
 
         # theta4, type 2: U4[3, 3]
-        v8 = T13 * c1 + T23 * s1
+        v9 = T13 * c1 + T23 * s1
         Y4 = T13 * s1 - T23 * c1
-        v9 = Y4 * Y4
+        v10 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v10 = T12 * s1 - T22 * c1
-        v11 = T12 * c1 + T22 * s1
-        v13 = T11 * s1 - T21 * c1
-        v14 = T11 * c1 + T21 * s1
+        v11 = T12 * s1 - T22 * c1
+        v12 = T12 * c1 + T22 * s1
+        v14 = T11 * s1 - T21 * c1
+        v15 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -508,36 +509,36 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (v5 + k6 * root3) * k8
-            c3 = k8 * (v6 - k5 * root3)
+            s3 = (v6 + k6 * root3) * k9
+            c3 = k9 * (v7 - k5 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
             X1_2 = d4 * c3 - a3 * s3
             Y1_2 = a2 + (a3 * c3 + d4 * s3)
-            v7 = v3 * X1_2 + Z1_3 * Y1_2
+            v8 = v3 * X1_2 + Z1_3 * Y1_2
             C2 = Z1_3 * X1_2 - v3 * Y1_2
-            w2 = math.sqrt(v7 * v7 + C2 * C2)
+            w2 = math.sqrt(v8 * v8 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
             c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(v7 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(v8 * factor2)
             q2 = _atan2(s2, c2)
 
             # theta4
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            X4 = c23 * v8 - T33 * s23
-            w4 = math.sqrt(X4 * X4 + v9)
+            X4 = c23 * v9 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v10)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * c23 + s23 * v8
+            c5 = T33 * c23 + s23 * v9
 
             # theta6
-            v12 = c23 * v11 - T32 * s23
-            v15 = c23 * v14 - T31 * s23
+            v13 = c23 * v12 - T32 * s23
+            v16 = c23 * v15 - T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -553,7 +554,7 @@ def _solve(pose, seed, q, status):
                 q5 = _atan2(-(w4 * e3), c5)
 
                 # theta6
-                q6 = _atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12))
+                q6 = _atan2(-(c4 * v14 + s4 * v16), -(c4 * v11 + s4 * v13))
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -733,6 +734,18 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -767,10 +780,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -778,15 +792,18 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -797,6 +814,7 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -849,31 +867,31 @@ def _regular(pose, q, status):
     w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v10 = Z1_3 * (m3 + m2 * N3_p)
-    v11 = Z1_3 * (m3 + m2 * N3_m)
+    v10 = Z1_3 * (m2 + m1 * N3_p)
+    v11 = Z1_3 * (m2 + m1 * N3_m)
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    v12 = v5 * (m2 + m3 * factor2_p)
-    v13 = v6 * (m2 + m3 * factor2_m)
-    v14 = w3_p * (m2 * v5)
+    v12 = v5 * (m1 + m2 * factor2_p)
+    v13 = v6 * (m1 + m2 * factor2_m)
+    v14 = w3_p * (m1 * v5)
 
     # theta4, type 2: U4[3, 3]
-    v15 = m4 * Z1_3
-    v16 = m5 - m6 * factor2_p
-    v17 = m5 - m6 * factor2_m
-    v18 = m7 * factor2_p - m4
-    v19 = m7 * factor2_m - m4
+    v15 = m3 * Z1_3
+    v16 = m4 - m5 * factor2_p
+    v17 = m4 - m5 * factor2_m
+    v18 = m6 * factor2_p - m3
+    v19 = m6 * factor2_m - m3
     v20 = Z1_3 * v16 + v5 * v18
     v21 = Z1_3 * v17 + v6 * v19
-    v22 = w3_p * (factor2_p * (v15 + m5 * v5))
+    v22 = w3_p * (factor2_p * (v15 + m4 * v5))
     c23_pp = v20 + v22
     c23_pm = v20 - v22
-    v23 = w3_m * (factor2_m * (v15 + m5 * v6))
+    v23 = w3_m * (factor2_m * (v15 + m4 * v6))
     c23_mp = v21 + v23
     c23_mm = v21 - v23
-    v24 = m5 * Z1_3
-    v25 = v24 - m4 * v5
-    v26 = v24 - m4 * v6
+    v24 = m4 * Z1_3
+    v25 = v24 - m3 * v5
+    v26 = v24 - m3 * v6
     v27 = Z1_3 * v18 + v5 * -v16
     v28 = Z1_3 * v19 + v6 * -v17
     s23_pp = v27 + w3_p * (factor2_p * v25)
@@ -909,8 +927,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v36 <= m8 or v35 <= m8 or v34 <= m8 or v33 <= m8 or abs(D3_m) <= m1 or abs(D1) <= k3 or
-        abs(D3_p) <= m1
+        v36 <= m7 or v35 <= m7 or v34 <= m7 or v33 <= m7 or abs(w1 * D3_m) <= k8 or abs(D1) <= k3 or
+        abs(w1 * D3_p) <= k8
     )
 
     # a joint is free, or branches meet
@@ -922,8 +940,8 @@ def _regular(pose, q, status):
     room[1] = w3_m
     room[2] = -(factor2_p * (v10 - v14))
     room[3] = -(factor2_p * (v10 + v14))
-    room[4] = -(factor2_m * (v11 - w3_m * (m2 * v6)))
-    room[5] = -(factor2_m * (v11 - w3_m * (m2 * -v6)))
+    room[4] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
+    room[5] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
     room[6] = Y4_p
     room[7] = Y4_p
     room[8] = Y4_m
@@ -940,10 +958,10 @@ def _regular(pose, q, status):
     room[19] = s1_m
     room[24] = N3_p - k7
     room[25] = N3_m - k7
-    room[26] = -(v12 + w3_p * (m2 * (Z1_3 * factor2_p)))
-    room[27] = -(v12 + w3_p * (m2 * (-Z1_3 * factor2_p)))
-    room[28] = -(v13 + w3_m * (m2 * (Z1_3 * factor2_m)))
-    room[29] = -(v13 + w3_m * (m2 * (-Z1_3 * factor2_m)))
+    room[26] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
+    room[27] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+    room[28] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
+    room[29] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
     room[30] = -X4_pp
     room[31] = -X4_pm
     room[32] = -X4_mp
@@ -1350,29 +1368,29 @@ def _in_tiles(T, q, status):
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v10 = Z1_3 * (m3 + m2 * N3_p)
-            v11 = Z1_3 * (m3 + m2 * N3_m)
+            v10 = Z1_3 * (m2 + m1 * N3_p)
+            v11 = Z1_3 * (m2 + m1 * N3_m)
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v12 = v5 * (m2 + m3 * factor2_p)
-            v13 = v6 * (m2 + m3 * factor2_m)
-            v14 = w3_p * (m2 * v5)
-            v15 = m4 * Z1_3
-            v16 = m5 - m6 * factor2_p
-            v17 = m5 - m6 * factor2_m
-            v18 = m7 * factor2_p - m4
-            v19 = m7 * factor2_m - m4
+            v12 = v5 * (m1 + m2 * factor2_p)
+            v13 = v6 * (m1 + m2 * factor2_m)
+            v14 = w3_p * (m1 * v5)
+            v15 = m3 * Z1_3
+            v16 = m4 - m5 * factor2_p
+            v17 = m4 - m5 * factor2_m
+            v18 = m6 * factor2_p - m3
+            v19 = m6 * factor2_m - m3
             v20 = Z1_3 * v16 + v5 * v18
             v21 = Z1_3 * v17 + v6 * v19
-            v22 = w3_p * (factor2_p * (v15 + m5 * v5))
+            v22 = w3_p * (factor2_p * (v15 + m4 * v5))
             c23_pp = v20 + v22
             c23_pm = v20 - v22
-            v23 = w3_m * (factor2_m * (v15 + m5 * v6))
+            v23 = w3_m * (factor2_m * (v15 + m4 * v6))
             c23_mp = v21 + v23
             c23_mm = v21 - v23
-            v24 = m5 * Z1_3
-            v25 = v24 - m4 * v5
-            v26 = v24 - m4 * v6
+            v24 = m4 * Z1_3
+            v25 = v24 - m3 * v5
+            v26 = v24 - m3 * v6
             v27 = Z1_3 * v18 + v5 * -v16
             v28 = Z1_3 * v19 + v6 * -v17
             s23_pp = v27 + w3_p * (factor2_p * v25)
@@ -1404,8 +1422,8 @@ def _in_tiles(T, q, status):
             v45 = s1_p * T21 - v2 * T11
             v46 = s1_m * T21 - v3 * T11
             doubt1 = (
-                v36 <= m8 or v35 <= m8 or v34 <= m8 or v33 <= m8 or abs(D3_m) <= m1 or abs(D1) <= k3
-                or abs(D3_p) <= m1
+                v36 <= m7 or v35 <= m7 or v34 <= m7 or v33 <= m7 or abs(w1 * D3_m) <= k8 or abs(D1)
+                <= k3 or abs(w1 * D3_p) <= k8
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1434,8 +1452,8 @@ def _in_tiles(T, q, status):
             work[656 + k] = w3_m
             work[672 + k] = -(factor2_p * (v10 - v14))
             work[688 + k] = -(factor2_p * (v10 + v14))
-            work[704 + k] = -(factor2_m * (v11 - w3_m * (m2 * v6)))
-            work[720 + k] = -(factor2_m * (v11 - w3_m * (m2 * -v6)))
+            work[704 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
+            work[720 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
             work[736 + k] = Y4_p
             work[752 + k] = Y4_p
             work[768 + k] = Y4_m
@@ -1452,10 +1470,10 @@ def _in_tiles(T, q, status):
             work[944 + k] = s1_m
             work[960 + k] = N3_p - k7
             work[976 + k] = N3_m - k7
-            work[992 + k] = -(v12 + w3_p * (m2 * (Z1_3 * factor2_p)))
-            work[1008 + k] = -(v12 + w3_p * (m2 * (-Z1_3 * factor2_p)))
-            work[1024 + k] = -(v13 + w3_m * (m2 * (Z1_3 * factor2_m)))
-            work[1040 + k] = -(v13 + w3_m * (m2 * (-Z1_3 * factor2_m)))
+            work[992 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
+            work[1008 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+            work[1024 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
+            work[1040 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
             work[1056 + k] = -X4_pp
             work[1072 + k] = -X4_pm
             work[1088 + k] = -X4_mp

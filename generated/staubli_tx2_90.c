@@ -264,10 +264,10 @@ static const double
     d4 = 0.425, /* joint offset 4 [m] */
     d6 = 0.1, /* z of the tool frame [m] */
     free_limit_squared2 = 2.3347840000000007e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 4.831960264737285e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.5280000000000002, /* the arm's size [m] */
     longest3 = 0.7224999999999999, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.7225000000002597, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.7224999999999739, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.334784000000001e-28, /* the shortest, where branches merge [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
@@ -279,13 +279,12 @@ static const double
     k2 = 1.5280000000023352e-14, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
     k3 = 1.5280000000002339e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
     k4 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
-    k5 = 7.662743501634321, /* 1 / (k4^2) [m^-4] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 1.8769985565831955e-13,
-    m5 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    k5 = 2.8680537944591235e-13, /* arm_size1 * boundary3 [m^5] */
+    k6 = 7.662743501634321, /* 1 / (k4^2) [m^-4] */
+    m4 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 0.2768166089965398, m3 = 2.768166089965398, m4 = 1.1764705882352942;
+static const double m1 = 0.2768166089965398, m2 = 2.768166089965398, m3 = 1.1764705882352942;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -435,14 +434,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
         N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
         D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
-        w3_m = sqrt_wide(D3_m), v8 = m3 * v7 + (m3 * N1 - 1.0), v9 = m2 * w1, s3_p = v8 + v9,
-        s3_m = v8 - v9, v10 = k5 * (k4 * w3_p), v11 = k5 * (k4 * w3_m);
+        w3_m = sqrt_wide(D3_m), v8 = m2 * v7 + (m2 * N1 - 1.0), v9 = m1 * w1, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = k6 * (k4 * w3_p), v11 = k6 * (k4 * w3_m);
 
     /* theta2 */
     const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v12 = Z1_3 * Y1_2_p,
-        v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m4 * v5), S2_pp = v14 - v12, v15 = v12 + v14,
-        S2_mp = w3_m * (m4 * v6) - v13, S2_mm = w3_m * (m4 * -v6) - v13, v16 = v5 * Y1_2_p,
-        v17 = v6 * Y1_2_m, v18 = m4 * Z1_3, v19 = m4 * -Z1_3, v20 = v16 + w3_p * v18,
+        v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m3 * v5), S2_pp = v14 - v12, v15 = v12 + v14,
+        S2_mp = w3_m * (m3 * v6) - v13, S2_mm = w3_m * (m3 * -v6) - v13, v16 = v5 * Y1_2_p,
+        v17 = v6 * Y1_2_m, v18 = m3 * Z1_3, v19 = m3 * -Z1_3, v20 = v16 + w3_p * v18,
         v21 = v16 + w3_p * v19, v22 = v17 + w3_m * v18, v23 = v17 + w3_m * v19,
         v24 = S2_pp * S2_pp + v20 * v20, v25 = v15 * v15 + v21 * v21,
         v26 = S2_mp * S2_mp + v22 * v22, v27 = S2_mm * S2_mm + v23 * v23,
@@ -508,9 +507,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v80 = beyond(q2_ppp, 2) | exceeds(q3_ppp, 3),
         v81 = beyond(q2_pmp, 2) | exceeds(q3_pmp, 3), v82 = beyond(q2_mpp, 2) | exceeds(q3_mpp, 3),
         v83 = beyond(q2_mmp, 2) | exceeds(q3_mmp, 3),
-        doubt1 = (v45 <= m6) | (v27 <= m5) | (v44 <= m6) | (v26 <= m5) | (v43 <= m6) | (v25 <= m5) |
-            (v42 <= m6) | (v24 <= m5) | (abs_wide(D3_m) <= m1) | (abs_wide(D1) <= k2) |
-            (abs_wide(D3_p) <= m1);
+        doubt1 = (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) | (v43 <= m5) | (v25 <= m4) |
+            (v42 <= m5) | (v24 <= m4) | (abs_wide(w1 * D3_m) <= k5) | (abs_wide(D1) <= k2) |
+            (abs_wide(w1 * D3_p) <= k5);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v64); q[4] = q5_ppp;
     q[5] = angle1;
@@ -542,7 +541,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m7 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -566,13 +565,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m1;
-    const double v6 = m3 * v5 + (m3 * N1 - 1.0);
-    const four s3 = v6 + w1 * (m2 * e1), v7 = k5 * (k4 * w3);
+    const four_mask doubt2 = abs_four(w1 * D3) <= k5;
+    const double v6 = m2 * v5 + (m2 * N1 - 1.0);
+    const four s3 = v6 + w1 * (m1 * e1), v7 = k6 * (k4 * w3);
 
     /* theta2 */
-    const four Y1_2 = a2 + d4 * s3, v8 = Z1_3 * Y1_2, S2 = w3 * (m4 * (e2 * v4)) - v8,
-        v9 = v4 * Y1_2, v10 = m4 * (e2 * Z1_3), v11 = v9 + w3 * v10, v12 = S2 * S2 + v11 * v11,
+    const four Y1_2 = a2 + d4 * s3, v8 = Z1_3 * Y1_2, S2 = w3 * (m3 * (e2 * v4)) - v8,
+        v9 = v4 * Y1_2, v10 = m3 * (e2 * Z1_3), v11 = v9 + w3 * v10, v12 = S2 * S2 + v11 * v11,
         factor2 = sqrt_four(v12) * (1.0 / v12);
 
     /* theta4 */
@@ -585,9 +584,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v22 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v24 = signed_four(half_turn, s3), v25 = m7 * (1.0 - e2),
+    const four v24 = signed_four(half_turn, s3), v25 = m6 * (1.0 - e2),
         v27 = signed_four(half_turn, -v16);
-    const four_mask doubt3 = (v12 <= m5) | (v18 <= m6);
+    const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -689,13 +688,13 @@ static void solve(
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double t34 = T34 - d6 * T31;
     const double Z1_3 = t34 - d1;
-    const double v4 = Z1_3 * Z1_3;
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
-    const double v10 = seed[1] + offset2;
+    const double v11 = seed[1] + offset2;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v14 = seed[3] + offset4;
+    const double v15 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -712,68 +711,68 @@ static void solve(
         const double K3 = N3 - k4;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k5 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double s3 = k4 * K3 * k5;
+        const double s3 = k4 * K3 * k6;
 
         /* theta2 */
         const double Y1_2 = a2 + d4 * s3;
-        const double v7 = Z1_3 * Y1_2, v8 = v3 * Y1_2;
+        const double v8 = Z1_3 * Y1_2, v9 = v3 * Y1_2;
 
         /* theta4 */
-        const double v12 = T11 * c1 + T21 * s1;
+        const double v13 = T11 * c1 + T21 * s1;
         const double Y4 = T21 * c1 - T11 * s1;
-        const double v13 = Y4 * Y4;
+        const double v14 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v15 = T12 * s1 - T22 * c1, v16 = T12 * c1 + T22 * s1,
-            v18 = T23 * c1 - T13 * s1, v19 = T13 * c1 + T23 * s1;
+        const double v16 = T12 * s1 - T22 * c1, v17 = T12 * c1 + T22 * s1,
+            v19 = T23 * c1 - T13 * s1, v20 = T13 * c1 + T23 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v5 = k5 * (k4 * (w3 * e2));
+            const double v6 = k6 * (k4 * (w3 * e2));
 
             /* theta2 */
-            const double v6 = d4 * v5;
-            const double S2 = v3 * v6 - v7;
-            const double v9 = Z1_3 * v6 + v8;
-            const double w2 = sqrt(S2 * S2 + v9 * v9);
+            const double v7 = d4 * v6;
+            const double S2 = v3 * v7 - v8;
+            const double v10 = Z1_3 * v7 + v9;
+            const double w2 = sqrt(S2 * S2 + v10 * v10);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v10) : -(v9 * factor2),
-                s2 = free2 ? sin(v10) : S2 * factor2;
+            const double c2 = free2 ? cos(v11) : -(v10 * factor2),
+                s2 = free2 ? sin(v11) : S2 * factor2;
 
             /* theta4 */
-            const double v11 = v5 * c2 + s3 * s2;
-            const double s23 = s3 * c2 - v5 * s2;
-            const double X4 = v11 * v12 + T31 * s23;
-            const double w4 = sqrt(X4 * X4 + v13);
+            const double v12 = v6 * c2 + s3 * s2;
+            const double s23 = s3 * c2 - v6 * s2;
+            const double X4 = v12 * v13 + T31 * s23;
+            const double w4 = sqrt(X4 * X4 + v14);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T31 * v11 - s23 * v12;
+            const double c5 = T31 * v12 - s23 * v13;
 
             /* theta6 */
-            const double v17 = v11 * v16 + T32 * s23, v20 = v11 * v19 + T33 * s23;
+            const double v18 = v12 * v17 + T32 * s23, v21 = v12 * v20 + T33 * s23;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
-            const double q3 = wrap(atan2(s3, -v5) - offset3);
+            const double q3 = wrap(atan2(s3, -v6) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v14) : -(X4 * factor4),
-                    s4 = free4 ? sin(v14) : Y4 * factor4;
+                const double c4 = free4 ? cos(v15) : -(X4 * factor4),
+                    s4 = free4 ? sin(v15) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v15 - s4 * v17, s6 = c4 * v18 + s4 * v20;
+                const double c6 = c4 * v16 - s4 * v18, s6 = c4 * v19 + s4 * v21;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
@@ -893,7 +892,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -950,8 +949,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1013,12 +1011,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -1026,8 +1022,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -1039,8 +1035,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1051,11 +1046,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
     double x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -1063,9 +1057,9 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     for (int i = 0; i < 6; i++)
         past += fabs(past_an_end(i, q[i])) > 0.0;
     enough = off_pose(T, q, e) + 1e-14;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
             continue;
         take(x, q);
@@ -1074,9 +1068,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1094,59 +1087,65 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = STAUBLI_TX2_90_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x)
-        || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != STAUBLI_TX2_90_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = STAUBLI_TX2_90_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = STAUBLI_TX2_90_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -125,10 +125,10 @@ a2 = 0.425  # link length 2 [m]
 d4 = 0.425  # joint offset 4 [m]
 d6 = 0.1  # z of the tool frame [m]
 free_limit_squared2 = 2.3347840000000007e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 4.831960264737285e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.5280000000000002  # the arm's size [m]
 longest3 = 0.7224999999999999  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
-longest3_reach = 0.7225000000002597  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.7224999999999739  # the longest, where branches merge [m^2]
 shortest3_apart = 2.334784000000001e-28  # the shortest, where branches merge [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
@@ -140,18 +140,18 @@ k1 = 0.0025000000000000005  # d2^2 [m^2]
 k2 = 1.5280000000023352e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
-k5 = 7.662743501634321  # 1 / (k4^2) [m^-4]
+k5 = 2.8680537944591235e-13  # arm_size1 * boundary3 [m^5]
+k6 = 7.662743501634321  # 1 / (k4^2) [m^-4]
 low2 = -2.2689280285926285
 high2 = 2.5743606476916363
 high3 = 2.530727416391778
 low5 = -2.007128640793479
 high5 = 2.4434609537920613
-m1 = 1.8769985565831955e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 0.2768166089965398  # a coefficient of s3
-m3 = 2.768166089965398  # a coefficient of s3
-m4 = 1.1764705882352942  # a coefficient of Y1_2
-m5 = 5.451216326656003e-16  # doubt_limit_squared2^2 [m^4]
-m6 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 0.2768166089965398  # a coefficient of s3
+m2 = 2.768166089965398  # a coefficient of s3
+m3 = 1.1764705882352942  # a coefficient of Y1_2
+m4 = 5.451216326656003e-16  # doubt_limit_squared2^2 [m^4]
+m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -398,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 29cb18499e9dbf26"
+_KEY = "staubli_tx2_90 3ab38684640a4cd8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -478,12 +478,13 @@ def _solve(pose, seed, q, status):
     t34 = T34 - d6 * T31
     Z1_3 = t34 - d1
     v4 = Z1_3 * Z1_3
+    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v10 = seed[1] + offset2
+    v11 = seed[1] + offset2
 
     # theta4, type 2: U4[3, 3]
-    v14 = seed[3] + offset4
+    v15 = seed[3] + offset4
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -501,62 +502,62 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k4
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k5 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        s3 = k4 * K3 * k5
+        s3 = k4 * K3 * k6
 
         # theta2
         Y1_2 = a2 + d4 * s3
-        v7 = Z1_3 * Y1_2
-        v8 = v3 * Y1_2
+        v8 = Z1_3 * Y1_2
+        v9 = v3 * Y1_2
 
         # theta4
-        v12 = T11 * c1 + T21 * s1
+        v13 = T11 * c1 + T21 * s1
         Y4 = T21 * c1 - T11 * s1
-        v13 = Y4 * Y4
+        v14 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v15 = T12 * s1 - T22 * c1
-        v16 = T12 * c1 + T22 * s1
-        v18 = T23 * c1 - T13 * s1
-        v19 = T13 * c1 + T23 * s1
+        v16 = T12 * s1 - T22 * c1
+        v17 = T12 * c1 + T22 * s1
+        v19 = T23 * c1 - T13 * s1
+        v20 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v5 = k5 * (k4 * (w3 * e2))
+            v6 = k6 * (k4 * (w3 * e2))
 
             # theta2
-            v6 = d4 * v5
-            S2 = v3 * v6 - v7
-            v9 = Z1_3 * v6 + v8
-            w2 = math.sqrt(S2 * S2 + v9 * v9)
+            v7 = d4 * v6
+            S2 = v3 * v7 - v8
+            v10 = Z1_3 * v7 + v9
+            w2 = math.sqrt(S2 * S2 + v10 * v10)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v10) if free2 else -(v9 * factor2)
-            s2 = math.sin(v10) if free2 else S2 * factor2
+            c2 = math.cos(v11) if free2 else -(v10 * factor2)
+            s2 = math.sin(v11) if free2 else S2 * factor2
 
             # theta4
-            v11 = v5 * c2 + s3 * s2
-            s23 = s3 * c2 - v5 * s2
-            X4 = v11 * v12 + T31 * s23
-            w4 = math.sqrt(X4 * X4 + v13)
+            v12 = v6 * c2 + s3 * s2
+            s23 = s3 * c2 - v6 * s2
+            X4 = v12 * v13 + T31 * s23
+            w4 = math.sqrt(X4 * X4 + v14)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T31 * v11 - s23 * v12
+            c5 = T31 * v12 - s23 * v13
 
             # theta6
-            v17 = v11 * v16 + T32 * s23
-            v20 = v11 * v19 + T33 * s23
+            v18 = v12 * v17 + T32 * s23
+            v21 = v12 * v20 + T33 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
-            q3 = _wrap(_atan2(s3, -v5) - offset3)
+            q3 = _wrap(_atan2(s3, -v6) - offset3)
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -564,13 +565,13 @@ def _solve(pose, seed, q, status):
                 if e3 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
-                c4 = math.cos(v14) if free4 else -(X4 * factor4)
-                s4 = math.sin(v14) if free4 else Y4 * factor4
+                c4 = math.cos(v15) if free4 else -(X4 * factor4)
+                s4 = math.sin(v15) if free4 else Y4 * factor4
                 s5 = w4 * e3
 
                 # theta6
-                c6 = c4 * v15 - s4 * v17
-                s6 = c4 * v18 + s4 * v20
+                c6 = c4 * v16 - s4 * v18
+                s6 = c4 * v19 + s4 * v21
                 q6 = _atan2(s6, c6)
 
                 # joint values
@@ -989,9 +990,11 @@ def _lead_inside(pose, enough, most, q):
     if past < 2:
         return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    for farther in (2.0, 4.0, 8.0, 16.0):
+    farther = 2.0
+    while farther <= 16.0:
         for i in range(6):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
+        farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
             q[:] = x
             return True
@@ -1020,6 +1023,18 @@ def _stand(pose, row, rows, status):
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
+
+
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
 
 
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
@@ -1056,10 +1071,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -1072,20 +1088,20 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                for i in range(6):
-                    half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            for i in range(6):
+                half[i] += half[i] - x[i]  # the same row, not turned
+            if off < nearest and _past_ends(half) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1097,6 +1113,7 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -1150,27 +1167,27 @@ def _regular(pose, q, status):
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
-    v8 = m3 * v7 + (m3 * N1 - 1.0)
-    v9 = m2 * w1
+    v8 = m2 * v7 + (m2 * N1 - 1.0)
+    v9 = m1 * w1
     s3_p = v8 + v9
     s3_m = v8 - v9
-    v10 = k5 * (k4 * w3_p)
-    v11 = k5 * (k4 * w3_m)
+    v10 = k6 * (k4 * w3_p)
+    v11 = k6 * (k4 * w3_m)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     Y1_2_p = a2 + d4 * s3_p
     Y1_2_m = a2 + d4 * s3_m
     v12 = Z1_3 * Y1_2_p
     v13 = Z1_3 * Y1_2_m
-    v14 = w3_p * (m4 * v5)
+    v14 = w3_p * (m3 * v5)
     S2_pp = v14 - v12
     v15 = v12 + v14
-    S2_mp = w3_m * (m4 * v6) - v13
-    S2_mm = w3_m * (m4 * -v6) - v13
+    S2_mp = w3_m * (m3 * v6) - v13
+    S2_mm = w3_m * (m3 * -v6) - v13
     v16 = v5 * Y1_2_p
     v17 = v6 * Y1_2_m
-    v18 = m4 * Z1_3
-    v19 = m4 * -Z1_3
+    v18 = m3 * Z1_3
+    v19 = m3 * -Z1_3
     v20 = v16 + w3_p * v18
     v21 = v16 + w3_p * v19
     v22 = v17 + w3_m * v18
@@ -1222,8 +1239,8 @@ def _regular(pose, q, status):
     v62 = math.copysign(half_turn, -v38)
     v63 = math.copysign(half_turn, -v39)
     doubt1 = (
-        v45 <= m6 or v27 <= m5 or v44 <= m6 or v26 <= m5 or v43 <= m6 or v25 <= m5 or v42 <= m6 or
-        v24 <= m5 or abs(D3_m) <= m1 or abs(D1) <= k2 or abs(D3_p) <= m1
+        v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <= m5 or
+        v24 <= m4 or abs(w1 * D3_m) <= k5 or abs(D1) <= k2 or abs(w1 * D3_p) <= k5
     )
 
     # a joint is free, or branches meet
@@ -1699,25 +1716,25 @@ def _in_tiles(T, q, status):
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v8 = m3 * v7 + (m3 * N1 - 1.0)
-            v9 = m2 * w1
+            v8 = m2 * v7 + (m2 * N1 - 1.0)
+            v9 = m1 * w1
             s3_p = v8 + v9
             s3_m = v8 - v9
-            v10 = k5 * (k4 * w3_p)
-            v11 = k5 * (k4 * w3_m)
+            v10 = k6 * (k4 * w3_p)
+            v11 = k6 * (k4 * w3_m)
             Y1_2_p = a2 + d4 * s3_p
             Y1_2_m = a2 + d4 * s3_m
             v12 = Z1_3 * Y1_2_p
             v13 = Z1_3 * Y1_2_m
-            v14 = w3_p * (m4 * v5)
+            v14 = w3_p * (m3 * v5)
             S2_pp = v14 - v12
             v15 = v12 + v14
-            S2_mp = w3_m * (m4 * v6) - v13
-            S2_mm = w3_m * (m4 * -v6) - v13
+            S2_mp = w3_m * (m3 * v6) - v13
+            S2_mm = w3_m * (m3 * -v6) - v13
             v16 = v5 * Y1_2_p
             v17 = v6 * Y1_2_m
-            v18 = m4 * Z1_3
-            v19 = m4 * -Z1_3
+            v18 = m3 * Z1_3
+            v19 = m3 * -Z1_3
             v20 = v16 + w3_p * v18
             v21 = v16 + w3_p * v19
             v22 = v17 + w3_m * v18
@@ -1763,8 +1780,8 @@ def _in_tiles(T, q, status):
             v62 = math.copysign(half_turn, -v38)
             v63 = math.copysign(half_turn, -v39)
             doubt1 = (
-                v45 <= m6 or v27 <= m5 or v44 <= m6 or v26 <= m5 or v43 <= m6 or v25 <= m5 or v42 <=
-                m6 or v24 <= m5 or abs(D3_m) <= m1 or abs(D1) <= k2 or abs(D3_p) <= m1
+                v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <=
+                m5 or v24 <= m4 or abs(w1 * D3_m) <= k5 or abs(D1) <= k2 or abs(w1 * D3_p) <= k5
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m

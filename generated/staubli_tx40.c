@@ -253,11 +253,11 @@ static const double
     d4 = 0.225, /* joint offset 4 [m] */
     d6 = 0.065, /* joint offset 6 [m] */
     free_limit_squared2 = 7.5690000000000015e-25, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 2.75118156434649e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 0.8700000000000001, /* the arm's size [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     longest3 = 0.2025, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.20250000000007828, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.20249999999999216, /* the longest, where branches merge [m^2] */
     shortest3_apart = 7.569000000000003e-29, /* the shortest, where branches merge [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
@@ -269,13 +269,12 @@ static const double
     k2 = 6.09000000000757e-15, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 6.090000000000759e-16, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.10125, /* 2 * d4 * a2 [m^2] */
-    k5 = 97.54610577655845, /* 1 / (k4^2) [m^-4] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 1.5849821455311018e-14,
-    m3 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    k5 = 1.3789344666120587e-14, /* arm_size1 * boundary3 [m^5] */
+    k6 = 97.54610577655845, /* 1 / (k4^2) [m^-4] */
+    m2 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m2 = 2.2222222222222223, m4 = 21.947873799725652, m5 = 4.4444444444444455;
+static const double m1 = 2.2222222222222223, m3 = 21.947873799725652, m4 = 4.4444444444444455;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -401,8 +400,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v7 = k4 * (N3 - k4);
 
     /* theta2 */
-    const wide v8 = m2 * (Z1_3 * N3), v9 = w3 * (m2 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
-        v10 = w3 * (m2 * Z1_3), v11 = w3 * (m2 * -Z1_3), v12 = m2 * (w1 * N3), C2_pp = v10 + v12,
+    const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
+        v10 = w3 * (m1 * Z1_3), v11 = w3 * (m1 * -Z1_3), v12 = m1 * (w1 * N3), C2_pp = v10 + v12,
         C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12, v13 = S2_pp * S2_pp,
         v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm, v16 = v15 + C2_pm * C2_pm,
         v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm,
@@ -410,7 +409,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         factor2_mp = sqrt_wide(v17) * (1.0 / v17), factor2_mm = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta4 */
-    const wide v19 = m4 * N3, v20 = v19 - m2, v21 = m5 - v19, v22 = w1 * (N3 * (v20 + v21)),
+    const wide v19 = m3 * N3, v20 = v19 - m1, v21 = m4 - v19, v22 = w1 * (N3 * (v20 + v21)),
         s23_pp = v22 - v10, s23_pm = v22 - v11, v23 = w1 * (N3 * (-v20 - v21)), s23_mp = v23 - v10,
         s23_mm = v23 - v11, v24 = T23 * s1_p - T13 * v3, v25 = T23 * s1_m - T13 * v4,
         X4_pp = S2_pm * v24 - T33 * s23_pp, X4_pm = S2_pp * v24 - T33 * s23_pm,
@@ -461,8 +460,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v66 = angle19 - offset5, v67 = offset5 + angle19, q1_ppp = v6 + raised_wide(v40),
         q1_mpp = v6 + raised_wide(v41), q3_ppp = v1 + raised_wide(v46),
         q3_pmp = v1 + raised_wide(v47);
-    const wide_mask doubt1 = (v31 <= m6) | (v18 <= m3) | (v30 <= m6) | (v17 <= m3) | (v29 <= m6) |
-        (v16 <= m3) | (v28 <= m6) | (abs_wide(D1) <= k2) | (abs_wide(D3) <= m1) | (v14 <= m3);
+    const wide_mask doubt1 = (v31 <= m5) | (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) |
+        (v16 <= m2) | (v28 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(w1 * D3) <= k5) | (v14 <= m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v50); q[4] = raised_wide(v60);
     q[5] = angle1;
@@ -498,7 +497,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m7 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -521,16 +520,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four v7 = e1 * e2;
-    const double v8 = m2 * (Z1_3 * N3);
-    const four S2 = v8 - w3 * (m2 * (w1 * v7)), v9 = w3 * (m2 * (e2 * Z1_3)),
-        v10 = m2 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
+    const double v8 = m1 * (Z1_3 * N3);
+    const four S2 = v8 - w3 * (m1 * (w1 * v7)), v9 = w3 * (m1 * (e2 * Z1_3)),
+        v10 = m1 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
         factor2 = sqrt_four(v11) * (1.0 / v11);
 
     /* theta4 */
-    const four v12 = v8 + w3 * (w1 * (m2 * v7));
-    const double v13 = m4 * N3, v14 = v13 - m2;
+    const four v12 = v8 + w3 * (w1 * (m1 * v7));
+    const double v13 = m3 * N3, v14 = v13 - m1;
     const four v15 = e1 * v14;
-    const double v16 = m5 - v13;
+    const double v16 = m4 - v13;
     const four v17 = e2 * v16, s23 = w1 * (N3 * (v15 + v7 * v17)) - v9, v18 = T23 * s1 - T13 * v3,
         X4 = v12 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v19 = Y4 * Y4,
         v20 = v19 + factor2 * (X4 * (factor2 * X4));
@@ -542,8 +541,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v27 = copysign(half_turn, v6);
     const four v29 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3) <= m1);
-    const four_mask doubt2 = (v11 <= m3) | (v20 <= m6);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k5);
+    const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -558,7 +557,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v25 = angle2 - offset1,
         v26 = angle3 - offset2, q2_p = raised_four(v26),
-        v28 = e2 * angle4 + v27 * (m7 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
+        v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
         v31 = angle5 - v29 - offset4, q4_p = raised_four(v30), q4_m = raised_four(v31),
         v32 = angle6 - offset5, v33 = offset5 + angle6, q5_p = raised_four(v32),
         q5_m = only_four(-v33 <= -half_turn, turn) - v33, q1_p = v5 + raised_four(v25),
@@ -640,13 +639,13 @@ static void solve(
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v4 = Z1_3 * Z1_3;
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v8 = seed[1] + offset2;
+    const double v9 = seed[1] + offset2;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v12 = seed[3] + offset4;
+    const double v13 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -661,22 +660,22 @@ static void solve(
         const double K3 = N3 - k4;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        if (!(-k5 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double s3 = k4 * K3 * k5;
+        const double s3 = k4 * K3 * k6;
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
-        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
+        const double v7 = Z1_3 * X1_2, v8 = root1 * X1_2;
 
         /* theta4 */
-        const double v10 = T13 * c1 + T23 * s1;
+        const double v11 = T13 * c1 + T23 * s1;
         const double Y4 = T13 * s1 - T23 * c1;
-        const double v11 = Y4 * Y4;
+        const double v12 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T22 * c1 - T12 * s1, v14 = T12 * c1 + T22 * s1,
-            v16 = T21 * c1 - T11 * s1, v17 = T11 * c1 + T21 * s1;
+        const double v14 = T22 * c1 - T12 * s1, v15 = T12 * c1 + T22 * s1,
+            v17 = T21 * c1 - T11 * s1, v18 = T11 * c1 + T21 * s1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -685,48 +684,48 @@ static void solve(
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v5 = k5 * (k4 * (w3 * e2));
+            const double v6 = k6 * (k4 * (w3 * e2));
 
             /* theta2 */
-            const double Y1_2 = d4 * v5;
-            const double S2 = v6 - root1 * Y1_2;
-            const double C2 = v7 + Z1_3 * Y1_2;
+            const double Y1_2 = d4 * v6;
+            const double S2 = v7 - root1 * Y1_2;
+            const double C2 = v8 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
+            const double c2 = free2 ? cos(v9) : C2 * factor2, s2 = free2 ? sin(v9) : S2 * factor2;
 
             /* theta4 */
-            const double v9 = v5 * c2 + s3 * s2;
-            const double s23 = s3 * c2 - v5 * s2;
-            const double X4 = v9 * v10 - T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v11);
+            const double v10 = v6 * c2 + s3 * s2;
+            const double s23 = s3 * c2 - v6 * s2;
+            const double X4 = v10 * v11 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v12);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v15 = T32 * s23 - v9 * v14, v18 = T31 * s23 - v9 * v17;
+            const double v16 = T32 * s23 - v10 * v15, v19 = T31 * s23 - v10 * v18;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
-            const double q3 = wrap(atan2(s3, -v5) - offset3);
+            const double q3 = wrap(atan2(s3, -v6) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
-                    s4 = free4 ? sin(v12) : Y4 * factor4;
+                const double c4 = free4 ? cos(v13) : -(X4 * factor4),
+                    s4 = free4 ? sin(v13) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
+                const double c6 = c4 * v14 + s4 * v16, s6 = c4 * v17 + s4 * v19;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
-                const double q5 = wrap(atan2(s5, -(T33 * v9 + s23 * v10)) - offset5);
+                const double q5 = wrap(atan2(s5, -(T33 * v10 + s23 * v11)) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
@@ -790,8 +789,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -830,8 +828,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -842,31 +839,36 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = STAUBLI_TX40_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -874,16 +876,22 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != STAUBLI_TX40_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = STAUBLI_TX40_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = STAUBLI_TX40_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -124,11 +124,11 @@ d3 = 0.035  # joint offset 3 [m]
 d4 = 0.225  # joint offset 4 [m]
 d6 = 0.065  # joint offset 6 [m]
 free_limit_squared2 = 7.5690000000000015e-25  # square of a length that fixes no angle [m^2]
+least_root1 = 2.75118156434649e-07  # a root of nothing, by rounding [m]
+arm_size1 = 0.8700000000000001  # the arm's size [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 longest3 = 0.2025  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
-longest3_reach = 0.20250000000007828  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.20249999999999216  # the longest, where branches merge [m^2]
 shortest3_apart = 7.569000000000003e-29  # the shortest, where branches merge [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -140,13 +140,13 @@ k1 = 0.0012250000000000002  # d3^2 [m^2]
 k2 = 6.09000000000757e-15  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.10125  # 2 * d4 * a2 [m^2]
-k5 = 97.54610577655845  # 1 / (k4^2) [m^-4]
-m1 = 1.5849821455311018e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
-m2 = 2.2222222222222223  # a coefficient of S2
-m3 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
-m4 = 21.947873799725652  # a coefficient of v9
-m5 = 4.4444444444444455  # a coefficient of s23
-m6 = 9.999999999999999e-09  # doubt_limit^2
+k5 = 1.3789344666120587e-14  # arm_size1 * boundary3 [m^5]
+k6 = 97.54610577655845  # 1 / (k4^2) [m^-4]
+m1 = 2.2222222222222223  # a coefficient of S2
+m2 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
+m3 = 21.947873799725652  # a coefficient of v10
+m4 = 4.4444444444444455  # a coefficient of s23
+m5 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -395,7 +395,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 1b69e6d0a98a698c"
+_KEY = "staubli_tx40 c60f307559b4650e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -476,12 +476,13 @@ def _solve(pose, seed, q, status):
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v4 = Z1_3 * Z1_3
+    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = seed[1] + offset2
+    v9 = seed[1] + offset2
 
     # theta4, type 2: U4[3, 3]
-    v12 = seed[3] + offset4
+    v13 = seed[3] + offset4
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -497,26 +498,26 @@ def _solve(pose, seed, q, status):
         K3 = N3 - k4
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        if not (-k5 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        s3 = k4 * K3 * k5
+        s3 = k4 * K3 * k6
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v6 = Z1_3 * X1_2
-        v7 = root1 * X1_2
+        v7 = Z1_3 * X1_2
+        v8 = root1 * X1_2
 
         # theta4
-        v10 = T13 * c1 + T23 * s1
+        v11 = T13 * c1 + T23 * s1
         Y4 = T13 * s1 - T23 * c1
-        v11 = Y4 * Y4
+        v12 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13 = T22 * c1 - T12 * s1
-        v14 = T12 * c1 + T22 * s1
-        v16 = T21 * c1 - T11 * s1
-        v17 = T11 * c1 + T21 * s1
+        v14 = T22 * c1 - T12 * s1
+        v15 = T12 * c1 + T22 * s1
+        v17 = T21 * c1 - T11 * s1
+        v18 = T11 * c1 + T21 * s1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -526,33 +527,33 @@ def _solve(pose, seed, q, status):
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v5 = k5 * (k4 * (w3 * e2))
+            v6 = k6 * (k4 * (w3 * e2))
 
             # theta2
-            Y1_2 = d4 * v5
-            S2 = v6 - root1 * Y1_2
-            C2 = v7 + Z1_3 * Y1_2
+            Y1_2 = d4 * v6
+            S2 = v7 - root1 * Y1_2
+            C2 = v8 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v8) if free2 else C2 * factor2
-            s2 = math.sin(v8) if free2 else S2 * factor2
+            c2 = math.cos(v9) if free2 else C2 * factor2
+            s2 = math.sin(v9) if free2 else S2 * factor2
 
             # theta4
-            v9 = v5 * c2 + s3 * s2
-            s23 = s3 * c2 - v5 * s2
-            X4 = v9 * v10 - T33 * s23
-            w4 = math.sqrt(X4 * X4 + v11)
+            v10 = v6 * c2 + s3 * s2
+            s23 = s3 * c2 - v6 * s2
+            X4 = v10 * v11 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v12)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v15 = T32 * s23 - v9 * v14
-            v18 = T31 * s23 - v9 * v17
+            v16 = T32 * s23 - v10 * v15
+            v19 = T31 * s23 - v10 * v18
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
-            q3 = _wrap(_atan2(s3, -v5) - offset3)
+            q3 = _wrap(_atan2(s3, -v6) - offset3)
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
@@ -560,18 +561,18 @@ def _solve(pose, seed, q, status):
                 if e3 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
-                c4 = math.cos(v12) if free4 else -(X4 * factor4)
-                s4 = math.sin(v12) if free4 else Y4 * factor4
+                c4 = math.cos(v13) if free4 else -(X4 * factor4)
+                s4 = math.sin(v13) if free4 else Y4 * factor4
                 s5 = w4 * e3
 
                 # theta6
-                c6 = c4 * v13 + s4 * v15
-                s6 = c4 * v16 + s4 * v18
+                c6 = c4 * v14 + s4 * v16
+                s6 = c4 * v17 + s4 * v19
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
-                q5 = _wrap(_atan2(s5, -(T33 * v9 + s23 * v10)) - offset5)
+                q5 = _wrap(_atan2(s5, -(T33 * v10 + s23 * v11)) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -751,6 +752,18 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
+
+
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
 def _are_one(T, half):
     """Whether rounding alone tells two solutions that lie to both sides of joint values.
@@ -785,10 +798,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -796,15 +810,18 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                return
+            off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12)
+            if off < nearest:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -815,6 +832,7 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -864,13 +882,13 @@ def _regular(pose, q, status):
     v7 = k4 * (N3 - k4)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = m2 * (Z1_3 * N3)
-    v9 = w3 * (m2 * w1)
+    v8 = m1 * (Z1_3 * N3)
+    v9 = w3 * (m1 * w1)
     S2_pp = v8 - v9
     S2_pm = v8 + v9
-    v10 = w3 * (m2 * Z1_3)
-    v11 = w3 * (m2 * -Z1_3)
-    v12 = m2 * (w1 * N3)
+    v10 = w3 * (m1 * Z1_3)
+    v11 = w3 * (m1 * -Z1_3)
+    v12 = m1 * (w1 * N3)
     C2_pp = v10 + v12
     C2_pm = v11 + v12
     C2_mp = v10 - v12
@@ -887,9 +905,9 @@ def _regular(pose, q, status):
     factor2_mm = math.sqrt(v18) * (1.0 / v18)
 
     # theta4, type 2: U4[3, 3]
-    v19 = m4 * N3
-    v20 = v19 - m2
-    v21 = m5 - v19
+    v19 = m3 * N3
+    v20 = v19 - m1
+    v21 = m4 - v19
     v22 = w1 * (N3 * (v20 + v21))
     s23_pp = v22 - v10
     s23_pm = v22 - v11
@@ -931,8 +949,8 @@ def _regular(pose, q, status):
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
     doubt1 = (
-        v31 <= m6 or v18 <= m3 or v30 <= m6 or v17 <= m3 or v29 <= m6 or v16 <= m3 or v28 <= m6 or
-        abs(D1) <= k2 or abs(D3) <= m1 or v14 <= m3
+        v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or
+        abs(D1) <= k2 or abs(w1 * D3) <= k5 or v14 <= m2
     )
 
     # a joint is free, or branches meet
@@ -1388,13 +1406,13 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(D3)
             v6 = w3 - w3
             v7 = k4 * (N3 - k4)
-            v8 = m2 * (Z1_3 * N3)
-            v9 = w3 * (m2 * w1)
+            v8 = m1 * (Z1_3 * N3)
+            v9 = w3 * (m1 * w1)
             S2_pp = v8 - v9
             S2_pm = v8 + v9
-            v10 = w3 * (m2 * Z1_3)
-            v11 = w3 * (m2 * -Z1_3)
-            v12 = m2 * (w1 * N3)
+            v10 = w3 * (m1 * Z1_3)
+            v11 = w3 * (m1 * -Z1_3)
+            v12 = m1 * (w1 * N3)
             C2_pp = v10 + v12
             C2_pm = v11 + v12
             C2_mp = v10 - v12
@@ -1409,9 +1427,9 @@ def _in_tiles(T, q, status):
             factor2_pm = math.sqrt(v16) * (1.0 / v16)
             factor2_mp = math.sqrt(v17) * (1.0 / v17)
             factor2_mm = math.sqrt(v18) * (1.0 / v18)
-            v19 = m4 * N3
-            v20 = v19 - m2
-            v21 = m5 - v19
+            v19 = m3 * N3
+            v20 = v19 - m1
+            v21 = m4 - v19
             v22 = w1 * (N3 * (v20 + v21))
             s23_pp = v22 - v10
             s23_pm = v22 - v11
@@ -1449,8 +1467,8 @@ def _in_tiles(T, q, status):
             v58 = T33 * S2_pm
             v59 = T33 * S2_pp
             doubt1 = (
-                v31 <= m6 or v18 <= m3 or v30 <= m6 or v17 <= m3 or v29 <= m6 or v16 <= m3 or v28 <=
-                m6 or abs(D1) <= k2 or abs(D3) <= m1 or v14 <= m3
+                v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <=
+                m5 or abs(D1) <= k2 or abs(w1 * D3) <= k5 or v14 <= m2
             )
             work[272 + k] = v1
             work[288 + k] = v6

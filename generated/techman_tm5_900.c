@@ -264,13 +264,13 @@ static const double
     d5 = 0.106, /* joint offset 5 [m] */
     d6 = 0.11315, /* joint offset 6 [m] */
     free_limit_squared2 = 1.7613271225000004e-24, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 4.196816796692465e-07, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.3271500000000003, /* the arm's size [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     near_limit = 0.001, /* a length whose direction is good to few digits */
     longest3 = 0.70644025, /* square of the longest reach [m^2] */
     shortest3 = 0.00030625000000000053, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.706440250000223, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0003062499999953556, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.7064402499999777, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.000306250000000465, /* the shortest, where branches merge [m^2] */
     longest3_clear = 0.7064402499776906, /* the longest, where blurred branches do [m^2] */
@@ -281,7 +281,8 @@ static const double
     k2 = 3.2462089000017624e-14, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 3.246208900000177e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
-    k5 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
+    k5 = 2.0902455187193858e-13, /* arm_size1 * boundary3 [m^5] */
+    k6 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
     m3 = 1.5753409313203573e-10;
@@ -508,8 +509,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mmp = v27 - angle4, q6_ppp = angle1 + v24,
         q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v26,
         q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
-    const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
-        m3) | (abs_wide(D3_pp) <= m3) | (v4 <= m1) | (abs_wide(D1) <= k2) | (v3 <= m1);
+    const wide_mask doubt1 = (abs_wide(w1 * D3_mm) <= m3) | (abs_wide(w1 * D3_mp) <= m3) |
+        (abs_wide(w1 * D3_pm) <= m3) | (abs_wide(w1 * D3_pp) <= m3) | (v4 <= m1) | (abs_wide(D1) <=
+        k2) | (v3 <= m1);
 
     q[0] = q1_ppp; q[1] = raised_wide(v46); q[2] = angle7; q[3] = raised_wide(v62); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -581,7 +583,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v14 = T14 * c1 + T24 * s1, v15 = Z1_234 * v10, v16 = d5 * s234,
         Z2_3 = v14 + (v15 - e2 * v16), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v17 = w3 - w3;
-    const four_mask doubt3 = abs_four(D3) <= m3;
+    const four_mask doubt3 = abs_four(w1 * D3) <= m3;
 
     /* theta2 */
     const four v18 = m5 + m4 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m4 * Z2_3);
@@ -691,22 +693,23 @@ static void solve(
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double v1 = apart1 ? w1 : least_root1;
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = X1 * d3, v2 = wy * d3, v3 = seed[0] + offset1;
+    const double v2 = X1 * d3, v3 = wy * d3, v4 = seed[0] + offset1;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v7 = T34 - d1;
+    const double v8 = T34 - d1;
 
     /* theta2, type 3: U1[2, 4] and U1[1, 4] */
-    const double v11 = seed[1] + offset2;
+    const double v13 = seed[1] + offset2;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1),
-            s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
+        const double c1 = free1 ? cos(v4) : inverse1 * (v3 - X1 * root1),
+            s1 = free1 ? sin(v4) : inverse1 * (v2 + wy * root1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
         const double X6 = T21 * c1 - T11 * s1;
@@ -720,7 +723,7 @@ static void solve(
         const double c5 = T23 * c1 - T13 * s1;
 
         /* theta3 */
-        const double v8 = T14 * c1 + T24 * s1;
+        const double v9 = T14 * c1 + T24 * s1, v10 = (free6 || free1 || near6) ? arm_size1 : v1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -730,12 +733,12 @@ static void solve(
             /* theta6 */
             if (e2 < 0.0 && free6) continue; /* both signs give the same */
             const double factor6 = e2 / divisor6;
-            const double v4 = X6 * factor6, v5 = Y6 * factor6;
-            const double off6 = near6 ? w6 * fabs(v4 * sin(seed[5]) + v5 * cos(seed[5])) : 1.0;
-            const double ahead6 = near6 ? v5 * sin(seed[5]) - v4 * cos(seed[5]) : -1.0;
+            const double v5 = X6 * factor6, v6 = Y6 * factor6;
+            const double off6 = near6 ? w6 * fabs(v5 * sin(seed[5]) + v6 * cos(seed[5])) : 1.0;
+            const double ahead6 = near6 ? v6 * sin(seed[5]) - v5 * cos(seed[5]) : -1.0;
             const int same6 = near6 && 0.0 < ahead6 && off6 <= free_limit;
             const int held6 = free6 || same6;
-            const double c6 = held6 ? cos(seed[5]) : -v4, s6 = held6 ? sin(seed[5]) : v5;
+            const double c6 = held6 ? cos(seed[5]) : -v5, s6 = held6 ? sin(seed[5]) : v6;
             const double q6 = atan2(s6, c6);
             const double s5 = w6 * e2;
 
@@ -748,26 +751,26 @@ static void solve(
             const double theta234 = atan2(s234, -Z1_234);
 
             /* theta3 */
-            const double v6 = d6 * s5;
-            const double Z1_3 = v7 - (Z1_234 * d5 + s234 * v6);
-            const double Z2_3 = Z1_234 * v6 - s234 * d5 + v8;
+            const double v7 = d6 * s5;
+            const double Z1_3 = v8 - (Z1_234 * d5 + s234 * v7);
+            const double Z2_3 = Z1_234 * v7 - s234 * d5 + v9;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const double K3 = N3 - k4;
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+            if (!(-k5 <= D3 * v10)) {
                 if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
-                if (near6) q[4 * i1 + 2 * i2][1] = atan2(v5, -v4);
+                if (near6) q[4 * i1 + 2 * i2][1] = atan2(v6, -v5);
                 if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
             }
             const double w3 = sqrt(apart3 ? D3 : 0.0);
-            const double c3 = K3 * k5;
+            const double c3 = K3 * k6;
 
             /* theta2 */
             const double X1_2 = a2 + a3 * c3;
-            const double v9 = Z1_3 * X1_2, v10 = Z2_3 * X1_2;
+            const double v11 = Z1_3 * X1_2, v12 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -775,18 +778,18 @@ static void solve(
                 if (e3 < 0.0 && (!apart3 || (near6 && !(shortest3_clear < N3 && N3 <
                     longest3_clear))))
                     continue; /* both signs give the same */
-                const double s3 = w3 * e3 * k5;
+                const double s3 = w3 * e3 * k6;
                 const double q3 = atan2(s3, c3);
 
                 /* theta2 */
                 const double Y1_2 = a3 * s3;
-                const double S2 = v9 - Z2_3 * Y1_2;
-                const double C2 = v10 + Z1_3 * Y1_2;
+                const double S2 = v11 - Z2_3 * Y1_2;
+                const double C2 = v12 + Z1_3 * Y1_2;
                 const double w2 = sqrt(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-                const double c2 = free2 ? cos(v11) : C2 * factor2,
-                    s2 = free2 ? sin(v11) : S2 * factor2;
+                const double c2 = free2 ? cos(v13) : C2 * factor2,
+                    s2 = free2 ? sin(v13) : S2 * factor2;
                 const double theta2 = atan2(s2, c2);
 
                 /* joint values */
@@ -866,7 +869,7 @@ static double summit(struct search *s, double low, double high)
     /* beside a place where the branches meet, this one has no solution of its own */
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
-    (void)attempt(s, low);
+    attempt(s, low);
     return serves(s) ? low : (double)NAN;
 }
 
@@ -902,10 +905,9 @@ static double serving_value(struct search *s)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
- * own. */
+/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
+ * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
+ * rounding of what it was taken from, `solve` takes it as its own. */
 static double serving_digits(struct search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -925,8 +927,7 @@ static double serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came
- * nearest. */
+/* Several joints are free, none serves alone: in turn each goes to where the arm came nearest. */
 static double serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 5 };
@@ -949,12 +950,11 @@ static void choose_again(
     struct search lost = { .T = T, .row = row, .best = -HUGE_VAL };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
-    lost.start = nearly ? q[row][1] : seed[lost.joint];
-    lost.start = fmod(lost.start, turn);
+    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
-    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : TECHMAN_TM5_900_UNREACHABLE;
     for (int i = 0; i < 6; i++)
@@ -965,8 +965,8 @@ static void choose_again(
 static int hopeless(struct search *s)
 {
     struct search other = *s;
-    (void)attempt(s, 0.0);
-    (void)attempt(&other, 0.1);
+    attempt(s, 0.0);
+    attempt(&other, 0.1);
     if (shortfall(s) < 0.0 || shortfall(&other) < 0.0)
         return 0;
     for (int i = 0; i < 6; i++) {
@@ -983,8 +983,7 @@ static void keep_limits(
     const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
 {
     static const int choosable[3] = { 5, 1, 0 };
-    struct search search = { .T = T, .row = row };
-    search.within = 1;
+    struct search search = { .T = T, .row = row, .within = 1 };
     for (int i = 0; i < 6; i++)
         search.seed[i] = seed[i] - overshoot(i, seed[i]);
     for (int k = 0; k < 3; k++) {
@@ -994,7 +993,7 @@ static void keep_limits(
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -1051,8 +1050,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1114,12 +1112,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -1127,8 +1123,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -1140,8 +1136,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -1152,11 +1147,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
-    static const double farther[] = { 2.0, 4.0, 8.0, 16.0 };
     double x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -1164,9 +1158,9 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     for (int i = 0; i < 6; i++)
         past += fabs(past_an_end(i, q[i])) > 0.0;
     enough = off_pose(T, q, e) + 1e-14;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
             continue;
         take(x, q);
@@ -1175,9 +1169,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1195,59 +1188,65 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         double half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.001 || isnan(half[0]))
-            continue;
-        double miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-14; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = TECHMAN_TM5_900_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], e[6], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x)
-        || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
+    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != TECHMAN_TM5_900_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0)
-                    return;
-                between = 0.0;
-            } else {
-                between = fmax(off_pose(T, half, e), 1e-12);
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
             }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = TECHMAN_TM5_900_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = TECHMAN_TM5_900_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -125,13 +125,13 @@ a3 = 0.4115  # link length 3 [m]
 d5 = 0.106  # joint offset 5 [m]
 d6 = 0.11315  # joint offset 6 [m]
 free_limit_squared2 = 1.7613271225000004e-24  # square of a length that fixes no angle [m^2]
+least_root1 = 4.196816796692465e-07  # a root of nothing, by rounding [m]
+arm_size1 = 1.3271500000000003  # the arm's size [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 near_limit = 0.001  # a length whose direction is good to few digits
 longest3 = 0.70644025  # square of the longest reach [m^2]
 shortest3 = 0.00030625000000000053  # square of the shortest reach [m^2]
-longest3_reach = 0.706440250000223  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.0003062499999953556  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.7064402499999777  # the longest, where branches merge [m^2]
 shortest3_apart = 0.000306250000000465  # the shortest, where branches merge [m^2]
 longest3_clear = 0.7064402499776906  # the longest, where blurred branches do [m^2]
@@ -142,7 +142,8 @@ k1 = 0.014957290000000002  # d3^2 [m^2]
 k2 = 3.2462089000017624e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
-k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
+k5 = 2.0902455187193858e-13  # arm_size1 * boundary3 [m^5]
+k6 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 high3 = 2.705260341591211
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
@@ -397,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 e659493c0fa8b48c"
+_KEY = "techman_tm5_900 d0a2540d828c73cd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -472,16 +473,17 @@ def _solve(pose, seed, q, status):
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
+    v1 = w1 if apart1 else least_root1
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v1 = X1 * d3
-    v2 = wy * d3
-    v3 = seed[0] + offset1
+    v2 = X1 * d3
+    v3 = wy * d3
+    v4 = seed[0] + offset1
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v7 = T34 - d1
+    v8 = T34 - d1
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v11 = seed[1] + offset2
+    v13 = seed[1] + offset2
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -489,8 +491,8 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(v3) if free1 else inverse1 * (v2 - X1 * root1)
-        s1 = math.sin(v3) if free1 else inverse1 * (v1 + wy * root1)
+        c1 = math.cos(v4) if free1 else inverse1 * (v3 - X1 * root1)
+        s1 = math.sin(v4) if free1 else inverse1 * (v2 + wy * root1)
 
         # theta6, type 2: U1 A6^-1 [3, 2]
         X6 = T21 * c1 - T11 * s1
@@ -504,7 +506,8 @@ def _solve(pose, seed, q, status):
         c5 = T23 * c1 - T13 * s1
 
         # theta3
-        v8 = T14 * c1 + T24 * s1
+        v9 = T14 * c1 + T24 * s1
+        v10 = arm_size1 if (free6 or free1 or near6) else v1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -515,14 +518,14 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and free6:
                 continue  # both signs give the same
             factor6 = e2 / divisor6
-            v4 = X6 * factor6
-            v5 = Y6 * factor6
-            off6 = w6 * abs(v4 * math.sin(seed[5]) + v5 * math.cos(seed[5])) if near6 else 1.0
-            ahead6 = v5 * math.sin(seed[5]) - v4 * math.cos(seed[5]) if near6 else -1.0
+            v5 = X6 * factor6
+            v6 = Y6 * factor6
+            off6 = w6 * abs(v5 * math.sin(seed[5]) + v6 * math.cos(seed[5])) if near6 else 1.0
+            ahead6 = v6 * math.sin(seed[5]) - v5 * math.cos(seed[5]) if near6 else -1.0
             same6 = near6 and 0.0 < ahead6 and off6 <= free_limit
             held6 = free6 or same6
-            c6 = math.cos(seed[5]) if held6 else -v4
-            s6 = math.sin(seed[5]) if held6 else v5
+            c6 = math.cos(seed[5]) if held6 else -v5
+            s6 = math.sin(seed[5]) if held6 else v6
             q6 = _atan2(s6, c6)
             s5 = w6 * e2
 
@@ -535,18 +538,18 @@ def _solve(pose, seed, q, status):
             theta234 = _atan2(s234, -Z1_234)
 
             # theta3
-            v6 = d6 * s5
-            Z1_3 = v7 - (Z1_234 * d5 + s234 * v6)
-            Z2_3 = Z1_234 * v6 - s234 * d5 + v8
+            v7 = d6 * s5
+            Z1_3 = v8 - (Z1_234 * d5 + s234 * v7)
+            Z2_3 = Z1_234 * v7 - s234 * d5 + v9
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k4
             D3 = (longest3 - N3) * (N3 - shortest3)
             apart3 = shortest3_apart < N3 and N3 < longest3_apart
-            if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            if not (-k5 <= D3 * v10):
                 if near6:
                     status[4 * i1 + 2 * i2] = _NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
-                    q[4 * i1 + 2 * i2, 1] = _atan2(v5, -v4)
+                    q[4 * i1 + 2 * i2, 1] = _atan2(v6, -v5)
                 if free1:
                     status[4 * i1 + 2 * i2] = _LOST + 1
                     q[4 * i1 + 2 * i2, 0] = D3
@@ -555,12 +558,12 @@ def _solve(pose, seed, q, status):
                     q[4 * i1 + 2 * i2, 0] = D3
                 continue  # out of reach
             w3 = math.sqrt(D3 if apart3 else 0.0)
-            c3 = K3 * k5
+            c3 = K3 * k6
 
             # theta2
             X1_2 = a2 + a3 * c3
-            v9 = Z1_3 * X1_2
-            v10 = Z2_3 * X1_2
+            v11 = Z1_3 * X1_2
+            v12 = Z2_3 * X1_2
 
             for i3 in range(2):  # down, up
                 e3 = 1.0 - 2.0 * i3
@@ -570,18 +573,18 @@ def _solve(pose, seed, q, status):
                     longest3_clear)))
                 ):
                     continue  # both signs give the same
-                s3 = w3 * e3 * k5
+                s3 = w3 * e3 * k6
                 q3 = _atan2(s3, c3)
 
                 # theta2
                 Y1_2 = a3 * s3
-                S2 = v9 - Z2_3 * Y1_2
-                C2 = v10 + Z1_3 * Y1_2
+                S2 = v11 - Z2_3 * Y1_2
+                C2 = v12 + Z1_3 * Y1_2
                 w2 = math.sqrt(S2 * S2 + C2 * C2)
                 free2 = w2 <= free_limit_squared2
                 factor2 = 1.0 / (1.0 if free2 else w2)
-                c2 = math.cos(v11) if free2 else C2 * factor2
-                s2 = math.sin(v11) if free2 else S2 * factor2
+                c2 = math.cos(v13) if free2 else C2 * factor2
+                s2 = math.sin(v13) if free2 else S2 * factor2
                 theta2 = _atan2(s2, c2)
 
                 # joint values
@@ -1110,9 +1113,11 @@ def _lead_inside(pose, enough, most, q):
     if past < 2:
         return False
     x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    for farther in (2.0, 4.0, 8.0, 16.0):
+    farther = 2.0
+    while farther <= 16.0:
         for i in range(6):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
+        farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
             q[:] = x
             return True
@@ -1141,6 +1146,18 @@ def _stand(pose, row, rows, status):
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         q[:] = x
+
+
+@_inner
+def _lead(pose, q, status):
+    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
+    for row in range(8):
+        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
+            continue
+        if not _settle(pose, 1e-12, 0.15, q[row]):
+            status[row] = UNREACHABLE
+            for i in range(6):
+                q[row, i] = math.nan
 
 
 @_apart("boolean(UniTuple(float64, 12), float64[::1])")
@@ -1177,10 +1194,11 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one which
-    it is told from by nothing, one that is left, or any.
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    nearest = 0.001
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -1193,20 +1211,20 @@ def _stay(pose, seed, q, status):
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
-            if _half_way(x, q[row], half) < 0.001:
-                for i in range(6):
-                    half[i] += half[i] - x[i]  # the same row, not turned
-                if _past_ends(half) == 0.0:
-                    return
-                between = 0.0
-            else:
-                between = max(_miss(pose, half)[1], 1e-12)
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            for i in range(6):
+                half[i] += half[i] - x[i]  # the same row, not turned
+            if off < nearest and _past_ends(half) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
-    status[place] = FREE_JOINT
-    for i in range(6):
-        q[place, i] = x[i]
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit
@@ -1218,6 +1236,7 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    _lead(pose, q, status)
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
@@ -1345,8 +1364,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D3_mm) <= m3 or abs(D3_mp) <= m3 or abs(D3_pm) <= m3 or abs(D3_pp) <= m3 or v4 <= m1 or
-        abs(D1) <= k2 or v3 <= m1
+        abs(w1 * D3_mm) <= m3 or abs(w1 * D3_mp) <= m3 or abs(w1 * D3_pm) <= m3 or abs(w1 * D3_pp)
+        <= m3 or v4 <= m1 or abs(D1) <= k2 or v3 <= m1
     )
 
     # a joint is free, or branches meet
@@ -1882,8 +1901,8 @@ def _in_tiles(T, q, status):
             v42 = w3_mp * (m4 * Z2_3_mp)
             v43 = w3_mm * (m4 * Z2_3_mm)
             doubt1 = (
-                abs(D3_mm) <= m3 or abs(D3_mp) <= m3 or abs(D3_pm) <= m3 or abs(D3_pp) <= m3 or v4
-                <= m1 or abs(D1) <= k2 or v3 <= m1
+                abs(w1 * D3_mm) <= m3 or abs(w1 * D3_mp) <= m3 or abs(w1 * D3_pm) <= m3 or abs(w1 *
+                D3_pp) <= m3 or v4 <= m1 or abs(D1) <= k2 or v3 <= m1
             )
             work[272 + k] = Y6_p
             work[288 + k] = Y6_m

@@ -138,12 +138,12 @@ static const float
     d5 = 0.09465f, /* joint offset 5 [m] */
     d6 = 0.0823f, /* joint offset 6 [m] */
     free_limit_squared2 = 5.688311e-10f, /* square of a length that fixes no angle [m^2] */
+    least_root1 = 0.002385018f, /* a root of nothing, by rounding [m] */
+    arm_size1 = 1.192509f, /* the arm's size [m] */
     free_limit = 2e-05f, /* a length that fixes no angle */
     near_limit = 0.001f, /* a length whose direction is good to few digits */
     longest3 = 0.6678976f, /* square of the longest reach [m^2] */
     shortest3 = 0.0010725625f, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.66790533f, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.0010722501f, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.66789734f, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0010725703f, /* the shortest, where branches merge [m^2] */
     longest3_clear = 0.6678781f, /* the longest, where blurred branches do [m^2] */
@@ -152,7 +152,8 @@ static const float
     k2 = 1.0413216e-06f, /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
     k3 = 2.6032486e-08f, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
     k4 = 0.33448505f, /* a2^2 + a3^2 [m^2] */
-    k5 = 2.9992876f, /* 1 / (2 * a3 * a2) [m^-2] */
+    k5 = 6.1999253e-06f, /* arm_size1 * boundary3 [m^5] */
+    k6 = 2.9992876f, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 1e-06f, /* doubt_limit^2 */
     /* (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
     m3 = 1.2996985e-05f;
@@ -364,8 +365,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
         q6_ppp = angle3 + v30, q6_pmp = v31 + (angle3 - signed_wide(half_turn, -v7)),
         q6_mpp = angle4 + v32, q6_mmp = v33 + (angle4 - signed_wide(half_turn, -v8));
-    const wide_mask doubt1 = (abs_wide(D3_mm) <= m3) | (abs_wide(D3_mp) <= m3) | (abs_wide(D3_pm) <=
-        m3) | (abs_wide(D3_pp) <= m3) | (v10 <= m1) | (abs_wide(D1) <= k2) | (v9 <= m1);
+    const wide_mask doubt1 = (abs_wide(w1 * D3_mm) <= m3) | (abs_wide(w1 * D3_mp) <= m3) |
+        (abs_wide(w1 * D3_pm) <= m3) | (abs_wide(w1 * D3_pp) <= m3) | (v10 <= m1) | (abs_wide(D1) <=
+        k2) | (v9 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v54); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -437,19 +439,20 @@ static void solve(
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const float w1 = sqrtf(apart1 ? D1 : 0.0f);
+    const float v1 = apart1 ? w1 : least_root1;
     const float inverse1 = 1.0f / (free1 ? 1.0f : (apart1 ? N1 : d4 * sqrtf(N1)));
-    const float v1 = X1 * d4, v2 = wy * d4;
+    const float v2 = X1 * d4, v3 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const float v6 = T34 - d1;
+    const float v7 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
         /* theta1 */
         if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
         const float root1 = w1 * e1;
-        const float c1 = free1 ? cosf(seed[0]) : -(inverse1 * (v2 + X1 * root1)),
-            s1 = free1 ? sinf(seed[0]) : inverse1 * (wy * root1 - v1);
+        const float c1 = free1 ? cosf(seed[0]) : -(inverse1 * (v3 + X1 * root1)),
+            s1 = free1 ? sinf(seed[0]) : inverse1 * (wy * root1 - v2);
         const float q1 = atan2f(s1, c1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
@@ -464,19 +467,19 @@ static void solve(
         const float c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const float v7 = T14 * c1 + T24 * s1;
+        const float v8 = T14 * c1 + T24 * s1, v9 = (free6 || free1 || near6) ? arm_size1 : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const float e2 = i2 == 0 ? 1.0f : -1.0f;
             /* theta6 */
             if (e2 < 0.0f && free6) continue; /* both signs give the same */
             const float factor6 = e2 / divisor6;
-            const float v3 = X6 * factor6, v4 = Y6 * factor6;
-            const float off6 = near6 ? w6 * fabsf(v3 * sinf(seed[5]) + v4 * cosf(seed[5])) : 1.0f;
-            const float ahead6 = near6 ? v4 * sinf(seed[5]) - v3 * cosf(seed[5]) : -1.0f;
+            const float v4 = X6 * factor6, v5 = Y6 * factor6;
+            const float off6 = near6 ? w6 * fabsf(v4 * sinf(seed[5]) + v5 * cosf(seed[5])) : 1.0f;
+            const float ahead6 = near6 ? v5 * sinf(seed[5]) - v4 * cosf(seed[5]) : -1.0f;
             const int same6 = near6 && 0.0f < ahead6 && off6 <= free_limit;
             const int held6 = free6 || same6;
-            const float c6 = held6 ? cosf(seed[5]) : -v3, s6 = held6 ? sinf(seed[5]) : v4;
+            const float c6 = held6 ? cosf(seed[5]) : -v4, s6 = held6 ? sinf(seed[5]) : v5;
             const float q6 = atan2f(s6, c6);
             const float s5 = w6 * e2;
 
@@ -488,26 +491,26 @@ static void solve(
             const float theta234 = atan2f(s234, c234);
 
             /* theta3 */
-            const float v5 = d6 * s5;
-            const float Z1_3 = c234 * d5 + s234 * v5 + v6;
-            const float Z2_3 = c234 * v5 - s234 * d5 + v7;
+            const float v6 = d6 * s5;
+            const float Z1_3 = c234 * d5 + s234 * v6 + v7;
+            const float Z2_3 = c234 * v6 - s234 * d5 + v8;
             const float N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const float K3 = N3 - k4;
             const float D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+            if (!(-k5 <= D3 * v9)) {
                 if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
-                if (near6) q[4 * i1 + 2 * i2][1] = atan2f(v4, -v3);
+                if (near6) q[4 * i1 + 2 * i2][1] = atan2f(v5, -v4);
                 if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
             }
             const float w3 = sqrtf(apart3 ? D3 : 0.0f);
-            const float c3 = K3 * k5;
+            const float c3 = K3 * k6;
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const float X1_2 = a2 + a3 * c3;
-            const float v8 = Z1_3 * X1_2, v9 = Z2_3 * X1_2;
+            const float v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const float e3 = i3 == 0 ? 1.0f : -1.0f;
@@ -515,13 +518,13 @@ static void solve(
                 if (e3 < 0.0f && (!apart3 || (near6 && !(shortest3_clear < N3 && N3 <
                     longest3_clear))))
                     continue; /* both signs give the same */
-                const float s3 = w3 * e3 * k5;
+                const float s3 = w3 * e3 * k6;
                 const float q3 = atan2f(s3, c3);
 
                 /* theta2 */
                 const float Y1_2 = a3 * s3;
-                const float S2 = v8 - Z2_3 * Y1_2;
-                const float C2 = v9 + Z1_3 * Y1_2;
+                const float S2 = v10 - Z2_3 * Y1_2;
+                const float C2 = v11 + Z1_3 * Y1_2;
                 const float w2 = sqrtf(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const float factor2 = 1.0f / (free2 ? 1.0f : w2);
@@ -604,7 +607,7 @@ static float summit(struct search *s, float low, float high)
     /* beside a place where the branches meet, this one has no solution of its own */
     if (isinf(attempt(s, low - 2e-06f)) || isinf(attempt(s, high + 2e-06f)))
         return NAN;
-    (void)attempt(s, low);
+    attempt(s, low);
     return serves(s) ? low : (float)NAN;
 }
 
@@ -640,10 +643,9 @@ static float serving_value(struct search *s)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the nearest angle that serves, also where the arm just reaches (an elbow that is stretched); as
- * long as the angle is right up to rounding of what it was taken from, `solve` takes it as its
- * own. */
+/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
+ * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
+ * rounding of what it was taken from, `solve` takes it as its own. */
 static float serving_digits(struct search *s)
 {
     float before[2] = { -HUGE_VALF, -HUGE_VALF };
@@ -663,8 +665,7 @@ static float serving_digits(struct search *s)
     return NAN;
 }
 
-/* Several joints are free and none serves alone: in turn each goes to where the arm came
- * nearest. */
+/* Several joints are free, none serves alone: in turn each goes to where the arm came nearest. */
 static float serving_in_turn(struct search *s)
 {
     static const int joints[] = { 0, 5 };
@@ -687,12 +688,11 @@ static void choose_again(
     struct search lost = { .T = T, .row = row, .best = -HUGE_VALF };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     take(seed, lost.seed);
-    lost.start = nearly ? q[row][1] : seed[lost.joint];
-    lost.start = fmodf(lost.start, turn);
+    lost.start = fmodf(nearly ? q[row][1] : seed[lost.joint], turn);
     float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     if (isnan(nearest) && !nearly)
         nearest = serving_in_turn(&lost);
-    (void)attempt(&lost, isnan(nearest) ? 0.0f : nearest);
+    attempt(&lost, isnan(nearest) ? 0.0f : nearest);
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : UR5_F32_UNREACHABLE;
     for (int i = 0; i < 6; i++)
@@ -703,8 +703,8 @@ static void choose_again(
 static int hopeless(struct search *s)
 {
     struct search other = *s;
-    (void)attempt(s, 0.0f);
-    (void)attempt(&other, 0.1f);
+    attempt(s, 0.0f);
+    attempt(&other, 0.1f);
     if (shortfall(s) < 0.0f || shortfall(&other) < 0.0f)
         return 0;
     for (int i = 0; i < 6; i++) {
@@ -721,8 +721,7 @@ static void keep_limits(
     const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
 {
     static const int choosable[3] = { 5, 1, 0 };
-    struct search search = { .T = T, .row = row };
-    search.within = 1;
+    struct search search = { .T = T, .row = row, .within = 1 };
     for (int i = 0; i < 6; i++)
         search.seed[i] = seed[i] - overshoot(i, seed[i]);
     for (int k = 0; k < 3; k++) {
@@ -732,7 +731,7 @@ static void keep_limits(
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
-            (void)attempt(&search, nearest);
+            attempt(&search, nearest);
             status[row] = search.status[row];
             take(search.q[row], q[row]);
             return;
@@ -789,8 +788,7 @@ static float off_pose(const float T[16], const float x[6], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[6], float damping, float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
@@ -852,12 +850,10 @@ static int settle(const float T[16], float enough, float most, float q[6])
 {
     float x[6], half[6], e[6], last = HUGE_VALF;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[6] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        float miss = off_pose(T, x, e);
-        float past = 0.0f;
+        float miss = off_pose(T, x, e), past = 0.0f;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-06f : enough;
         for (int i = 0; i < 6 && stands && miss < enough; i++) {
@@ -865,8 +861,8 @@ static int settle(const float T[16], float enough, float most, float q[6])
             worst = fabsf(off) > fabsf(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabsf(past) > 0.0f) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabsf(past) > 0.0f) {
             moves++;
             for (int i = 0; i < 6; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -878,8 +874,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
             take(x, q);
             settled = 1;
             enough = 0.5f * miss;
-        } else if (settled
-            || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -890,11 +885,10 @@ static int settle(const float T[16], float enough, float most, float q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two of them may not be able
- * to stand on their ends at once. */
+/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
+ * on theirs at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[6])
 {
-    static const float farther[] = { 2.0f, 4.0f, 8.0f, 16.0f };
     float x[6], e[6];
     if (settle(T, enough, most, q))
         return 1;
@@ -902,9 +896,9 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     for (int i = 0; i < 6; i++)
         past += fabsf(past_an_end(i, q[i])) > 0.0f;
     enough = off_pose(T, q, e) + 1e-06f;
-    for (int k = 0; past > 1 && k < (int)(sizeof farther / sizeof *farther); k++) {
+    for (float farther = 2.0f; past > 1 && farther <= 16.0f; farther *= 2.0f) {
         for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther[k] * past_an_end(i, q[i]);
+            x[i] = q[i] - farther * past_an_end(i, q[i]);
         if (!settle(T, enough, most, x) || past_ends(x) > 0.0f)
             continue;
         take(x, q);
@@ -913,9 +907,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
     float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -933,59 +926,65 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
         take(x, q);
 }
 
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
+ * ones: half way the arm is singular. */
 static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
     for (int n = 0; n < 8 * 8; n++) {
         float half[6], e[6], *row = q[n / 8];
-        if (n % 8 >= n / 8 || half_way(q[n % 8], row, half) >= 0.03f || isnan(half[0]))
-            continue;
-        float miss = off_pose(T, half, e);
-        for (int k = 0; k < 3; k++, miss = off_pose(T, half, e))
-            add_step(held, 1e-13f, e, half);
-        for (int i = 0; i < 6 && miss <= 1e-07f; i++) {
+        const int k = n % 8;
+        int ends = k == 0 && off_pose(T, row, e) > 5e-05f && !settle(T, 5e-05f, 0.15f, row);
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.03f) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13f, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-07f;
+        }
+        for (int i = 0; i < 6 && ends; i++) {
             status[n / 8] = UR5_F32_UNREACHABLE;
             row[i] = NAN;
         }
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
 {
-    float x[6], half[6], e[6], least = HUGE_VALF;
+    float x[6], half[6], e[6], least = HUGE_VALF, nearest = 0.03f;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const float seen = seed[i], past = fabsf(past_an_end(i, seen));
         const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 5e-05f, 0.15f, x)
-        || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
+    if (!settle(T, 5e-05f, 0.15f, x) || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;
         if (status[row] != UR5_F32_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.03f) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i]; /* the same row, not turned */
-                if (past_ends(half) == 0.0f)
-                    return;
-                between = 0.0f;
-            } else {
-                between = fmaxf(off_pose(T, half, e), 5e-05f);
+            const float off = half_way(x, q[row], half);
+            between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
+            for (int i = 0; i < 6; i++)
+                half[i] += half[i] - x[i]; /* not turned */
+            if (off < nearest && past_ends(half) == 0.0f) {
+                nearest = off;
+                place = row;
+                least = -1.0f; /* its own */
             }
         }
         if (between <= 2.0f * least)
             place = row;
         least = fminf(least, between);
     }
-    status[place] = UR5_F32_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0f)
+        status[place] = UR5_F32_FREE_JOINT;
+    if (nearest > 0.003f)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -3813,8 +3813,7 @@ static double off_pose(const double T[16], const double x[5], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[5], double damping, double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
@@ -3854,12 +3853,10 @@ static int settle(const double T[16], double enough, double most, double q[5])
 {
     double x[5], half[5], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int moves = 0;
-    int settled = 0, lost = 0, held[5] = { 0 };
+    int moves = 0, settled = 0, lost = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        double past = 0.0;
+        double miss = off_pose(T, x, e), past = 0.0;
         int worst = 0;
         enough = isnan(enough) ? miss + 1e-14 : enough;
         for (int i = 0; i < 5 && stands && miss < enough; i++) {
@@ -3867,8 +3864,8 @@ static int settle(const double T[16], double enough, double most, double q[5])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        if (fabs(past) > 0.0) { /* one at a time: others may follow it inside, or the first the
-            second */
+        /* one at a time: others may follow it inside, or the first the second */
+        if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 5; i++)
                 held[i] = i == worst || (held[i] && moves != 2);
@@ -3880,8 +3877,7 @@ static int settle(const double T[16], double enough, double most, double q[5])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -3892,9 +3888,8 @@ static int settle(const double T[16], double enough, double most, double q[5])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution: half way
- * to the same there is one, and what is nearer to another row that keeps its limits is that
- * one's. */
+/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
+ * to it is none) or that of another row that keeps its limits. */
 static void stand(const double T[16], int row, double rows[16][5], const unsigned char status[16])
 {
     double x[5], half[5], to[5], *q = rows[row], off = beyond_limits(q);

@@ -498,8 +498,7 @@ static double off_pose(const double T[16], const double x[3], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least squares step for the miss e: modified Gram-Schmidt, twice for singular
- * places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
 static void add_step(const int held[3], double damping, double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
@@ -538,8 +537,7 @@ static int settle(const double T[16], double enough, double most, double q[3])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled
-            || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
+        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
             break;
         }
         last = miss;
@@ -550,13 +548,13 @@ static int settle(const double T[16], double enough, double most, double q[3])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of one that
- * is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
+ * beside it, of one that is as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[2][3],
     unsigned char status[2])
 {
-    double x[3], half[3], e[6], least = HUGE_VAL;
+    double x[3], half[3], e[6], least = HUGE_VAL, nearest = 0.001;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
@@ -564,16 +562,22 @@ static void stay(
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != WRIST_ZXZ_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
-                return;
+            const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
         }
         if (between <= 2.0 * least)
             place = row;
         least = fmin(least, between);
     }
-    status[place] = WRIST_ZXZ_FREE_JOINT;
-    take(x, q[place]);
+    if (least >= 0.0)
+        status[place] = WRIST_ZXZ_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

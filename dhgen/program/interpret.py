@@ -74,7 +74,8 @@ def interpret(
     """
     run = _Run(program, poses, seed, free)
     rows = run.rows()
-    if (kernel := program.tightened) is None:
+    kernel = program.tightened or program.led
+    if kernel is None:
         return rows
     q = rows.q.copy()
     for k in np.flatnonzero(rows.close.any(axis=1)):

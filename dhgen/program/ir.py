@@ -286,6 +286,9 @@ class Program:
             Where roots nearly meet, rows of both of their sides are looked for with it. It holds
             arrays, which can't be hashed, and programs are: of those that are made from this one
             none depends on it.
+        led: The same for rows that miss the pose by more than is promised, where a branch follows
+            an earlier root. That has few digits where it nearly vanishes, and may then say that
+            the branch is a little out of reach.
         reserved: Names that are kept for others, the arm's numbers among them, whether they occur
             here or not: nothing else is called so, here or in a program that is made from this one.
     """
@@ -298,6 +301,7 @@ class Program:
     free: tuple[tuple[int, str], ...]
     near: tuple[str, ...] = ()
     tightened: NumericalKernel | None = field(default=None, compare=False)
+    led: NumericalKernel | None = field(default=None, compare=False)
     reserved: Reserved = NOTHING
 
     @property

@@ -69,6 +69,7 @@ NUMBERED = (
     *("doubt_limit1 doubt_limit_squared2 free_limit doubt_limit", "outside doubt1 doubt2 y2_x"),
     *("longest2 shortest2 longest3 longest3_reach", "half_turn turn turn1 offset1", "p1 x1 d1 z2"),
     *("exact_slack1 pose_slack1 doubtful_slack1 near_limit", "packed1 ratio1 kind1 given1"),
+    *("boundary3 least_root1 arm_size1 boundary2", "nested farther own nearest"),
     *("sqrt2 unit r1 w2x", "chosen1 free1 near5 held5", "inverse1 divisor1 factor1 root1"),
 )
 NAMES = (

@@ -23,6 +23,7 @@ _NAMES = {
     "double": ("double_root", "a polynomial's value at a root, relative to its coefficients"),
     "simple": ("simple_root", "its slope at a root that stands for one, relative to them"),
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
+    "none": ("least_root", "a root of nothing, by rounding"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),
     "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),
     "nothing": ("square_rounding", "squares are rounded by this"),

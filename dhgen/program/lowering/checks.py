@@ -51,11 +51,14 @@ class Checks:
         rows: Every row is compared with the pose.
         again: A row that fails this may pass by another value of a free joint.
         tightened: A row that is not exact takes some steps of damped least squares.
+        led: The same where rows are neither compared nor tightened, for those of a branch that
+            follows an earlier root and may be a little out of reach.
     """
 
     rows: bool
     again: bool = False
     tightened: bool = False
+    led: bool = False
 
 
 def checks_needed(
@@ -80,13 +83,24 @@ def checks_needed(
         checks = replace(checks, again=True)
         program = lowered(checks)
     if not tolerances.tell_rounding:
-        return checks  # exact rows can't be told
+        return _led(chain, checks, lowered)  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
     about = places_without_a_word(derivation.pool, derivation.steps) if checks.rows else silent
     q = np.concatenate([q, _beside(chain, about)])
     inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, q, enough)
-    return replace(checks, tightened=inexact)
+    return replace(checks, tightened=True) if inexact else _led(chain, checks, lowered)
+
+
+def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> Checks:
+    """The same with rows of nested roots led to solutions, where there are any.
+
+    Not where the caller gives an arm angle, which is one more thing that has to be met.
+    """
+    if checks.rows or chain.arm_angle or not any(chain.turning):
+        return checks
+    led = replace(checks, led=True)
+    return led if lowered(led) != lowered(checks) else checks
 
 
 def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) -> bool:

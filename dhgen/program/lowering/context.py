@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from dhgen.paul.problem import Problem
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.checks import Checks
+    from dhgen.program.lowering.roots import EarlierRoot
     from dhgen.tolerances import Tolerances
 
 
@@ -39,6 +40,7 @@ class Lowering:
         scales: Tolerances and reaches.
         step_number: Of the step at hand, from 1.
         meeting: Whether roots of a polynomial nearly meet; only where rows are doubted.
+        roots: The square roots so far, where rows are led to solutions.
         short: Whether an angle comes from so short a vector that few of its digits are right.
 
     Args:
@@ -71,6 +73,7 @@ class Lowering:
         self._target = Target(self._problem, self.builder, self.lower)
         self.step_number = 0
         self.meeting: list[Node] = []
+        self.roots: list[EarlierRoot] = []
         self.short: list[Node] = []
 
     def new_sign(self) -> Node:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Literal
 from mpmath import mp, mpf
 
 from dhgen.kinematics.ring import divided, split, used_places
-from dhgen.program.lowering.roots import Reach
+from dhgen.program.lowering.roots import Reach, follows, not_below
 from dhgen.program.lowering.scales import Extremes
 
 if TYPE_CHECKING:
@@ -111,12 +111,19 @@ def reached(context: Lowering, square: Node, ends: Extremes, suffix: str) -> Rea
 
     longest, shortest = extremes("square of the {} reach")
     discriminant = builder.mul(builder.sub(longest, square), builder.sub(square, shortest))
-    far, near = extremes("the {}, with what rounding adds", "reach", tolerances.reach)
+    builder.name(discriminant, f"D{suffix}")
+    if follows(context, square):
+        off = context.scales.out_of_reach(ends, suffix)
+        inside = not_below(context, discriminant, off)
+    else:
+        far, near = extremes("the {}, with what rounding adds", "reach", tolerances.reach)
+        inside = between("at_most", near, far)
     below, above = extremes("the {}, where branches merge", "apart", -tolerances.merge)
     beneath, beyond = extremes("the {}, where blurred branches do", "clear", -tolerances.blur)
     return Reach(
-        discriminant=builder.name(discriminant, f"D{suffix}"),
-        inside=between("at_most", near, far),
+        discriminant=discriminant,
+        inside=inside,
         apart=between("less", above, below),
         clear=between("less", beyond, beneath),
+        degree=2,
     )

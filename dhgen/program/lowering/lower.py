@@ -44,10 +44,10 @@ def lower(
 
     checks = checks_needed(derivation, tolerances, lowered)
     program = lowered(checks)
-    if not checks.tightened:
+    if not (checks.tightened or checks.led):
         return program
-    kernel = numerical_kernel(chain, redundant=False)
-    return replace(program, tightened=replace(kernel, most=program.rows))
+    kernel = replace(numerical_kernel(chain, redundant=False), most=program.rows)
+    return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
 
 
 def _lowered(derivation: Derivation, context: Lowering) -> Program:

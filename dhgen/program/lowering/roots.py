@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Failure
@@ -10,6 +12,21 @@ from dhgen.program.ir import Failure
 if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.context import Lowering
+
+
+@dataclass(frozen=True, slots=True)
+class EarlierRoot:
+    """A square root on whose sign later steps hang.
+
+    Attributes:
+        axis: The sign's place.
+        length: Its value without sign, not zero.
+        unit: The arm's size to the power that this has.
+    """
+
+    axis: int
+    length: Node
+    unit: Node
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,24 +38,54 @@ class Reach:
         inside: Whether D is not negative, up to rounding.
         apart: Whether D is positive beyond rounding: the roots are two.
         clear: The same beyond rounding of what is good to few digits.
+        degree: How many lengths its root is a product of.
     """
 
     discriminant: Node
     inside: Node
     apart: Node
     clear: Node
+    degree: int
 
 
-def reach_of(context: Lowering, discriminant: Node, limits: tuple[Node, Node, Node]) -> Reach:
+def reach_of(
+    context: Lowering, discriminant: Node, limits: tuple[Node, Node, Node], degree: int
+) -> Reach:
     """What is known of D by what rounding may add to it."""
     builder = context.builder
     reach, merge, blur = limits
     return Reach(
         discriminant,
-        inside=builder.apply("at_most", builder.neg(reach), discriminant),
+        inside=not_below(context, discriminant, reach),
         apart=builder.apply("less", merge, discriminant),
         clear=builder.apply("less", blur, discriminant),
+        degree=degree,
     )
+
+
+def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
+    """Whether D is not negative, up to rounding.
+
+    Where rows are led to solutions, this is as much more as earlier roots that D hangs on are less
+    than the arm's size: what they fix has lost as many digits. Where a joint may have another value
+    instead, no more: then one that serves is looked for.
+    """
+    builder = context.builder
+    chosen = [option.flag for option in context.angles.options()]
+    for root in follows(context, discriminant):
+        length = root.length
+        if chosen:
+            any_chosen = reduce(partial(builder.apply, "or"), chosen)
+            length = builder.select(any_chosen, root.unit, length)
+        discriminant = builder.mul(discriminant, length)
+        slack = builder.mul(root.unit, slack)
+    return builder.apply("at_most", builder.neg(slack), discriminant)
+
+
+def follows(context: Lowering, value: Node) -> list[EarlierRoot]:
+    """The earlier roots that a value hangs on, where rows are led to solutions."""
+    axes = context.builder.axes_of(value)
+    return [root for root in context.roots if root.axis in axes]
 
 
 def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None = None) -> Node:
@@ -59,12 +106,22 @@ def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None 
     kept = builder.select(apart, reach.discriminant, builder.integer(0))
     length = builder.name(builder.apply("sqrt", kept), f"w{suffix}")
     sign = context.new_sign()
+    if context.checks.led:
+        context.roots.append(_earlier(context, sign, reach, length))
     met = builder.apply("not", apart)
     for near in context.angles.near:
         blurred = builder.apply("and", near, builder.apply("not", reach.clear))
         met = builder.apply("or", met, blurred)
     keep_one(context, sign, met if free is None else builder.apply("or", met, free))
     return builder.hint(builder.mul(sign, length), f"root{suffix}")
+
+
+def _earlier(context: Lowering, sign: Node, reach: Reach, length: Node) -> EarlierRoot:
+    """A root for later ones; where it is none, what rounding may have made that of."""
+    builder, scales = context.builder, context.scales
+    (axis,) = builder.axes_of(sign)
+    least = scales.tolerance(math.sqrt(scales.tolerances.reach), reach.degree, "none")
+    return EarlierRoot(axis, builder.select(reach.apart, length, least), scales.power(reach.degree))
 
 
 def keep_one(context: Lowering, sign: Node, met: Node) -> None:

@@ -49,6 +49,13 @@ class Scales:
         value = self._size**power
         return self._builder.constant("second_weight", value, "lengths count in arm sizes", power)
 
+    def power(self, degree: int) -> Node:
+        """The arm's size to a power: what products of so many lengths are measured in."""
+        if not degree:
+            return self._builder.integer(1)
+        value = self._size**degree
+        return self._builder.constant(f"arm_size{degree}", value, "the arm's size", degree)
+
     def distances(self, degree: int) -> tuple[Node, Node, Node]:
         """What rounding may do to a value of this many lengths.
 
@@ -62,6 +69,15 @@ class Scales:
     def degree(self, *polynomials: Polynomial) -> int:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
         return self._algebra.degree(*polynomials)
+
+    def out_of_reach(self, ends: Extremes, suffix: str) -> Node:
+        """By what (H - |v|^2) (|v|^2 - L) is below zero at most where rounding is to blame."""
+        high, low = ends.longest**2, ends.shortest**2
+        slack = self.tolerances.reach * self._size
+        far, near = (ends.longest + slack) ** 2, max(ends.shortest - slack, 0.0) ** 2
+        value = max((far - high) * (far - low), (high - near) * (low - near))
+        meaning = "rounding at the boundary of the workspace"
+        return self._builder.constant(f"boundary{suffix}", value, meaning, 4)
 
     def extreme_reach(
         self, ends: Extremes, suffix: str, meaning: str, kind: str = "", widened: float = 0.0

@@ -5,11 +5,11 @@ Poses on this brink are left to the whole program, which tells the two apart as 
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from fractions import Fraction
 
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
@@ -35,6 +35,26 @@ class Brink:
         """Takes note that branches end where a condition does not hold."""
         for low, value in self._at_most(inside):
             self._is_above(value, self._number(low))
+
+    def ends_at_root(self, square: Node) -> None:
+        """Takes note that branches end where the square of a root is negative.
+
+        It may be a product (H - V) (V - L), with the squares of the longest and shortest reach;
+        then V is not below L.
+        """
+        self._is_above(square, Fraction(0))
+        for factor in self._factors(square):
+            entry = self._builder.entries[factor]
+            if entry.operator == "sub" and self._number(entry.operands[1]) is not None:
+                self._is_above(factor, Fraction(0))
+
+    def _factors(self, product: Node) -> Iterator[Node]:
+        entry = self._builder.entries[product]
+        if entry.operator != "mul":
+            yield product
+            return
+        for operand in entry.operands:
+            yield from self._factors(operand)
 
     def keeps(self, misses: list[Node], limit: Node) -> None:
         """Takes note that poses are doubtful where any of these is farther from zero."""
@@ -62,7 +82,8 @@ class Brink:
         """Whether a value can't be told from zero.
 
         One width for both sides takes one comparison less. Where rows are tightened branches end
-        far outside of where they meet, and each side has its own.
+        far outside of where they meet, and each side has its own. A root that follows another is
+        weighed with that one: it may be as much above zero as it may be below, and be none.
 
         Args:
             value: What is under a square root.
@@ -72,6 +93,7 @@ class Brink:
         """
         builder = self._builder
         inner, outer = self._width(value, apart), self._width(value, inside)
+        value = self._weighed(value, inside)
         if blurred:
             inner = outer = builder.arithmetic("mul", builder.integer(self._wider), inner)
         low, high = (self._number(width) for width in (inner, outer))
@@ -79,6 +101,11 @@ class Brink:
             return builder.apply("at_most", builder.absolute(value), outer)
         below = builder.apply("at_most", builder.neg(outer), value)
         return builder.apply("and", below, builder.apply("at_most", value, inner))
+
+    def _weighed(self, value: Node, inside: Node) -> Node:
+        """The value, or what is compared with a slack instead, where earlier roots are in it."""
+        compared = list(self._at_most(inside))
+        return compared[0][1] if len(compared) == 1 else value
 
     def _number(self, node: Node) -> Fraction | None:
         """The value of a constant, or of one with a minus before it."""
@@ -99,7 +126,7 @@ class Brink:
         builder = self._builder
         found: list[tuple[Fraction, Node]] = []
         for low, high in self._at_most(condition):
-            if high == value:  # a slack, constant or not
+            if high == self._weighed(value, condition):  # a slack, constant or not
                 entry = builder.entries[low]
                 return entry.operands[0] if entry.operator == "neg" else low
             above = builder.entries[high].value is not None

@@ -248,12 +248,14 @@ class Unguarded:
 
     def _end(self, guard: Guard) -> None:
         """A branch ends where it would be out of reach."""
-        inside = self._truth(guard.condition)
-        self._brink.ends(inside)
         if guard.margin is None:
+            inside = self._truth(guard.condition)
+            self._brink.ends(inside)
             self._endings.unless(inside)
         else:
-            self._endings.at_root(self._arithmetic.plain(self._value(guard.margin)))
+            square = self._arithmetic.plain(self._value(guard.margin))
+            self._brink.ends_at_root(square)
+            self._endings.at_root(square)
 
     def _truth(self, expression: Expression) -> Node:
         return self._value(expression).node

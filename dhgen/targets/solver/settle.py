@@ -33,8 +33,8 @@ NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm 
 # is least, and not alike in both languages. The first row is taken.
 ALIKE = 2.0
 # Where two joints are beyond the ends of their ranges both can be led inside, though perhaps not
-# onto the ends: so far are they put first, times what they are beyond.
-FARTHER_INSIDE = (2.0, 4.0, 8.0, 16.0)
+# onto the ends: as far are they put first, then twice as far and so on, times what they are beyond.
+NEXT_INSIDE, FARTHEST_INSIDE = 2.0, 16.0
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
@@ -59,12 +59,14 @@ class Settle:
         far: Times what is enough: nearer rounding decides what a step leaves.
         most_moved: From a seed [rad, arm sizes].
         led_by_limit: The same, times what a joint is beyond its limit.
-        farther_inside: How far joints are put inside their ends, times what they are beyond.
+        next_inside: As far are joints put inside their ends, times what they are beyond.
+        farthest_inside: The same after it was doubled for the last time.
         singular: The damping of steps that leave singular directions alone.
         steps_aside: So many of them are made.
         aside: Times the whole way: how far steps lead from half way.
         alike: Two misses within so many times are the same.
         apart: Two solutions that differ by less are told apart by rounding [rad, arm sizes].
+        promised: A row may miss its pose by this [arm sizes, rad].
         told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
     """
 
@@ -77,6 +79,7 @@ class Settle:
     together: str
     fine: str
     apart: float
+    promised: float
     told_by_nothing: float
     cautious: str = repr(CAUTIOUS)
     damping: str = repr(DAMPING)
@@ -86,7 +89,8 @@ class Settle:
     far: float = FAR
     most_moved: float = MOVED
     led_by_limit: float = LED
-    farther_inside: str = ", ".join(map(repr, FARTHER_INSIDE))
+    next_inside: float = NEXT_INSIDE
+    farthest_inside: float = FARTHEST_INSIDE
     singular: str = repr(FLOOR)
     steps_aside: int = 3
     aside: float = ASIDE
@@ -109,6 +113,7 @@ def settle_of(module: SolverModule) -> Settle:
         together=repr(max(TOGETHER, BEYOND_TOLD * tolerances.told)),
         fine=repr(tolerances.fine),
         apart=math.sqrt(tolerances.merge),
+        promised=max(tolerances.promised, tolerances.exact),
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
     )
 

@@ -29,6 +29,7 @@ class Standing:
         stays: Whether they follow the seed.
         settles: Whether they do either, and are taken to a solution next to them.
         tells_once: Whether branches that meet may come out apart: one root follows another.
+        leads: Whether rows of a root that follows another are led to solutions.
         winds: Whether a joint that is put on a limit could be turned.
         least_whole: Limits so far apart leave no gap [rad].
         beyond_an_end: The function that says how far a joint is beyond the end of its range.
@@ -41,6 +42,7 @@ class Standing:
     stays: bool
     settles: bool
     tells_once: bool
+    leads: bool
     winds: bool
     beyond_an_end: str
     beyond_ends: str
@@ -57,6 +59,7 @@ def standing_of(module: SolverModule) -> Standing:
         stays=stay,
         settles=limited or stay,
         tells_once=stay and roots_in_a_row(module.solver) > 1,
+        leads=module.solver.led is not None,
         winds=winding,
         beyond_an_end="past_an_end" if winding else "overshoot",
         beyond_ends="past_ends" if winding else "beyond_limits",

@@ -78,7 +78,7 @@ def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple
         builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
         for delta in context.scales.distances(degree)
     )
-    return z, reach_of(context, discriminant, (reach, merge, blur))
+    return z, reach_of(context, discriminant, (reach, merge, blur), degree)
 
 
 def _by_distance(context: Lowering, step: Step, distance: Distance) -> tuple[Node, Reach]:

@@ -37,7 +37,7 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
         builder.mul(builder.mul(builder.integer(2), a), delta)
         for delta in context.scales.distances(0)
     )
-    within = reach_of(context, discriminant, (reach, merge, blur))
+    within = reach_of(context, discriminant, (reach, merge, blur), 0)
     root = signed_root(context, angle.suffix, within)
     r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
     context.angles.solved_slide(unknown.name, r)

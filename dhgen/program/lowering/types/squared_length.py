@@ -26,7 +26,7 @@ def lower_squared_length(context: Lowering, step: Step) -> None:
     half = builder.hint(builder.div(y, builder.mul(builder.integer(2), x)), f"H{suffix}")
     square = builder.add(builder.square(half), builder.div(z, x))
     discriminant = builder.name(square, f"D{suffix}")
-    within = reach_of(context, discriminant, context.scales.distances(2))
+    within = reach_of(context, discriminant, context.scales.distances(2), 1)
     root = signed_root(context, suffix, within)
     length = builder.sub(root, half)
     size = builder.absolute(length)
