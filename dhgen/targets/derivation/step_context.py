@@ -11,7 +11,7 @@ from dhgen.paul.step import Kind
 from dhgen.targets.derivation.geometry import NEAR
 from dhgen.targets.derivation.notation.names import letter, unknown_symbol
 from dhgen.targets.derivation.text.formula import equal, number, times
-from dhgen.targets.derivation.text.lines import width
+from dhgen.targets.derivation.text.terms import width
 from dhgen.targets.derivation.text.walk import occurs
 
 if TYPE_CHECKING:

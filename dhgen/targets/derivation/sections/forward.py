@@ -22,8 +22,9 @@ from dhgen.targets.derivation.text.formula import (
     equal,
     times,
 )
-from dhgen.targets.derivation.text.lines import WIDTH, laid_out, width
+from dhgen.targets.derivation.text.lines import WIDTH, laid_out
 from dhgen.targets.derivation.text.style import PLAIN
+from dhgen.targets.derivation.text.terms import width
 
 if TYPE_CHECKING:
     from collections.abc import Callable

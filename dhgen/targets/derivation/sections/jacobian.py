@@ -10,7 +10,8 @@ from dhgen.kinematics.transform import compose, identity
 from dhgen.robot.robot import Convention, DhTable
 from dhgen.targets.derivation.text.blocks import display, paragraph
 from dhgen.targets.derivation.text.formula import Formula, Matrix, Symbol, equal, times
-from dhgen.targets.derivation.text.lines import WIDTH, width
+from dhgen.targets.derivation.text.lines import WIDTH
+from dhgen.targets.derivation.text.terms import width
 from dhgen.targets.derivation.text.words import many
 
 if TYPE_CHECKING:

@@ -1,24 +1,18 @@
 """Long formulas broken into lines: at relation signs first, then before plus and minus signs.
 
-Widths are counted in the plain style, which is about what a formula takes on a page.
+No line ends inside a bracket: where a bracket does not fit in a line, its factors are written anew
+with each of its parts, c (u + v) as c u on one line and + c v on the next. Widths are counted in
+the plain style, which is about what a formula takes on a page.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.text.formula import (
-    Call,
-    Listing,
-    Minus,
-    Product,
-    Quotient,
-    Relation,
-    Sum,
-    is_function,
-)
-from dhgen.targets.derivation.text.show import is_tall, show, show_factor, signed_terms
+from dhgen.targets.derivation.text.formula import Listing, Relation
+from dhgen.targets.derivation.text.show import show, signed_terms
 from dhgen.targets.derivation.text.style import PLAIN
+from dhgen.targets.derivation.text.terms import terms_within, width
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.text.formula import Formula
@@ -27,12 +21,6 @@ if TYPE_CHECKING:
 WIDTH = 100  # visible characters of a line
 INDENT = 4
 SHORT = 10  # visible characters that may follow a long side on its line
-BREAKS_TALL = 75  # visible characters of a product from which even tall brackets are broken
-
-
-def width(formula: Formula) -> int:
-    """Visible characters of a formula in one line."""
-    return len(show(formula, PLAIN))
 
 
 def laid_out(formulas: tuple[Formula, ...], style: Style) -> list[tuple[str, str]]:
@@ -86,7 +74,11 @@ def _joined(formula: Relation, start: int, style: Style) -> list[str]:
 
 def filled(formula: Formula, style: Style, room: int) -> list[str]:
     """A formula in as many lines as it needs; lines after the first are indented."""
-    shown, plain = _pieces(formula, style), _pieces(formula, PLAIN)
+    if isinstance(formula, Listing):
+        shown, plain = _items(formula, style), _items(formula, PLAIN)
+    else:
+        terms = terms_within(formula, room - INDENT)
+        shown, plain = signed_terms(terms, style), signed_terms(terms, PLAIN)
     lines: list[str] = []
     used = 0
     for piece, visible in zip(shown, plain, strict=True):
@@ -95,67 +87,11 @@ def filled(formula: Formula, style: Style, room: int) -> list[str]:
             used += len(visible)
         else:
             indent = "" if not lines else r"\quad " if style is not PLAIN else " " * INDENT
-            lines.append(indent + piece.lstrip() if lines else piece)
+            lines.append(indent + piece.lstrip())
             used = len(visible) + (INDENT if len(lines) > 1 else 0)
     return lines
 
 
-def _pieces(formula: Formula, style: Style) -> list[str]:
-    """Parts between which a line may end; joined they are the formula."""
-    match formula:
-        case Sum(terms) if len(terms) > 1:
-            return _sum_pieces(terms, style)
-        case Minus(operand):
-            first, *rest = _pieces(operand, style)
-            if isinstance(operand, Sum):
-                return _enclosed(f"{style.minus}(", [first, *rest], ")")
-            return [style.minus + first, *rest]
-        case Quotient(over, under) if width(over) > WIDTH:
-            below = show(under, style)
-            below = f"({below})" if isinstance(under, Sum | Product) else below
-            return _enclosed("(", _pieces(over, style), f")/{below}")
-        case Product(factors) if (place := _last_sum(factors)) is not None and (
-            not is_tall(factors[place]) or width(formula) > BREAKS_TALL
-        ):
-            before = "".join(f"{show_factor(f, style)} " for f in factors[:place])
-            after = "".join(f" {show(f, style)}" for f in factors[place + 1 :])
-            return _enclosed(f"{before}(", _pieces(factors[place], style), f"){after}")
-        case Call(function, arguments) if not any(map(is_tall, arguments)):
-            parts: list[str] = []
-            for argument in arguments:
-                first, *rest = _pieces(argument, style)
-                opening = f"{style.function(function)}(" if not parts else " "
-                parts += [opening + first, *rest]
-                parts[-1] += ","
-            parts[-1] = parts[-1][:-1] + ")"
-            return parts
-        case Listing(items):
-            shown = [show(item, style) for item in items]
-            return [item + style.comma for item in shown[:-1]] + shown[-1:]
-        case _:
-            return [show(formula, style)]
-
-
-def _last_sum(factors: tuple[Formula, ...]) -> int | None:
-    """The place of the factor that is broken: a sum with nothing but functions behind it."""
-    place = max((i for i, factor in enumerate(factors) if not is_function(factor)), default=0)
-    return place if isinstance(factors[place], Sum) else None
-
-
-def _sum_pieces(terms: tuple[Formula, ...], style: Style) -> list[str]:
-    parts: list[str] = []
-    for term, text in zip(terms, signed_terms(terms, style), strict=True):
-        inner = term.operand if isinstance(term, Minus) else term
-        pieces, whole = _pieces(inner, style), show(inner, style)
-        if len(pieces) > 1 and text.endswith(whole):
-            parts += [text[: -len(whole)] + pieces[0], *pieces[1:]]
-        else:
-            parts.append(text)
-    return parts
-
-
-def _enclosed(opening: str, pieces: list[str], closing: str) -> list[str]:
-    first, *rest = pieces
-    parts = [opening + first, *rest]
-    parts[-1] += closing
-    return parts
+def _items(listing: Listing, style: Style) -> list[str]:
+    shown = [show(item, style) for item in listing.items]
+    return [text + style.comma for text in shown[:-1]] + shown[-1:]
