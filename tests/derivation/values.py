@@ -11,7 +11,7 @@ from dhgen.kinematics.arm_angle import triangle
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.targets.derivation.notation.expressions import expression_symbol
-from dhgen.targets.derivation.sections.tables import sign_and_offset
+from dhgen.targets.derivation.sections.variables import sign_and_offset
 from dhgen.targets.derivation.text.formula import (
     Call,
     Element,

@@ -14,7 +14,13 @@ from dhgen.targets.derivation.text.formula import Symbol
 if TYPE_CHECKING:
     from dhgen.robot.expression import Expression
 
-_TOKENS = re.compile(r"sqrt\((\d+)\)|([A-Za-z_][A-Za-z0-9_]*)|(\*\*)|(\*)|(-)|(.)")
+_TOKENS = re.compile(
+    r"sqrt\((\d+)\)|([A-Za-z_][A-Za-z0-9_]*)|(?<![*/])(\d+(?:\.\d+)?)\*\(pi/180\)"
+    r"|(\*\*|\*|-)|(\d[\d.]*|.)"
+)
+_SIGNS = {"**": ("^", "^"), "*": (" ", " "), "-": ("-", "−")}
+_DECIMALS = 3  # of a limit in degrees
+_EXACT = 9  # decimals that conversion from radians leaves right
 _FUNCTIONS = frozenset({"sin", "cos", "sqrt"})
 
 
@@ -40,40 +46,47 @@ def variable_symbol(number: int, sign: int, offset: Expression) -> Symbol:
 
 
 def limit_symbol(value: float, kind: JointKind) -> Symbol:
-    """A joint limit: degrees for an angle, the file's unit for a length."""
-    shown = value if kind is JointKind.PRISMATIC else round(math.degrees(value), 9)
+    """A joint limit: degrees for an angle, rounded, the file's unit for a length."""
+    shown = value if kind is JointKind.PRISMATIC else round(math.degrees(value), _DECIMALS) + 0.0
     number = repr(shown).removesuffix(".0")
     degree = kind is JointKind.REVOLUTE
     plain = number.replace("-", "−")
     return Symbol(number + (r"^\circ" if degree else ""), plain + ("°" if degree else ""))
 
 
+def is_rounded_limit(value: float) -> bool:
+    """Whether the symbol of an angle's limit is not quite its value."""
+    degrees = round(math.degrees(value), _EXACT)
+    return degrees != round(degrees, _DECIMALS)
+
+
 def text_symbol(text: str) -> Symbol:
     """What a cell says as one symbol."""
-    latex, plain = [], []
-    for match in _TOKENS.finditer(text):
-        radicand, name, power, star, dash, other = match.groups()
-        if radicand:
-            pair = rf"\sqrt{{{radicand}}}", f"√{radicand}"
-        elif name == "pi":
-            pair = r"\pi", "π"
-        elif name == "q":  # of whichever joint
-            pair = "q", "q"
-        elif name in _FUNCTIONS:
-            pair = rf"\{name}" if name != "sqrt" else r"\operatorname{sqrt}", name
-        elif name:
-            pair = parameter(name).latex, parameter(name).text
-        elif power:
-            pair = "^", "^"
-        elif star:
-            pair = " ", " "
-        elif dash:
-            pair = "-", "−"
-        else:
-            pair = other, other
-        latex.append(pair[0])
-        plain.append(pair[1])
-    return Symbol("".join(latex), "".join(plain))
+    pairs = [_token(*match.groups()) for match in _TOKENS.finditer(text)]
+    return Symbol("".join(latex for latex, _ in pairs), "".join(plain for _, plain in pairs))
+
+
+def _token(
+    radicand: str | None, name: str | None, degrees: str | None, sign: str | None, other: str | None
+) -> tuple[str, str]:
+    """A token as LaTeX and as plain text."""
+    if radicand:
+        return rf"\sqrt{{{radicand}}}", f"√{radicand}"
+    if degrees:
+        return rf"{degrees}^\circ", f"{degrees}°"
+    if name:
+        return _name(name)
+    return _SIGNS[sign] if sign else (other or "", other or "")
+
+
+def _name(name: str) -> tuple[str, str]:
+    if name == "pi":
+        return r"\pi", "π"
+    if name == "q":  # of whichever joint
+        return "q", "q"
+    if name in _FUNCTIONS:
+        return (rf"\{name}" if name != "sqrt" else r"\operatorname{sqrt}"), name
+    return parameter(name).latex, parameter(name).text
 
 
 def number_symbol(value: float) -> Symbol:

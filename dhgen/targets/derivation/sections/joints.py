@@ -9,7 +9,7 @@ from dhgen.robot.expression import ZERO as NOTHING
 from dhgen.robot.robot import JointKind
 from dhgen.targets.derivation.notation.expressions import expression_symbol
 from dhgen.targets.derivation.notation.names import joint_symbol, letter, single, theta
-from dhgen.targets.derivation.sections.tables import joints_of, sign_and_offset
+from dhgen.targets.derivation.sections.variables import joints_of, sign_and_offset
 from dhgen.targets.derivation.text.blocks import Paragraph, display, paragraph, say
 from dhgen.targets.derivation.text.formula import Formula, Symbol, add, equal, minus
 from dhgen.targets.derivation.text.words import counted, numeral

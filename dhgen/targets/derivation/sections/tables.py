@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.expression import ZERO
 from dhgen.robot.robot import AxisJoint, Convention, DhRow, DhTable, JointKind
 from dhgen.targets.derivation.notation.expressions import (
     expression_symbol,
+    is_rounded_limit,
     limit_symbol,
     variable_symbol,
 )
-from dhgen.targets.derivation.notation.names import joint_symbol, letter, single, theta
-from dhgen.targets.derivation.text.blocks import Given, Table, joined, paragraph, say
-from dhgen.targets.derivation.text.formula import Symbol, equal
+from dhgen.targets.derivation.notation.names import letter
+from dhgen.targets.derivation.sections.variables import joints_of, variables
+from dhgen.targets.derivation.text.blocks import Given, Table, paragraph, say
+from dhgen.targets.derivation.text.formula import Symbol
 
 if TYPE_CHECKING:
     from dhgen.robot.expression import Expression
@@ -39,12 +40,6 @@ _AXES_TEXT = (
     "The axes are given in the reference position, where every {} is zero, in the base frame "
     "(document 001). Frame {} moves with joint {} and has its {} axis along the joint's axis; {} "
     "takes frame {} to frame {}."
-)
-_ANGLE_TEXT = "In the formulas {} is the angle of joint {}: {}{}."
-_LENGTH_TEXT = "In the formulas {} is the length of joint {}: {}."
-_BOTH_TEXT = (
-    "In the formulas {} is the angle of a revolute joint and {} the length of a prismatic "
-    "one: {}{}."
 )
 
 
@@ -72,7 +67,8 @@ def table_blocks(story: Story) -> list[Block]:
             Symbol("x_i", "xᵢ"),
             *axes,
         ),
-        _variables(story),
+        *_rounded(story),
+        variables(story),
     ]
 
 
@@ -98,7 +94,8 @@ def axes_blocks(story: Story) -> list[Block]:
     return [
         Table((*header, *([say("limits")] * limited)), tuple(rows)),
         paragraph(_AXES_TEXT, q, _I, _I, z, a, Symbol("i-1", "i−1"), _I),
-        _variables(story),
+        *_rounded(story),
+        variables(story),
     ]
 
 
@@ -125,43 +122,13 @@ def _limits(joint: DhRow | AxisJoint, story: Story) -> Prose:
     return say("{} to {} {}", low, high, Given(story.robot.length_unit))
 
 
-def _variables(story: Story) -> Block:
-    """What theta_i and r_i are for the joint variables q_i."""
-    angle, slide, q = Symbol(r"\theta_i", "θᵢ"), Symbol("r_i", "rᵢ"), Symbol("q_i", "qᵢ")
-    changed: list[Prose] = []
-    turning = plain = 0
-    for number, joint in enumerate(joints_of(story), start=1):
-        revolute = joint.kind is JointKind.REVOLUTE
-        turning += revolute
-        inner = theta(single(number)) if revolute else letter("r", "r", str(number))
-        outer = variable_symbol(number, *sign_and_offset(story, number))
-        if revolute and outer.text == joint_symbol(number).text:
-            plain += 1
-        else:
-            changed.append(say("{}", equal(inner, outer)))
-    if not changed:
-        return paragraph(_ANGLE_TEXT, angle, _I, equal(angle, q), say(""))
-    listed = joined(changed)
-    if not turning:
-        return paragraph(_LENGTH_TEXT, slide, _I, listed)
-    rest = say(", otherwise {}", equal(angle, q)) if plain else say("")
-    if turning == len(story.robot.joints):
-        return paragraph(_ANGLE_TEXT, angle, _I, listed, rest)
-    return paragraph(_BOTH_TEXT, angle, slide, listed, rest)
-
-
-def joints_of(story: Story) -> tuple[DhRow | AxisJoint, ...]:
-    """The joints as the user wrote them."""
-    return tuple(story.robot.joints)
-
-
-def sign_and_offset(story: Story, number: int) -> tuple[int, Expression]:
-    """What a joint's angle or length is for its variable: sign and what is added."""
-    joint: DhRow | AxisJoint = story.robot.joints[number - 1]
-    sign = story.algebra.chain.joints[number - 1].sign
-    if not isinstance(joint, DhRow):
-        return sign, ZERO
-    return sign, joint.theta if joint.kind is JointKind.REVOLUTE else joint.d
+def _rounded(story: Story) -> list[Block]:
+    """What the reader of the limits has to know."""
+    turning = [joint for joint in joints_of(story) if joint.kind is JointKind.REVOLUTE]
+    limits = [value for joint in turning for value in joint.limits or ()]
+    if not any(map(is_rounded_limit, limits)):
+        return []
+    return [paragraph("Limits are rounded to a thousandth of a degree.")]
 
 
 def _triple(cells: tuple[Expression, Expression, Expression]) -> Prose:
