@@ -15,7 +15,7 @@ from dhgen.targets.derivation import (
     derivation_summary,
     derivation_terminal,
 )
-from dhgen.targets.derivation.sections.forward import PAGE
+from dhgen.targets.derivation.sections.transforms import PAGE
 from dhgen.targets.derivation.sections.tree import tree_text
 from dhgen.targets.derivation.types import PRINTERS
 from tests.derivation.golden import FOLDER, made, without_cost

@@ -6,27 +6,21 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.notation.elements import element_of
-from dhgen.targets.derivation.notation.matrices import known_matrix
 from dhgen.targets.derivation.notation.names import cosine, sine, unknown_symbol
+from dhgen.targets.derivation.origins import where_from
 from dhgen.targets.derivation.step_context import StepContext
 from dhgen.targets.derivation.text.blocks import Given, Paragraph, display, joined, paragraph, say
 from dhgen.targets.derivation.text.formula import Formula, Listing, equal
-from dhgen.targets.derivation.text.words import many, numeral
+from dhgen.targets.derivation.text.words import numeral
 from dhgen.targets.derivation.types import PRINTERS
 from dhgen.targets.derivation.types.angle_pair import is_direct
 
 if TYPE_CHECKING:
-    from dhgen.paul.equation import Origin
     from dhgen.paul.form import Form
-    from dhgen.paul.step import Step
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.blocks import Block, Prose
     from dhgen.targets.derivation.text.formula import Relation
-
-
-SQUARED = ", the squared length of column 4"  # behind its symbol, which comes last
 
 
 def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singularity, ...]]:
@@ -34,9 +28,19 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
     step = story.steps[number - 1]
     context = StepContext(story, number, step)
     text = PRINTERS[step.kind](context)
-    where = _where(step)
-    blocks: list[Block] = [Paragraph(where, lead=_lead(context)), display(*quoted(story, number))]
-    blocks += _rewriting(context)
+    where, rewriting = where_from(step), _rewriting(context)
+    direct = step.kind is Kind.ANGLE_PAIR and is_direct(context)
+    if direct and not rewriting and all(origin.row for origin in step.origins):
+        # the elements have the equations, of which these are the solved form
+        where = say("{}, of which each holds the sine or the cosine alone:", where)
+        return [Paragraph(where, lead=_lead(context)), *text.blocks], text.singularities
+    told = [paragraph("Each equation holds the sine or the cosine alone:")] if direct else []
+    blocks: list[Block] = [
+        Paragraph(say("{}:", where), lead=_lead(context)),
+        display(*quoted(story, number)),
+        *rewriting,
+        *told,
+    ]
     return [*blocks, *text.blocks], text.singularities
 
 
@@ -68,34 +72,6 @@ def document_002_number(context: StepContext) -> int | None:
             return 4 if is_direct(context) else None
         case _:
             return None
-
-
-def _where(step: Step) -> Prose:
-    """From which elements, and what was moved."""
-    origins = step.origins
-    names = [say("{}", element_of(origin)) for origin in origins]
-    head = say("From {}", joined(names))
-    first = origins[0]
-    if not all(o.matrix == first.matrix for o in origins):
-        return say("{}{}:", head, say("" if all(o.row for o in origins) else SQUARED))
-    if first.inverse:
-        return say("{}{}, seen from the tool:", head, _line_of(origins))
-    if first.is_mixed:
-        joints = many("joint", [str(joint) for joint in range(first.k + 1, first.dof + 1)])
-        moved = say(f", {joints} moved to the side of {{}}", known_matrix(first.matrix))
-        return say("{}{}{}:", head, _line_of(origins), moved)
-    return say("{}{}:", head, _line_of(origins))
-
-
-def _line_of(origins: tuple[Origin, ...]) -> Prose:
-    """(column 4) or (row 3), for two elements; what the squared length of a column is."""
-    if not all(origin.row for origin in origins):
-        return say(SQUARED)
-    if len(origins) < 2:
-        return say("")
-    if origins[0].column == origins[1].column:
-        return say(f" (column {origins[0].column})")
-    return say(f" (row {origins[0].row})") if origins[0].row == origins[1].row else say("")
 
 
 def quoted(story: Story, number: int) -> list[Relation]:

@@ -4,38 +4,32 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.transform import Transform, compose, identity
+from dhgen.kinematics.transform import compose, identity
 from dhgen.targets.derivation.notation.expand import expanded
 from dhgen.targets.derivation.notation.matrices import forward_of, link_matrix
-from dhgen.targets.derivation.notation.names import forward_matrix, link, product_of, target
+from dhgen.targets.derivation.notation.names import forward_matrix, link, target
 from dhgen.targets.derivation.sections.given_pose import BASE, POSE, TOOL, given_pose
 from dhgen.targets.derivation.sections.jacobian import jacobian_blocks, jacobian_columns
-from dhgen.targets.derivation.text.blocks import Heading, display, paragraph, say
+from dhgen.targets.derivation.sections.transforms import (
+    fills_pages,
+    matrix_of,
+    matrix_width,
+    transform_blocks,
+)
+from dhgen.targets.derivation.text.blocks import Display, Heading, display, paragraph, say
 from dhgen.targets.derivation.text.formula import (
-    ONE,
-    ZERO,
     Element,
     Listing,
-    Matrix,
-    Relation,
     Symbol,
     equal,
     times,
 )
-from dhgen.targets.derivation.text.lines import WIDTH, laid_out
-from dhgen.targets.derivation.text.style import PLAIN
-from dhgen.targets.derivation.text.terms import width
+from dhgen.targets.derivation.text.lines import WIDTH
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from dhgen.kinematics.constants import Polynomial
     from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.blocks import Block
     from dhgen.targets.derivation.text.formula import Formula
-
-PAGE = 60  # lines
-MOST_TERMS = 400  # more of them fill more than a page, however they are nested
 
 T_BASE_TOOL = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
 
@@ -105,10 +99,12 @@ def _products(story: Story) -> list[Block]:
     left: list[Formula] = []
     for i in range(2, story.dof + 1):
         name, product = forward_matrix(i), forward_of(story.algebra, i)
+        before = forward_matrix(i - 1), forward_of(story.algebra, i - 1)
         if fills_pages(name, product, story.write_forward):
-            left.append(equal(name, times(forward_matrix(i - 1), link(i))))
+            left.append(equal(name, times(before[0], link(i))))
         else:
-            blocks += transform_blocks((name,), product, story.write_forward)
+            known = None if left else before
+            blocks += transform_blocks(name, product, story.write_forward, known)
     if left:
         text = "Written out, the others would fill pages; they are left as products:"
         blocks += [paragraph(text), display(*left)]
@@ -156,8 +152,8 @@ def _tool(story: Story) -> list[Block]:
         for name, transform in ((BASE, base), (TOOL, tool))
         if transform != still
     ]
-    whole = compose(base, forward_of(algebra, story.dof), algebra.normal)
-    whole = compose(whole, tool, algebra.normal)
+    joints = forward_of(algebra, story.dof)
+    whole = compose(compose(base, joints, algebra.normal), tool, algebra.normal)
     frames = (
         "With the base frame {} and the tool frame {}"
         if len(given) == 2
@@ -171,8 +167,10 @@ def _tool(story: Story) -> list[Block]:
     pose = equal(T_BASE_TOOL, times(*parts))
     if fills_pages(T_BASE_TOOL, whole, story.write_forward):
         return [*blocks, paragraph("the pose of the tool is {}.", pose)]
-    written = transform_blocks((T_BASE_TOOL,), whole, story.write_forward)
-    return [*blocks, paragraph("the pose of the tool is {}:", pose), *written]
+    known = None if fills_pages(last, joints, story.write_forward) else (last, joints)
+    written = transform_blocks(T_BASE_TOOL, whole, story.write_forward, known)
+    end = ":" if isinstance(written[0], Display) else "."
+    return [*blocks, paragraph("the pose of the tool is {}" + end, pose), *written]
 
 
 def _relations(story: Story) -> list[Block]:
@@ -194,57 +192,3 @@ def _relations(story: Story) -> list[Block]:
     )
     given = paragraph(text, POSE, given_pose(story), target(0))
     return [given, display(Listing(tuple(found)))]
-
-
-def matrix_of(transform: Transform, write: Callable[[Polynomial], Formula]) -> Matrix:
-    """All sixteen entries."""
-    rows = [tuple(write(transform.entry(row, column)) for column in range(4)) for row in range(3)]
-    return Matrix((*rows, (ZERO, ZERO, ZERO, ONE)))
-
-
-def matrix_width(formula: Formula) -> int:
-    """Visible characters of `name = matrix`: the widest entry of every column."""
-    assert isinstance(formula, Relation)
-    total = 0
-    for side in formula.sides:
-        if isinstance(side, Matrix):
-            for column in zip(*side.rows, strict=True):
-                total += max(1 if e is None else width(e) for e in column) + 2
-        else:
-            total += width(side) + 3
-    return total
-
-
-def transform_blocks(
-    names: tuple[Formula, ...], transform: Transform, write: Callable[[Polynomial], Formula]
-) -> list[Block]:
-    """name = matrix, or its entries one by one where the matrix is too wide."""
-    matrix = matrix_of(transform, write)
-    whole = equal(*names, matrix)
-    if matrix_width(whole) <= WIDTH:
-        return [display(whole)]
-    return [display(*_entries(names[-1], matrix))]
-
-
-def fills_pages(
-    name: Formula, transform: Transform, write: Callable[[Polynomial], Formula]
-) -> bool:
-    """Whether the entries one by one are more than a reader can follow."""
-    if (
-        sum(len(transform.entry(row, column)) for row in range(3) for column in range(4))
-        > MOST_TERMS
-    ):
-        return True
-    return len(laid_out(_entries(name, matrix_of(transform, write)), PLAIN)) > PAGE
-
-
-def _entries(name: Formula, matrix: Matrix) -> tuple[Relation, ...]:
-    return tuple(
-        equal(Element(name, row + 1, column + 1), entry)
-        for column in range(4)
-        for row in range(3)
-        if (entry := matrix.rows[row][column]) is not None
-    )
-
-
-__all__ = ["forward_section", "matrix_of", "matrix_width", "product_of", "transform_blocks"]

@@ -62,9 +62,7 @@ def _direct(context: StepContext) -> StepText:
         full = over(context.story.write(context.polynomial(value)), context.value(factor))
         lines.append(equal(symbol, full, over(context.value(value), context.value(factor))))
     solution = equal(theta(context.angle), atan2(s, c))
-    return StepText(
-        (paragraph("Each equation holds the sine or the cosine alone:"), display(*lines, solution))
-    )
+    return StepText((display(*lines, solution),))
 
 
 def _cramer(context: StepContext) -> StepText:
