@@ -99,9 +99,10 @@ def test_half_a_turn_is_a_root_that_the_half_angle_s_tangent_misses() -> None:
 
 
 def test_two_roots_that_meet_are_a_singular_configuration() -> None:
-    row = "| 1 | two roots of the equation meet | — | two solutions become one, and"
-    assert rf"{row} $\det J$ is zero; they count once" in document("parallel_123")
-    assert f"{row} the determinant of the first three rows of $J$ is" in document("cuspidal_3r")
+    row = "| 1 | two roots of the equation meet | {} | two solutions become one; they count once"
+    assert row.format(r"$\det J = 0$") in document("parallel_123")
+    rows = "the determinant of the first three rows of $J$ is zero"
+    assert row.format(rows) in document("cuspidal_3r")
 
 
 def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:

@@ -1,107 +1,28 @@
-"""What a vanishing combination means for the arm: in joint angles, and in words."""
+"""What a vanishing combination means for the arm, in words."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.chain import Turn, parallel_groups
 from dhgen.kinematics.product import product
-from dhgen.kinematics.ring import primitive, used_places
+from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
-from dhgen.paul.witness import build_witnesses
 from dhgen.program.ir import Failure, Guard
 from dhgen.targets.derivation.effects import open_joints
 from dhgen.targets.derivation.notation.names import single, theta
 from dhgen.targets.derivation.text.blocks import Given, say
-from dhgen.targets.derivation.text.formula import ZERO, Symbol, equal
-from dhgen.targets.derivation.text.show import show
-from dhgen.targets.derivation.text.style import PLAIN
-from dhgen.targets.derivation.text.walk import leads_negative
 from dhgen.targets.derivation.text.words import joined
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.targets.derivation.step_context import StepContext
-    from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.blocks import Prose
-    from dhgen.targets.derivation.text.formula import Formula
 
-LONGEST = 3  # terms of a condition in joint angles
-SAME = 1e-9  # how near two values on the witnesses are when they are equal
 OTHERS_DECIDE = "the others for all, a few or none of them; the row holds one"
 THE_REST = " and, of a few, rows that are left the rest"
-
-
-def other_combination(context: StepContext) -> Polynomial | None:
-    """Y s - X c of a step of type 2 by joint angles: another element of the same matrices.
-
-    The pool is searched for an equation whose side with U_0 is this combination, up to its sign
-    and a constant.
-    """
-    story = context.story
-    form = story.combination(context.number).form
-    found: list[Polynomial] = []
-    for equation in story.derivation.pool.equations:
-        for sign in (1, -1):
-            rest = equation.left - sign * form
-            if story.algebra.is_constant(rest):
-                value = sign * (equation.right - rest)
-                if value and len(value) <= LONGEST:
-                    found.append(value)
-    if not found:
-        return _by_square(context)
-    return min(found, key=lambda value: (len(value), str(value)))
-
-
-def _by_square(context: StepContext) -> Polynomial | None:
-    """The sine or cosine of a joint whose square is X^2 + Y^2 on every witness."""
-    if context.polynomial("Z"):
-        return None
-    algebra = context.story.algebra
-    witnesses = build_witnesses(context.story.derivation.pool)
-    x, y = (witnesses.evaluate(context.polynomial(name)) for name in "XY")
-    for angle in algebra.angles:
-        for name in (angle.sine, angle.cosine):
-            generator = algebra.generator(name)
-            if np.max(np.abs(x * x + y * y - witnesses.evaluate(generator) ** 2)) < SAME:
-                return generator
-    return None
-
-
-def condition_in_joints(context: StepContext, joints: Polynomial | None) -> Formula | None:
-    """joints = 0, with the sign that reads best."""
-    if joints is None:
-        return None
-    story = context.story
-    return equal(unsigned(story, without_lengths(story.algebra, joints)), ZERO)
-
-
-def without_lengths(algebra: Algebra, form: Polynomial) -> Polynomial:
-    """A form without the numbers and lengths, and sums of them, that all its terms share."""
-    _, rest = primitive(form)
-    first = len(algebra.ring.gens) - len(algebra.chain.ring.gens)
-    moving = {monomial[:first] for monomial in rest}
-    if len(moving) == 1:
-        still = (0,) * (len(algebra.ring.gens) - first)
-        return algebra.ring.from_dict({(*moving.pop(), *still): algebra.ring.domain.one})
-    common = tuple(min(powers) for powers in zip(*rest, strict=True))
-    lowered = tuple(0 if place < first else power for place, power in enumerate(common))
-    return algebra.ring.from_dict(
-        {
-            tuple(e - p for e, p in zip(monomial, lowered, strict=True)): coefficient
-            for monomial, coefficient in rest.terms()
-        }
-    )
-
-
-def unsigned(story: Story, polynomial: Polynomial) -> Formula:
-    """A polynomial or its opposite: without a leading minus, else by alphabet."""
-    choices = [story.write_forward(polynomial), story.write_forward(-polynomial)]
-    return min(choices, key=lambda each: (leads_negative(each), show(each, PLAIN)))
 
 
 def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
@@ -224,17 +145,3 @@ def _parallel_around(algebra: Algebra, joints: Polynomial | None) -> tuple[int, 
     cosine, sine = (algebra.generator(name) for name in (single(k).cosine, single(k).sine))
     straight = cosine if used == {algebra.index[single(k).sine]} else sine
     return (k - 1, k + 1) if lean in (straight, -straight) else None
-
-
-__all__ = [
-    "Symbol",
-    "condition_in_joints",
-    "is_left_to_the_pose",
-    "meaning_of_free",
-    "meaning_of_root",
-    "other_combination",
-    "others_decide",
-    "point_name",
-    "unsigned",
-    "without_lengths",
-]

@@ -40,7 +40,7 @@ class Singularity:
 
     step: int
     condition: Formula | Prose
-    joints: Formula | None
+    joints: Formula | Prose | None
     meaning: Prose
     effect: Prose
     frees: bool = False

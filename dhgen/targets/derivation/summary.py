@@ -71,7 +71,9 @@ def _step(story: Story, number: int) -> tuple[str, str, str, str]:
 
 
 def _singular(each: Singularity) -> str:
-    condition = each.condition if each.joints is None else each.joints
+    condition = each.condition
+    if each.joints is not None and not isinstance(each.joints, Prose):
+        condition = each.joints
     if isinstance(condition, Prose):
         place = f"where {words(condition)}"
     else:

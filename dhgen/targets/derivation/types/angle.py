@@ -5,17 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
-from dhgen.targets.derivation.effects import free_effect, merged_effect
-from dhgen.targets.derivation.joint_space import (
-    condition_in_joints,
-    meaning_of_free,
-    meaning_of_root,
-    other_combination,
-)
+from dhgen.targets.derivation.conditions import condition_in_joints, other_combination
+from dhgen.targets.derivation.effects import merged_effect
+from dhgen.targets.derivation.joint_space import meaning_of_root
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
-from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.blocks import display, paragraph
 from dhgen.targets.derivation.text.formula import (
     ONE,
     ZERO,
@@ -33,6 +29,7 @@ from dhgen.targets.derivation.text.formula import (
     subtract,
     times,
 )
+from dhgen.targets.derivation.types.angle_free import cancelled, free_without_right_side, with_free
 from dhgen.targets.derivation.types.second import ADDED, Second
 
 if TYPE_CHECKING:
@@ -96,7 +93,7 @@ def _homogeneous(context: StepContext) -> StepText:
         context.story.algebra, *(context.polynomial(name) for name in "XY")
     ):
         return StepText((*blocks, paragraph("There is always a solution.")))
-    free = _free(context, second)
+    free = free_without_right_side(context, second)
     blocks.append(
         paragraph(
             "There is always a solution. Degenerate when {}: {}. Then {}.",
@@ -115,28 +112,6 @@ def _combination(context: StepContext, remembered: Remembered, size: Formula) ->
     full = subtract(times(facing, Y, s), times(facing, X, c))
     written = context.story.write(remembered.form)
     return equal(remembered.letter, full, written, times(facing, context.facing_sign, size))
-
-
-def _free(context: StepContext, second: Second | None) -> Singularity:
-    names = [name for name in "XY" if context.polynomial(name)]
-    condition: Formula = equal(X, Y, ZERO)
-    if context.are_short(*names):
-        values = [context.value(name) for name in names]
-        condition = equal(*(v.operand if hasattr(v, "operand") else v for v in values), ZERO)
-    joints = other_combination(context)
-    stated = condition_in_joints(context, joints)
-    meaning = meaning_of_free(context, joints)
-    if second is not None:
-        condition, stated = equal(*ADDED.values(), ZERO), second.condition(joints)
-        meaning = say("neither equation says anything about {}", theta(context.angle))
-    return Singularity(
-        context.number,
-        condition,
-        stated,
-        meaning,
-        free_effect(context),
-        frees=True,
-    )
 
 
 def _single(context: StepContext) -> StepText:
@@ -203,7 +178,7 @@ def _general(context: StepContext) -> StepText:
         ),
     ]
     if context.vanishes("Z") and not context.is_constant("X", "Y"):
-        return _cancelled(context, blocks, remembered)
+        return cancelled(context, blocks, remembered)
     met = Singularity(
         context.number,
         equal(remembered.letter, ZERO),
@@ -214,42 +189,4 @@ def _general(context: StepContext) -> StepText:
     text = "No solution when {}. The two solutions meet when {}: {}. Then {}."
     far = relation(SQUARES, "<", square(Z))
     blocks.append(paragraph(text, far, met.condition, met.meaning, met.effect))
-    return _with_free(context, blocks, met)
-
-
-def _cancelled(context: StepContext, blocks: list[Block], remembered: Remembered) -> StepText:
-    """Lengths that cancel: the root is zero only where X and Y are, and with them the equation."""
-    joints = other_combination(context)
-    free = Singularity(
-        context.number,
-        equal(remembered.letter, ZERO),
-        condition_in_joints(context, joints),
-        meaning_of_free(context, joints),
-        free_effect(context),
-        frees=True,
-    )
-    text = (
-        "With the numbers of this arm {}, so there is always a solution, and {} only when {}. "
-        "Degenerate when {}: {}. Then {}."
-    )
-    none, vanishing = equal(Z, ZERO), equal(X, Y, ZERO)
-    shown = none, free.condition, vanishing, free.condition, free.meaning, free.effect
-    return StepText((*blocks, paragraph(text, *shown)), (free,))
-
-
-def _with_free(context: StepContext, blocks: list[Block], met: Singularity) -> StepText:
-    """What happens where X, Y and Z vanish together, if they may."""
-    factors = [context.polynomial(name) for name in "XYZ"]
-    if are_never_zero(context.story.algebra, *factors):
-        return StepText(tuple(blocks), (met,))
-    free = Singularity(
-        context.number,
-        equal(X, Y, Z, ZERO),
-        None,
-        say("the equation says nothing about {}", theta(context.angle)),
-        free_effect(context),
-        frees=True,
-    )
-    text = "Degenerate when {}: {}. Then {}."
-    blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
-    return StepText(tuple(blocks), (met, free))
+    return with_free(context, blocks, met)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.ring import constant_value
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
+from dhgen.targets.derivation.conditions import vanishing
 from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.joint_space import others_decide, point_name
 from dhgen.targets.derivation.never_zero import are_never_zero
@@ -147,11 +148,18 @@ def _free(context: StepContext, *, together: bool) -> Singularity:
     return Singularity(
         context.number,
         equal(Z1, Z2, ZERO) if together else equal(DELTA, ZERO),
-        None,
+        _in_joints(context, together=together),
         say("{}{}", meaning, _only_if(context)),
         free_effect(context),
         frees=True,
     )
+
+
+def _in_joints(context: StepContext, *, together: bool) -> Formula | Prose | None:
+    """Where nothing is said of the angle, by the joints that are known before it."""
+    if together:
+        return vanishing(context, context.polynomial("X1"), context.polynomial("Y1"))
+    return vanishing(context, context.determinant)
 
 
 def _vanishing(*, together: bool) -> Formula:

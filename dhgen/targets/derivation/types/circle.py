@@ -66,8 +66,9 @@ def print_circle(context: StepContext) -> StepText:
         ),
     ]
     met = _met(context)
-    text = "No solution when it has no real root. Where {}, {}; {}."
-    blocks.append(paragraph(text, met.condition, met.meaning, met.effect))
+    text = "No solution when it has no real root. Where {}, {}{}; {}."
+    also = say("") if met.joints is None else say(", and {}", met.joints)
+    blocks.append(paragraph(text, met.condition, met.meaning, also, met.effect))
     free = Singularity(
         context.number,
         say("all coefficients of the equation vanish at once"),
@@ -84,16 +85,17 @@ def print_circle(context: StepContext) -> StepText:
 def _met(context: StepContext) -> Singularity:
     """Where two roots meet, with them two solutions."""
     chain = context.story.algebra.chain
-    meaning = say("two solutions become one")
-    if chain.dof == chain.task.dimension:
-        which = {
-            TaskKind.POSE: say("{}", Symbol(r"\det J", "det J")),
-            TaskKind.POSITION: say("the determinant of the first three rows of {}", JACOBIAN),
-        }
-        if (determinant := which.get(chain.task.kind)) is not None:
-            meaning = say("{}, and {} is zero", meaning, determinant)
-    effect = say("they count once, and the rows of the last roots stay empty")
-    return Singularity(context.number, say("two roots of the equation meet"), None, meaning, effect)
+    which = {
+        TaskKind.POSE: say("{}", equal(Symbol(r"\det J", "det J"), ZERO)),
+        TaskKind.POSITION: say("the determinant of the first three rows of {} is zero", JACOBIAN),
+    }
+    return Singularity(
+        context.number,
+        say("two roots of the equation meet"),
+        which.get(chain.task.kind) if chain.dof == chain.task.dimension else None,
+        say("two solutions become one"),
+        say("they count once, and the rows of the last roots stay empty"),
+    )
 
 
 def _eliminated(context: StepContext) -> AngleSum:

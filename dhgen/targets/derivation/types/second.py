@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.equation import MOMENT
 from dhgen.paul.second import across
-from dhgen.targets.derivation.joint_space import unsigned
+from dhgen.targets.derivation.conditions import unsigned
 from dhgen.targets.derivation.notation.elements import element_of
 from dhgen.targets.derivation.notation.expressions import number_symbol
 from dhgen.targets.derivation.notation.names import cosine, sine, theta

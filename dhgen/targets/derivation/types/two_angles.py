@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value
+from dhgen.targets.derivation.conditions import unsigned, without_lengths
 from dhgen.targets.derivation.effects import free_effect, merged_effect
-from dhgen.targets.derivation.joint_space import point_name, unsigned, without_lengths
+from dhgen.targets.derivation.joint_space import point_name
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
