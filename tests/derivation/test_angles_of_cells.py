@@ -1,4 +1,4 @@
-"""Angles of a robot file as a reader knows them: degrees, and limits that say where rounded."""
+"""Cells of a robot file as a reader knows them: degrees, roots, limits that say where rounded."""
 
 from __future__ import annotations
 
@@ -21,6 +21,18 @@ def test_degrees_are_written_as_degrees() -> None:
 @pytest.mark.parametrize("cell", ["2**2*(pi/180)", "3*w2*(pi/180)", "w2*(pi/180)", "1/3*(pi/180)"])
 def test_only_a_number_of_degrees_is_written_so(cell: str) -> None:
     assert "°" not in text_symbol(cell).text
+
+
+@pytest.mark.parametrize(
+    ("cell", "latex"),
+    [
+        ("sqrt(3)", r"\sqrt{3}"),
+        ("sqrt(b*b + h)/2", r"\sqrt{b b + h}/2"),
+        ("sqrt(2) + sqrt((b + h)*sqrt(b))", r"\sqrt{2} + \sqrt{(b + h) \sqrt{b}}"),
+    ],
+)
+def test_roots_are_written_as_roots(cell: str, latex: str) -> None:
+    assert text_symbol(cell).latex == latex
 
 
 @pytest.mark.parametrize(

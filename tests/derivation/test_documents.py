@@ -109,13 +109,14 @@ def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:
     text = document("kuka_youbot")
     elements, step = text.split("**1. $")[:2]
     assert "U_1[3,3] & = s_1 t_{13} - c_1 t_{23} = 0" in elements
-    weight = r"with lengths divided by the arm's size, $0.6875$ m, and $\operatorname{sgn}(0) = 1$:"
+    size = "with lengths divided by the arm's size (the sum of all its lengths), $0.6875$ m"
+    weight = size + r", and $\operatorname{sgn}(0) = 1$:"
     assert weight in step
 
 
 def test_an_arm_near_to_a_closed_form_is_told_so() -> None:
     """The offset of the xArm's wrist is 76 mm; Manseur and Doty's arm is near to nothing."""
-    assert "axes 4, 5, 6 miss one point by 0.076 (lengths in m)" in document("xarm6")
+    assert "axes 4, 5 and 6 do not quite meet in one point" in document("xarm6")
     assert "from a closed form" not in document("manseur_doty")
 
 
@@ -301,8 +302,12 @@ def test_the_reader_is_told_which_documents_are_cited(name: str) -> None:
 
 
 def test_the_degree_of_a_general_arm_is_that_of_its_solutions() -> None:
-    assert "of degree 16 in tan(φ/2), with at most sixteen roots" in document("general_6r")
-    assert "of degree 8 in tan(φ/2), with at most eight roots" in document("general_4r2p")
+    assert r"of degree 16 in $\tan\frac{\varphi}{2}$, with at most sixteen roots" in document(
+        "general_6r"
+    )
+    assert r"of degree 8 in $\tan\frac{\varphi}{2}$, with at most eight roots" in document(
+        "general_4r2p"
+    )
     for name, degree in (("general_6r", "16 in tan(θ6/2)"), ("general_5r1p", "16 in ")):
         of = story(name)
         summary = derivation_summary(of.robot, of.derivation, of.program)

@@ -40,7 +40,7 @@ def _sections(story: Story) -> list[Block]:
         if isinstance(whole, GeneralKernel):
             inverse = general_section(whole, story.algebra.chain, story.robot.length_unit)
             return [*forward_section(story), *inverse]
-        return [*forward_in_short(story), *numerical_section(whole)]
+        return [*forward_in_short(story), *numerical_section(whole, story.algebra.chain)]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     return [
         *forward_section(story),

@@ -50,6 +50,16 @@ def leaves_a_joint_free(story: Story) -> bool:
     return any(each.frees for number in steps for each in step_blocks(story, number)[1])
 
 
+def has_signed_roots(story: Story) -> bool:
+    """Whether a step with a sign tells of poses for which its square root has no value."""
+    signed = [n for n, step in enumerate(story.steps, start=1) if step.roots == 2]
+    blocks = (block for number in signed for block in step_blocks(story, number)[0])
+    return any(
+        isinstance(block, Paragraph) and block.prose.text.startswith("No solution when")
+        for block in blocks
+    )
+
+
 def _lead(context: StepContext) -> Prose:
     step = context.step
     count = numeral(step.roots)

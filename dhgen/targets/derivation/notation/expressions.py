@@ -18,10 +18,11 @@ _TOKENS = re.compile(
     r"sqrt\((\d+)\)|([A-Za-z_][A-Za-z0-9_]*)|(?<![*/])(\d+(?:\.\d+)?)\*\(pi/180\)"
     r"|(\*\*|\*|-)|(\d[\d.]*|.)"
 )
+_LONG_ROOT = re.compile(r"sqrt\((?!\d+\))")
 _SIGNS = {"**": ("^", "^"), "*": (" ", " "), "-": ("-", "−")}
 _DECIMALS = 3  # of a limit in degrees
 _EXACT = 9  # decimals that conversion from radians leaves right
-_FUNCTIONS = frozenset({"sin", "cos", "sqrt"})
+_FUNCTIONS = frozenset({"sin", "cos"})
 
 
 def expression_symbol(expression: Expression) -> Symbol:
@@ -62,8 +63,25 @@ def is_rounded_limit(value: float) -> bool:
 
 def text_symbol(text: str) -> Symbol:
     """What a cell says as one symbol."""
+    root = _LONG_ROOT.search(text)
+    if root is not None:
+        return _with_root(text, root.start())
     pairs = [_token(*match.groups()) for match in _TOKENS.finditer(text)]
     return Symbol("".join(latex for latex, _ in pairs), "".join(plain for _, plain in pairs))
+
+
+def _with_root(text: str, start: int) -> Symbol:
+    """A cell with the square root of something that is more than a number."""
+    inside, depth = start + len("sqrt("), 1
+    end = inside
+    while depth:
+        depth += {"(": 1, ")": -1}.get(text[end], 0)
+        end += 1
+    before, root, after = map(text_symbol, (text[:start], text[inside : end - 1], text[end:]))
+    return Symbol(
+        rf"{before.latex}\sqrt{{{root.latex}}}{after.latex}",
+        f"{before.text}√({root.text}){after.text}",
+    )
 
 
 def _token(
@@ -85,7 +103,7 @@ def _name(name: str) -> tuple[str, str]:
     if name == "q":  # of whichever joint
         return "q", "q"
     if name in _FUNCTIONS:
-        return (rf"\{name}" if name != "sqrt" else r"\operatorname{sqrt}"), name
+        return rf"\{name}", name
     return parameter(name).latex, parameter(name).text
 
 

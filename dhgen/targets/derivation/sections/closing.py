@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.program.count import count_operations
 from dhgen.program.regular.regular import regular
 from dhgen.targets.derivation.sections.tree import tree_text
-from dhgen.targets.derivation.steps import leaves_a_joint_free
+from dhgen.targets.derivation.steps import has_signed_roots, leaves_a_joint_free
 from dhgen.targets.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
 from dhgen.targets.walk import finds_roots
 
@@ -37,15 +37,10 @@ def solutions_section(story: Story) -> list[Block]:
     """The tree, and what becomes of branches that have no solution."""
     blocks: list[Block] = [Heading(2, say("The solutions")), Drawing(tree_text(story))]
     if finds_roots(story.program):
-        blocks.append(paragraph(ASCENDING + (UNDER_A_ROOT if _signs(story) else "")))
-    elif story.program.rows > 1:
+        blocks.append(paragraph(ASCENDING + (UNDER_A_ROOT if has_signed_roots(story) else "")))
+    elif has_signed_roots(story):
         blocks.append(paragraph(ENDING))
     return blocks
-
-
-def _signs(story: Story) -> int:
-    """How many choices are signs."""
-    return sum(axis.count == 2 for axis in story.program.axes)
 
 
 def singular_section(found: list[Singularity]) -> list[Block]:

@@ -6,12 +6,16 @@ from typing import TYPE_CHECKING
 
 from dhgen.targets.derivation.sections.general_loop import joint_symbol
 from dhgen.targets.derivation.text.blocks import Display, Paragraph, paragraph, say
-from dhgen.targets.derivation.text.formula import Symbol
+from dhgen.targets.derivation.text.formula import Symbol, minus
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.targets.derivation.text.blocks import Block
 
+PHI, HALF = Symbol(r"\varphi", "φ"), Symbol(r"\tan\frac{\varphi}{2}", "tan(φ/2)")
+BETA, GAMMA, DELTA = Symbol(r"\beta", "β"), Symbol(r"\gamma", "γ"), Symbol(r"\delta", "δ")
+ROOT = Symbol(r"\sqrt{\Delta}", "√Δ")
+M, N, G, W = (Symbol(each, each) for each in "MNgw")
 _ROTATIONS = Symbol(
     r"R_z(\varphi)\,A\,R_z(\beta)\,B\,R_z(\gamma)\,C\,R_z(\delta)\,D = 1,",
     "Rz(φ) A Rz(β) B Rz(γ) C Rz(δ) D = 1,",
@@ -81,16 +85,32 @@ def _directions(kernel: GeneralKernel) -> list[Block]:
         ),
         Display((_ROTATIONS,)),
         paragraph(
-            "where φ, β, γ and δ are the angles of {}, {}, {} and {}, and A, B, C, D the rotations "
-            "between them, one of which holds the pose. Once φ is known, so is M in",
+            "where {}, {}, {} and {} are the angles of {}, {}, {} and {}, and {}, {}, {} and {} "
+            "the rotations between them, one of which holds the pose. Once {} is known, so is {} "
+            "in",
+            *(PHI, BETA, GAMMA, DELTA),
             *turns,
+            *(Symbol(each, each) for each in "ABCD"),
+            PHI,
+            M,
         ),
         Display((_LINKAGE,)),
-        paragraph("The zz entries of M and N are the same, which is an equation of type 2 in γ:"),
+        paragraph(
+            "The last entries of the last rows of {} and {} are the same, which is an equation of "
+            "type 2 in {}:",
+            M,
+            N,
+            GAMMA,
+        ),
         Display(_MIDDLE),
         paragraph(
-            "or the same with −√Δ. β and δ turn the third column and the third row of N into those "
-            "of M:"
+            "or the same with {}. {} and {} turn the third column and the third row of {} into "
+            "those of {}:",
+            minus(ROOT),
+            BETA,
+            DELTA,
+            N,
+            M,
         ),
         Display(_OUTER),
     ]
@@ -109,20 +129,23 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
         ),
         Display((translation,)),
         paragraph(
-            "where u and v are the directions of {} and {}, and p is the sum of what the rest of "
-            "the loop adds. All of this has the form x + y √Δ. With g = U + V √Δ, the product of "
-            "g over both signs of √Δ, times w, is",
-            first,
-            second,
+            "where {} and {} are the directions of {} and {}, and {} is the sum of what the rest "
+            "of the loop adds. All of this has the form {}. With {}, the product of {} over both "
+            "signs of {}, times {}, is",
+            *(Symbol("u", "u"), Symbol("v", "v"), first, second, Symbol("p", "p")),
+            Symbol(r"x + y \sqrt{\Delta}", "x + y √Δ"),
+            Symbol(r"g = U + V \sqrt{\Delta}", "g = U + V √Δ"),
+            *(G, ROOT, W),
         ),
         Display((_POLYNOMIAL,)),
         paragraph(
-            "a trigonometric polynomial of degree 4 in φ, the angle of {}, and so of degree 8 in "
-            "tan(φ/2), with at most eight roots: in w g the degrees of U and V are 3 and 2, so the "
-            "product is of degree 6, and w divides it, because g stays finite for one of the two "
-            "signs where w vanishes. Its coefficients come from its values at 24 angles; bounds on "
-            "the circle isolate all its real roots.",
-            turns[0],
+            "a trigonometric polynomial of degree 4 in {}, the angle of {}, and so of degree 8 in "
+            "{}, with at most eight roots: in {} the degrees of {} and {} are 3 and 2, so the "
+            "product is of degree 6, and {} divides it, because {} stays finite for one of the two "
+            "signs where {} vanishes. Its coefficients come from its values at 24 angles; bounds "
+            "on the circle isolate all its real roots.",
+            *(PHI, turns[0], HALF),
+            *(Symbol(r"w\,g", "w g"), Symbol("U", "U"), Symbol("V", "V"), W, G, W),
         ),
     ]
 
@@ -131,10 +154,10 @@ def _lengths(kernel: GeneralKernel) -> Block:
     _, slides = _symbols(kernel)
     return Paragraph(
         say(
-            "At a root, the sign of √Δ for which g vanishes gives the other turns, and the linear "
+            "At a root, the sign of {} for which {} vanishes gives the other turns, and the linear "
             "equations give {} and {}. Newton steps on the loop refine each solution to rounding "
             "accuracy, and a solution counts only if the loop closes.",
-            *slides,
+            *(ROOT, G, *slides),
         ),
         say("3. The other joints."),
     )

@@ -105,9 +105,12 @@ def _meeting(story: Story) -> list[Prose]:
     found = []
     for group, ending in ((right, " at a right angle"), (other, "")):
         if group:
-            names = group[0] if len(group) == 1 else f"{', '.join(group[:-1])}, and {group[-1]}"
-            each = " each" if group[1:] else ""
-            text = f"{names.capitalize()}{each} meet{ending}, with no link length between them."
+            if group[1:]:
+                names = "; ".join(each.removeprefix("axes ") for each in group)
+                start, end = f"Neighbouring axes that meet{ending}", f": {names}"
+            else:
+                start, end = f"{group[0].capitalize()} meet{ending}", ""
+            text = f"{start}, with no link length between them{end}."
             found.append(say(text))
     return [sentences(found)] if found else []
 

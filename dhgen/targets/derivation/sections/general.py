@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.hidden_slide import UNIT
-from dhgen.paul.refusal import near_structure
 from dhgen.targets.derivation.sections.four_turns import four_turns
 from dhgen.targets.derivation.sections.general_loop import (
     joint_symbol,
@@ -13,7 +12,9 @@ from dhgen.targets.derivation.sections.general_loop import (
     loop_letters,
     loop_that_closes,
 )
+from dhgen.targets.derivation.sections.near import near_blocks
 from dhgen.targets.derivation.sections.no_turn import check, one_more_turn
+from dhgen.targets.derivation.sections.size import size_in_words
 from dhgen.targets.derivation.text.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.text.formula import Symbol
 from dhgen.targets.derivation.text.words import joined, numeral
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Block
 
 
+PHI, HALF = Symbol(r"\varphi", "φ"), Symbol(r"\tan\frac{\varphi}{2}", "tan(φ/2)")
 POINTING = (
     "The task names where the tool is and where its z axis points, and leaves its turn about that "
     "axis open. That turn, {}, is taken as a sixth joint behind the tool: with any choice of the x "
@@ -31,22 +33,20 @@ POINTING = (
 )
 OFFSET_WRIST = (
     "This arm has an offset wrist: axes 1 and 2 and axes 4 and 5 meet at right angles, axes 2 and "
-    "3 are parallel. Its polynomial in θ6 is known in closed form and is tried first; no "
+    "3 are parallel. Its polynomial in {} is known in closed form and is tried first; no "
     "determinant is needed where it succeeds."
 )
-MISSED = "What keeps this arm from a closed form"
 UNRELATED = "No three neighbouring axes are parallel or meet in one point"
 
 
 def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
     """What replaces the steps of Paul's method; `unit` is that of lengths."""
-    near = near_structure(chain)
     blocks: list[Block] = [
         Heading(2, say("Inverse")),
         paragraph(f"{_why(kernel)} {_most(kernel)}"),
         *([paragraph(POINTING, joint_symbol(kernel, 5))] if kernel.pointing else []),
         *([one_more_turn(kernel)] if kernel.checked else []),
-        *([paragraph(f"{MISSED}: {'; '.join(near)} (lengths in {unit}).")] if near else []),
+        *near_blocks(chain, unit),
         Paragraph(
             say("The forward model is a loop that closes:"),
             say("The loop."),
@@ -55,10 +55,10 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         loop_letters(kernel),
     ]
     if kernel.eliminations:
-        blocks += [*_elimination(kernel), *_polynomial(kernel), _null_vectors()]
+        blocks += [*_elimination(kernel), *_polynomial(kernel, chain), _null_vectors()]
     else:
         blocks += four_turns(kernel)
-    return [*blocks, *_rest(kernel), *([check(kernel)] if kernel.checked else [])]
+    return [*blocks, *_rest(kernel), *([check(kernel, chain)] if kernel.checked else [])]
 
 
 def _why(kernel: GeneralKernel) -> str:
@@ -104,7 +104,9 @@ def _given(kernel: GeneralKernel) -> str:
 def _elimination(kernel: GeneralKernel) -> list[Block]:
     first = kernel.first
     hidden, one, two, idle, *others = (joint_symbol(kernel, place) for place in first.joints)
-    degree = "quadratic in" if kernel.hides_a_slide else "linear in cos and sin of"
+    degree = (
+        "quadratic in {}" if kernel.hides_a_slide else "linear in the cosine and the sine of {}"
+    )
     return [
         Paragraph(
             say(
@@ -118,8 +120,10 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
         ),
         Display((loop_from_the_hidden_joint(kernel),)),
         paragraph(
-            "Let l and p be the third and fourth columns of a side; {} moves neither. The fourteen "
-            "numbers in",
+            "Let {} and {} be the third and fourth columns of a side; {} moves neither. The "
+            "fourteen numbers in",
+            Symbol("l", "l"),
+            Symbol("p", "p"),
             idle,
         ),
         Display(
@@ -133,7 +137,7 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
         ),
         paragraph(
             "are the same on both sides. On the left they are linear in nine monomials of {} and "
-            f"{{}}, with coefficients {degree} {{}}; on the right they are linear in eight "
+            f"{{}}, with coefficients {degree}; on the right they are linear in eight "
             "monomials of {} and {}. Eliminating these eight leaves six equations in the three "
             "joints on the left.",
             one,
@@ -154,7 +158,7 @@ def _right_slide(kernel: GeneralKernel) -> Block:
     )
 
 
-def _polynomial(kernel: GeneralKernel) -> list[Block]:
+def _polynomial(kernel: GeneralKernel, chain: Chain) -> list[Block]:
     hidden, one, two = (joint_symbol(kernel, kernel.first.joints[place]) for place in (0, 1, 2))
     blocks: list[Block] = [
         Paragraph(
@@ -177,18 +181,20 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
             )
         ),
         paragraph(
-            f"a trigonometric polynomial of degree 8 in φ, the angle {_whose(kernel)} {{}}, and so "
-            "of degree 16 in tan(φ/2), with at most sixteen roots. Its "
+            f"a trigonometric polynomial of degree 8 in {{}}, the angle {_whose(kernel)} {{}}, and "
+            "so of degree 16 in {}, with at most sixteen roots. Its "
             "coefficients come from its values at 24 angles. Where its roots crowd together, as "
             "they do near the boundary of the reach, so do these angles: a Möbius map of the "
             "circle spreads the roots. Bounds on the circle isolate all real roots.",
+            PHI,
             hidden,
+            HALF,
         ),
     ]
     if kernel.hides_a_slide:
-        blocks.append(_hidden_slide(kernel))
+        blocks.append(_hidden_slide(kernel, chain))
     if kernel.wrist is not None:
-        blocks.append(paragraph(OFFSET_WRIST))
+        blocks.append(paragraph(OFFSET_WRIST, joint_symbol(kernel, 5)))
     return blocks
 
 
@@ -196,14 +202,18 @@ def _whose(kernel: GeneralKernel) -> str:
     return "that stands for" if kernel.hides_a_slide else "of"
 
 
-def _hidden_slide(kernel: GeneralKernel) -> Block:
+def _hidden_slide(kernel: GeneralKernel, chain: Chain) -> Block:
     return paragraph(
         "With a turn in its place the determinant would vanish for every angle, or at places "
-        f"that are no solutions; so it is the slide. {{}} is {UNIT:g} arm sizes times the tangent "
-        "of half an angle that differs from φ by a constant. The rows are then linear in cos φ and "
-        "sin φ, and a polynomial of degree 16 or less in the length becomes one on the circle. The "
-        "determinant has one more zero, where the length is infinite; it is divided out.",
+        f"that are no solutions; so it is the slide. {{}} is {UNIT:g} times the arm's size, "
+        f"{size_in_words(chain)}, times the tangent of half an angle that differs from {{}} by a "
+        "constant. The rows are then linear in {} and {}, and a polynomial of degree 16 or less in "
+        "the length becomes one on the circle. The determinant has one more zero, where the length "
+        "is infinite; it is divided out.",
         joint_symbol(kernel, kernel.first.joints[0]),
+        PHI,
+        Symbol(r"\cos \varphi", "cos φ"),
+        Symbol(r"\sin \varphi", "sin φ"),
     )
 
 
@@ -230,8 +240,8 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(
             say(
-                "All solutions have been found if there is one for every simple root and two for "
-                "every double root, and their number is even. Otherwise "
+                "A simple root belongs to one solution and a double root to two. If as many have "
+                "been found, and their number is even, none is missing. Otherwise "
                 + (
                     f"the same is done with {', then with '.join('{}' for _ in others)} in the "
                     f"place of {{}}, and then from a nearby pose."

@@ -5,15 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.numerical import kernel as constants
+from dhgen.targets.derivation.sections.size import size_in_words
 from dhgen.targets.derivation.text.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.text.formula import Symbol
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
     from dhgen.numerical.kernel import NumericalKernel
     from dhgen.targets.derivation.text.blocks import Block
 
 
-def numerical_section(kernel: NumericalKernel) -> list[Block]:
+def numerical_section(kernel: NumericalKernel, chain: Chain) -> list[Block]:
     """What replaces the steps of Paul's method."""
     why = (
         "The arm has more joints than its task fixes: a pose inside its reach has in general "
@@ -31,11 +33,11 @@ def numerical_section(kernel: NumericalKernel) -> list[Block]:
         Paragraph(
             say(
                 "Let {} be the motion that the tool still lacks to the wanted pose: lengths "
-                "divided by the arm's size and, where directions count, a rotation vector. Let {} "
-                "be the rows of the Jacobian {} that the task names, with all lengths in units of "
-                "the arm's size. From a start the joints go by steps of damped least squares "
-                "(C. W. Wampler, 1986). The damping {} is proportional to the squared miss "
-                "(T. Sugihara, 2011), so that the last steps are Newton's:",
+                f"divided by the arm's size ({size_in_words(chain)}) and, where directions count, "
+                "a rotation vector. Let {} be the rows of the Jacobian {} that the task names, "
+                "with all lengths in units of that size. From a start the joints go by steps of "
+                "damped least squares (C. W. Wampler, 1986). The damping {} is proportional to the "
+                "squared miss (T. Sugihara, 2011), so that the last steps are Newton's:",
                 Symbol("e", "e"),
                 Symbol(r"\hat J", "J^"),
                 Symbol("J", "J"),

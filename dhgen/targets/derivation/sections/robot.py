@@ -12,7 +12,7 @@ from dhgen.targets.derivation.sections.frames import frame_sentences
 from dhgen.targets.derivation.sections.parameters import constant_blocks
 from dhgen.targets.derivation.sections.tables import axes_blocks, table_blocks
 from dhgen.targets.derivation.text.blocks import Given, Heading, Paragraph, joined, paragraph, say
-from dhgen.targets.derivation.text.words import counted, many
+from dhgen.targets.derivation.text.words import counted, many, numeral
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
@@ -100,7 +100,8 @@ def _task(story: Story) -> str:
 def _solutions(story: Story) -> str:
     rows = story.program.rows
     if story.derivation.method is Method.NUMERICAL:
-        return f"Solved numerically: {counted(rows, 'row')}."
+        given = "one, in row 0" if rows == 1 else f"up to {numeral(rows)}, in rows from 0"
+        return f"Solved numerically: of the solutions found, {given}."
     if rows == 1:
         return "Every pose within reach has one solution, row 0."
     count = counted(rows, "solution")

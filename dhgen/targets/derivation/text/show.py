@@ -65,6 +65,8 @@ def _show_unit(formula: Number | Power | Quotient | Root | Size, style: Style) -
 
 def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: Style) -> str:
     match formula:
+        case Call("tan", (Quotient() as angle,)) if not style.slanted:
+            return rf"\tan{show(angle, style)}"
         case Call(function, arguments):
             inside = ", ".join(show(argument, style) for argument in arguments)
             tall = any(is_tall(argument) for argument in arguments)

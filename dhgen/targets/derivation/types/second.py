@@ -11,6 +11,7 @@ from dhgen.targets.derivation.conditions import unsigned
 from dhgen.targets.derivation.notation.elements import element_of
 from dhgen.targets.derivation.notation.expressions import number_symbol
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
+from dhgen.targets.derivation.sections.size import size_in_words
 from dhgen.targets.derivation.step_context import type_letter
 from dhgen.targets.derivation.text.blocks import Given, display, paragraph, say
 from dhgen.targets.derivation.text.formula import (
@@ -84,8 +85,8 @@ class Second:
             display(*letters),
             paragraph(
                 "The vectors of both equations lie along one line. They are added, the second one "
-                "turned to the side of the first, with lengths divided by the arm's size, {} {}, "
-                "and {}:",
+                "turned to the side of the first, with lengths divided by the arm's size "
+                f"({size_in_words(story.algebra.chain)}), {{}} {{}}, and {{}}:",
                 number_symbol(float(f"{story.algebra.chain.size:.12g}")),
                 Given(story.robot.length_unit),
                 equal(Call("sgn", (ZERO,)), ONE),

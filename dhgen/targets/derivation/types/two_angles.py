@@ -18,6 +18,8 @@ from dhgen.targets.derivation.text.blocks import display, paragraph, say
 from dhgen.targets.derivation.text.formula import (
     ZERO,
     Formula,
+    Minus,
+    Size,
     Sum,
     add,
     atan2,
@@ -229,4 +231,8 @@ def _length(context: StepContext, name: str) -> tuple[Formula, float]:
     if len(names) > 1:
         return root(add(*(square(context.value(each)) for each in names))), size
     formula = context.value(names[0])
-    return (minus(formula) if values[0] < 0.0 else formula), size
+    if isinstance(formula, Sum):
+        return (minus(formula) if values[0] < 0.0 else formula), size
+    negative = (values[0] < 0.0) != isinstance(formula, Minus)
+    bare = formula.operand if isinstance(formula, Minus) else formula
+    return (Size(bare) if negative else bare), size

@@ -1,0 +1,64 @@
+"""Sentences that a reader takes at their word."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from dhgen.targets.derivation.document import document_blocks
+from dhgen.targets.derivation.sections.near import near_blocks
+from dhgen.targets.derivation.text.markdown import markdown
+from tests.derivation.made import made_of
+from tests.derivation.stories import NAMES, WHOLE, story
+
+ENDS = "A branch ends where a square root has a negative argument"
+
+
+def text_of(name: str) -> str:
+    """A derivation as Markdown."""
+    return "\n\n".join(markdown(block) for block in document_blocks(story(name)))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_branches_end_only_where_a_step_says_that_there_may_be_no_solution(name: str) -> None:
+    text = text_of(name)
+    if ENDS in text:
+        assert "\n\nNo solution when" in text
+
+
+def test_an_arm_of_which_every_branch_has_a_solution() -> None:
+    assert ENDS not in text_of("wrist_zyz")
+    assert ENDS in text_of("ur5")
+
+
+def test_negative_lengths_are_told_by_their_size() -> None:
+    """The UR5's lengths are negative; those of a link along -z are not for that."""
+    size = r"\lvert a_2 \rvert + \lvert a_3 \rvert"
+    assert size in text_of("ur5")
+    assert "is greater than $a_2 + d_4$ or less than $a_2 - d_4$" in text_of("arm_6r")
+    rows = "theta: q, a: l1", "theta: q, a: -l2"
+    text = made_of(*rows, parameters="{l1: 0.4, l2: -0.3}", task="[x, y]")
+    assert r"is greater than $l_1 + \lvert l_2 \rvert$" in text.replace("`", "")
+
+
+def test_only_axes_that_miss_are_what_keeps_an_arm_from_a_closed_form() -> None:
+    """Three axes of the welding arm are parallel, which does not keep it from one."""
+    chain = story("welding_5r").algebra.chain
+    assert near_blocks(chain, "m") == []
+    (told,) = (markdown(block) for block in near_blocks(story("xarm6").algebra.chain, "m"))
+    assert "axes 4, 5 and 6 do not quite meet in one point" in told
+    assert told.endswith("is 0.076 m.")
+
+
+@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+def test_formulas_in_sentences_are_formulas(name: str) -> None:
+    for line in re.sub(r"```text.*?```", "", text_of(name), flags=re.DOTALL).splitlines():
+        assert not set(line) & set("φθβγδ√⁻"), line
+
+
+@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+def test_the_half_angle_s_tangent_is_written_in_one_way(name: str) -> None:
+    text = text_of(name)
+    assert "tan(" not in text
+    assert "operatorname{tan}" not in text
