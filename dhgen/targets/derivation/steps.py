@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
+from dhgen.targets.derivation.known_functions import with_functions
 from dhgen.targets.derivation.notation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.origins import where_from
 from dhgen.targets.derivation.step_context import StepContext
@@ -41,7 +42,7 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
         *rewriting,
         *told,
     ]
-    return [*blocks, *text.blocks], text.singularities
+    return [*blocks, *with_functions(context, text.blocks)], text.singularities
 
 
 def leaves_a_joint_free(story: Story) -> bool:

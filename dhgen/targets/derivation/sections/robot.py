@@ -8,6 +8,7 @@ from dhgen.method import Method
 from dhgen.robot.robot import DhTable, JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.notation.expressions import text_symbol
+from dhgen.targets.derivation.sections.branch_names import branch_legend
 from dhgen.targets.derivation.sections.frames import frame_sentences
 from dhgen.targets.derivation.sections.parameters import constant_blocks
 from dhgen.targets.derivation.sections.tables import axes_blocks, table_blocks
@@ -34,6 +35,7 @@ def opening(story: Story) -> list[Block]:
     blocks: list[Block] = [
         Heading(1, say("{}: inverse kinematics", Given(story.robot.title))),
         Paragraph(say(f"{letters}: {_kinds(kinds)}. {_task(story)} {_solutions(story)}")),
+        *branch_legend(story),
     ]
     if story.robot.source:
         source = Given(story.robot.source.rstrip("."))

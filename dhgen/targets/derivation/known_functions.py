@@ -1,0 +1,62 @@
+"""The sine and cosine of an angle that a step has found, as later steps take them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.ring import used_places
+from dhgen.targets.derivation.notation.names import cosine, sine, theta
+from dhgen.targets.derivation.text.blocks import Display, paragraph
+from dhgen.targets.derivation.text.formula import Call, Relation
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.blocks import Block
+
+TAKEN = (
+    "Later steps use {} and {}: the two arguments, divided by the square root of the sum of their "
+    "squares."
+)
+
+
+def with_functions(context: StepContext, blocks: Iterable[Block]) -> list[Block]:
+    """The blocks of a step; behind the arctangent what its sine and cosine are, if needed."""
+    every = list(blocks)
+    angles = [u for u in context.step.unknowns if isinstance(u, AngleSum)]
+    for angle in angles:
+        defined = {first for block in every for first in _first_sides(block)}
+        place = next((n for n, block in enumerate(every) if _gives(block, angle)), None)
+        if place is None or {sine(angle), cosine(angle)} & defined or not _used(context, angle):
+            continue
+        every.insert(place + 1, paragraph(TAKEN, sine(angle), cosine(angle)))
+    return every
+
+
+def _first_sides(block: Block) -> Iterable[object]:
+    if isinstance(block, Display):
+        yield from (f.sides[0] for f in block.formulas if isinstance(f, Relation))
+
+
+def _gives(block: Block, angle: AngleSum) -> bool:
+    """Whether the angle is an arctangent here."""
+    return isinstance(block, Display) and any(
+        isinstance(formula, Relation)
+        and formula.sides[0] == theta(angle)
+        and isinstance(formula.sides[1], Call)
+        for formula in block.formulas
+    )
+
+
+def _used(context: StepContext, angle: AngleSum) -> bool:
+    """Whether a later step holds them, or those of a sum that the angle is part of."""
+    story = context.story
+    algebra = story.algebra
+    later = story.steps[context.number :]
+    own = {unknown for step in story.steps for unknown in step.unknowns} - {angle}
+    joints = {joint for joint, _ in angle.terms}
+    parts = [a for a in algebra.angles if joints <= {j for j, _ in a.terms} and a not in own]
+    places = {algebra.index[name] for part in parts for name in (part.cosine, part.sine)}
+    return any(places & used_places(form) for step in later for _, form in step.coefficients)

@@ -1,0 +1,50 @@
+"""The words of branches, and sines and cosines that later steps take, are defined."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from dhgen.targets.derivation.known_functions import TAKEN
+from dhgen.targets.derivation.notation.names import cosine, sine, single
+from dhgen.targets.derivation.steps import step_blocks
+from dhgen.targets.derivation.text.blocks import Paragraph
+from tests.derivation.stories import NAMES, story
+from tests.derivation.test_wording import text_of
+
+
+def legend(name: str) -> str:
+    """What is said of the words of branches."""
+    return "".join(re.findall(r"^In these names .*$", text_of(name), re.MULTILINE))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_word_of_a_branch_is_explained(name: str) -> None:
+    of = story(name)
+    named = {word for label in of.branch_names for word in label.split("-")}
+    if of.has_branch_words:
+        told = legend(name).replace("root1 to root4", "root1 root2 root3 root4")
+        assert named <= set(re.findall(r"\w+", told))
+    else:
+        assert not legend(name)
+
+
+def test_the_words_of_an_arm_with_an_elbow() -> None:
+    told = legend("puma560")
+    signs = r"left is $\varepsilon_1 = 1$ and right is $\varepsilon_1 = -1$ in step 1"
+    assert rf"{signs}, which gives $\theta_1$; down is" in told
+    assert "; noflip is" in told
+    assert "root1 to root4 are the roots of step 1 for" in legend("cuspidal_3r")
+
+
+def test_sines_and_cosines_that_are_used_are_defined_behind_the_angle() -> None:
+    """The last two joints of this arm are not used, and have them on lines of their own."""
+    of = story("puma560")
+    told = {}
+    for number in range(1, len(of.steps) + 1):
+        texts = [b.prose for b in step_blocks(of, number)[0] if isinstance(b, Paragraph)]
+        told[number] = [each.parts for each in texts if each.text == TAKEN]
+    angles = {1: single(1), 2: single(3), 3: single(2), 4: single(4)}
+    expected = {number: [(sine(angle), cosine(angle))] for number, angle in angles.items()}
+    assert told == {**expected, 5: [], 6: []}
