@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import pytest
 
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.known_side import by_joints
+from dhgen.targets.derivation.sections.arm_angle_row import arm_angle_places
 from dhgen.targets.derivation.step_context import Singularity, StepContext
 from dhgen.targets.derivation.steps import step_blocks
 from dhgen.targets.derivation.text.blocks import Prose
@@ -88,3 +90,17 @@ def test_long_and_hidden_conditions_are_told() -> None:
 def test_what_the_numbers_do_not_allow_is_said() -> None:
     """Its equation says nothing where the sine and the cosine of one angle are both zero."""
     assert in_joints("olson_pprrrr", "X = Y = Z = 0") == "none with the numbers of this arm"
+
+
+def test_an_arm_angle_is_told_where_it_has_no_plane() -> None:
+    of = story("kuka_iiwa14_arm_angle")
+    (found,) = arm_angle_places(of)
+    assert isinstance(found.joints, Relation)
+    first, second, _ = found.joints.sides
+    assert isinstance(found.condition, Relation)
+    for seed in range(3):
+        letters = with_pose(of, configuration(of, seed))
+        across = [evaluate(side, letters) for side in found.condition.sides[:2]]
+        d5 = letters["d₅"]
+        turned = d5 * evaluate(first, letters), evaluate(second, letters)
+        assert math.hypot(*turned) == pytest.approx(math.hypot(*across))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.kernel import GeneralKernel
+from dhgen.targets.derivation.sections.arm_angle_row import arm_angle_places
 from dhgen.targets.derivation.sections.closing import (
     cost_section,
     singular_section,
@@ -48,7 +49,9 @@ def _sections(story: Story) -> list[Block]:
         *(block for blocks, _ in steps for block in blocks),
         *joint_values(story),
         *solutions_section(story),
-        *singular_section([each for _, found in steps for each in found]),
+        *singular_section(
+            [*arm_angle_places(story), *(each for _, found in steps for each in found)]
+        ),
         *cost_section(story),
     ]
 

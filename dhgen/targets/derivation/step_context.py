@@ -30,7 +30,7 @@ class Singularity:
     """A place where a step gives other than its usual number of values.
 
     Attributes:
-        step: Its number.
+        step: Its number; 0 for the arm angle.
         condition: In terms of the pose or of the step's letters, or in words.
         joints: The same in terms of the joint angles, when that is short.
         meaning: What the arm looks like there.

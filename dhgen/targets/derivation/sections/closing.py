@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.count import count_operations
 from dhgen.program.regular.regular import regular
+from dhgen.targets.derivation.sections.shoulder import PSI
 from dhgen.targets.derivation.sections.tree import tree_text
 from dhgen.targets.derivation.steps import has_signed_roots, leaves_a_joint_free
 from dhgen.targets.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
@@ -54,7 +55,7 @@ def singular_section(found: list[Singularity]) -> list[Block]:
     header = tuple(say(word) for word in ("step", "condition", "in joint angles", "then"))
     rows = tuple(
         (
-            say(str(each.step)),
+            say(str(each.step)) if each.step else say("{}", PSI),
             say("{}", each.condition),
             say("—") if each.joints is None else say("{}", each.joints),
             say("{}; {}", each.meaning, each.effect),

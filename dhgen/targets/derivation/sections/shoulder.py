@@ -61,15 +61,21 @@ def _meaning() -> Block:
     )
 
 
-def _in_base(story: Story, plane: ArmPlane) -> list[Block]:
-    """Three unit vectors from the pose and the arm angle."""
-    problem = story.derivation.problem
+def wrist_from_shoulder(story: Story, plane: ArmPlane) -> list[Polynomial]:
+    """v, by the pose."""
+    target = story.derivation.problem.target
     wrist = []
     for row in range(3):
-        total = problem.target.entry(row, 3) - plane.shoulder[row]
+        total = target.entry(row, 3) - plane.shoulder[row]
         for column, length in enumerate(plane.wrist_in_tool):
-            total += problem.target.entry(row, column) * length
+            total += target.entry(row, column) * length
         wrist.append(total)
+    return wrist
+
+
+def _in_base(story: Story, plane: ArmPlane) -> list[Block]:
+    """Three unit vectors from the pose and the arm angle."""
+    wrist = wrist_from_shoulder(story, plane)
     text = (
         "In the base frame {} leads from the shoulder to the wrist, and {} is the direction of "
         "axis 1:"
