@@ -29,7 +29,7 @@ from dhgen.targets.derivation.text.formula import (
 from dhgen.targets.derivation.text.lines import laid_out
 from dhgen.targets.derivation.text.style import LATEX, PLAIN, Style
 from dhgen.targets.derivation.text.terms import terms_within, width
-from tests.derivation.stories import NAMES, WHOLE, story
+from tests.derivation.stories import ALL_WHOLE, NAMES, WHOLE, WITH_STEPS, document, story
 from tests.derivation.values import evaluate
 
 LETTERS = tuple(Symbol(f"x_{{{i}}}", f"x{i}") for i in range(30))
@@ -144,3 +144,10 @@ def test_no_line_of_a_derivation_ends_inside_a_bracket(name: str) -> None:
         if isinstance(block, Display):
             for left, right in laid_out(block.formulas, LATEX):
                 assert not unbalanced(left + right), right
+
+
+@pytest.mark.parametrize("name", [*WITH_STEPS, *ALL_WHOLE])
+def test_no_line_of_a_document_ends_inside_a_bracket(name: str) -> None:
+    for shown in re.findall(r"```math\n(.*?)\n```", document(name), re.DOTALL):
+        for line in shown.split("\n"):
+            assert not unbalanced(line), line
