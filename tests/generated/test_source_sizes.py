@@ -38,7 +38,9 @@ def size_of(text: str, folder: Path, name: str) -> int:
     return len(made.files[f"{name}.c"])
 
 
-@pytest.mark.parametrize("name", ["ur5", "kuka_kr40pa", "franka_panda", "techman_tm5_900"])
+@pytest.mark.parametrize(
+    "name", ["ur5", "kuka_kr40pa", "franka_panda", "kuka_iiwa14", "techman_tm5_900"]
+)
 def test_on_any_base_with_any_tool(name: str, tmp_path: Path) -> None:
     text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
     text = re.sub(r"(?m)^(base|tool):.*\n", "", text)

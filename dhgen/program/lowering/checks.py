@@ -82,14 +82,16 @@ def checks_needed(
     if checks.rows and _follows_the_seed(chain, program, q):
         checks = replace(checks, again=True)
         program = lowered(checks)
+    checks = _led(chain, checks, lowered)
     if not tolerances.tell_rounding:
-        return _led(chain, checks, lowered)  # exact rows can't be told
+        return checks  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
     about = places_without_a_word(derivation.pool, derivation.steps) if checks.rows else silent
     q = np.concatenate([q, _beside(chain, about)])
+    program = lowered(checks)
     inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, q, enough)
-    return replace(checks, tightened=True) if inexact else _led(chain, checks, lowered)
+    return replace(checks, tightened=True, led=False) if inexact else checks
 
 
 def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> Checks:

@@ -40,14 +40,13 @@ def lower(
 
     @cache  # the last that was tried is mostly the one that is wanted
     def lowered(checks: Checks) -> Program:
-        return _lowered(derivation, Lowering(derivation, tolerances, checks, reserved))
+        program = _lowered(derivation, Lowering(derivation, tolerances, checks, reserved))
+        if not (checks.tightened or checks.led):
+            return program
+        kernel = replace(numerical_kernel(chain, redundant=False), most=program.rows)
+        return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
 
-    checks = checks_needed(derivation, tolerances, lowered)
-    program = lowered(checks)
-    if not (checks.tightened or checks.led):
-        return program
-    kernel = replace(numerical_kernel(chain, redundant=False), most=program.rows)
-    return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
+    return lowered(checks_needed(derivation, tolerances, lowered))
 
 
 def _lowered(derivation: Derivation, context: Lowering) -> Program:
