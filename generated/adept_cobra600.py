@@ -282,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 74ecb1b7c910ff96"
+_KEY = "adept_cobra600 fa7c22b0fe446c0d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -724,10 +724,9 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must have shapes (4, 4), (2, 4), (2,)")
-    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
-    holds = q[0, 0] == 0.5
-    status[0] = INVALID_POSE
-    if not holds or status[0] != INVALID_POSE:
+    q[0, 0], status[0] = 0.5, INVALID_POSE  # integers and truth values round it
+    holds = q[0, 0] == 0.5 and status[0] == INVALID_POSE
+    if not holds or q.itemsize != 8 or status.itemsize != 1:
         raise ValueError("q must be float64, status uint8")
     valid, pose = _read(T)
     if not valid:

@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 7d2eab1c5eeb0ec3"
+_KEY = "scorbot_pointing e1ea5f14ad929065"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1580,10 +1580,9 @@ def _into(T, q_free, seed, q, status):
         raise ValueError("T, q and status must have shapes (4, 4), (4, 5), (4,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must have shape (1,)")
-    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
-    holds = q[0, 0] == 0.5
-    status[0] = INVALID_POSE
-    if not holds or status[0] != INVALID_POSE:
+    q[0, 0], status[0] = 0.5, INVALID_POSE  # integers and truth values round it
+    holds = q[0, 0] == 0.5 and status[0] == INVALID_POSE
+    if not holds or q.itemsize != 8 or status.itemsize != 1:
         raise ValueError("q must be float64, status uint8")
     valid, pose = _read(T, q_free)
     if not valid:

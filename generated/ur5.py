@@ -389,7 +389,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5 dea8bdb9c16e403d"
+_KEY = "ur5 f56eb9f21f4c414c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1524,10 +1524,9 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
-    holds = q[0, 0] == 0.5
-    status[0] = INVALID_POSE
-    if not holds or status[0] != INVALID_POSE:
+    q[0, 0], status[0] = 0.5, INVALID_POSE  # integers and truth values round it
+    holds = q[0, 0] == 0.5 and status[0] == INVALID_POSE
+    if not holds or q.itemsize != 8 or status.itemsize != 1:
         raise ValueError("q must be float64, status uint8")
     valid, pose = _read(T)
     if not valid:
