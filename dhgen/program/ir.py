@@ -287,8 +287,8 @@ class Program:
             arrays, which can't be hashed, and programs are: of those that are made from this one
             none depends on it.
         led: The same for rows that miss the pose by more than is promised, where a branch follows
-            an earlier root. That has few digits where it nearly vanishes, and may then say that
-            the branch is a little out of reach.
+            an earlier root, or a twist is beside a right angle. A root has few digits where it
+            nearly vanishes, and may then say that a later branch is a little out of reach.
         reserved: Names that are kept for others, the arm's numbers among them, whether they occur
             here or not: nothing else is called so, here or in a program that is made from this one.
     """

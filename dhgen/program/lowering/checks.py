@@ -51,8 +51,9 @@ class Checks:
         rows: Every row is compared with the pose.
         again: A row that fails this may pass by another value of a free joint.
         tightened: A row that is not exact takes some steps of damped least squares.
-        led: The same where rows are neither compared nor tightened, for those of a branch that
-            follows an earlier root and may be a little out of reach.
+        led: The same where rows are neither compared nor tightened, for those that miss the pose
+            by more than is promised. One of a branch that follows an earlier root may be a little
+            out of reach.
     """
 
     rows: bool
@@ -97,21 +98,22 @@ def checks_needed(
 def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> Checks:
     """The same with rows of nested roots led to solutions, where there are any.
 
-    Not where the caller gives an arm angle, which is one more thing that has to be met.
+    So they are where a twist is beside a right angle: it fixes by little what that would leave
+    free. Not where the caller gives an arm angle, which is one more thing that has to be met.
     """
     if checks.rows or chain.arm_angle or not any(chain.turning):
         return checks
     led = replace(checks, led=True)
-    return led if lowered(led) != lowered(checks) else checks
+    slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in chain.constants)
+    return led if slight or lowered(led) != lowered(checks) else checks
 
 
 def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) -> bool:
     """Whether there are poses of few digits that those which are tried don't show.
 
     Roots that nearly meet are good to few digits, and so is what a slide from its square points to
-    where it is drawn in, and so are slides that nearly move in one plane. A twist beside a right
-    angle fixes by little what that would leave free. Where not every value of a free joint serves,
-    one beside those that do nearly does.
+    where it is drawn in, and so are slides that nearly move in one plane. Where not every value of
+    a free joint serves, one beside those that do nearly does.
     """
     rooted = any(isinstance(statement, Roots) for statement in program.body)
     drawn_in = any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
@@ -120,9 +122,7 @@ def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) ->
         step.kind is Kind.TWO_LENGTHS and not algebra.is_constant(determinant(step, algebra))
         for step in derivation.steps
     )
-    constants = algebra.chain.constants
-    slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in constants)
-    return rooted or drawn_in or coupled or slight or checks.again
+    return rooted or drawn_in or coupled or checks.again
 
 
 def _everywhere(chain: Chain) -> FloatArray:
