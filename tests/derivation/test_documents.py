@@ -112,7 +112,7 @@ def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:
     elements, step = text.split("**1. $")[:2]
     assert "U_1[3,3] & = s_1 t_{13} - c_1 t_{23} = 0" in elements
     size = "with lengths divided by the arm's size (the sum of all its lengths), $0.6875$ m"
-    weight = size + r", and $\operatorname{sgn}(0) = 1$:"
+    weight = size + r", and $\mathrm{sgn}(0) = 1$:"
     assert weight in step
 
 

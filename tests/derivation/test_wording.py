@@ -61,7 +61,7 @@ def test_formulas_in_sentences_are_formulas(name: str) -> None:
 def test_the_half_angle_s_tangent_is_written_in_one_way(name: str) -> None:
     text = text_of(name)
     assert "tan(" not in text
-    assert "operatorname{tan}" not in text
+    assert "operatorname" not in text  # which GitHub refuses
 
 
 @pytest.mark.parametrize(

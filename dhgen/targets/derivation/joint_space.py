@@ -13,7 +13,7 @@ from dhgen.program.ir import Failure, Guard
 from dhgen.targets.derivation.effects import open_joints
 from dhgen.targets.derivation.notation.names import single, theta
 from dhgen.targets.derivation.text.blocks import Given, say
-from dhgen.targets.derivation.text.words import joined
+from dhgen.targets.derivation.text.words import joined, many
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -60,7 +60,9 @@ def meaning_of_root(context: StepContext) -> Prose:
     if _is_about_first_axis(context):
         text = "{} is as close to axis 1 as the offset of the arm allows"
         return say(text, point_name(context))
-    return say("the arm is at the edge of its reach")
+    given = [str(joint) for joint in context.story.algebra.chain.free]
+    ending = f", with {many('joint', given)} as given" if given else ""
+    return say(f"the arm is at the edge of its reach{ending}")
 
 
 def others_decide(context: StepContext) -> str:

@@ -121,13 +121,13 @@ def _wrist(story: Story) -> list[Prose]:
     first, second, third = story.wrist
     text = f"Axes {first}, {second} and {third} meet in one point, the wrist centre: "
     if story.dof == 3:
-        text += "turning the joints does not move it, and only the orientation changes."
+        text += "turning the joints does not move it."
         return [say(text)]
     return [
         say(
             text + "the wrist is spherical. Turning its joints does not move that point, so its "
-            "position gives the joints before the wrist, and the orientation gives the wrist "
-            "afterwards."
+            "position hangs on the joints before the wrist alone, and the orientation gives the "
+            "wrist afterwards."
         )
     ]
 

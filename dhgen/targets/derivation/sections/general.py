@@ -103,8 +103,9 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(
             say(
-                "A simple root belongs to one solution and a double root to two. If as many have "
-                "been found, and their number is even, none is missing. Otherwise "
+                "A simple root belongs to one solution and a double root to two. If the solutions "
+                "found are as many as these roots, and their number is even, none is "
+                "missing. Otherwise "
                 + (
                     f"the same is done with {', then with '.join('{}' for _ in others)} in the "
                     f"place of {{}}, and then from a nearby pose."

@@ -110,8 +110,8 @@ class Latex:
         return rf"\lvert {operand} \rvert"
 
     def function(self, name: str) -> str:
-        """The name of a function."""
-        return rf"\operatorname{{{name}}}"
+        """The name of a function; GitHub refuses formulas with operatorname in them."""
+        return rf"\mathrm{{{name}}}"
 
     def enclosed(self, operand: str, *, tall: bool) -> str:
         """Parentheses."""

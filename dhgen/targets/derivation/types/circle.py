@@ -149,7 +149,7 @@ def _elimination(context: StepContext, c: Formula, s: Formula, gone: AngleSum) -
     size = Symbol(
         r"\lvert V_1 \rvert^2 \lvert R_1 V_2 - R_2 V_1 \rvert^2", "|V₁|² |R₁ V₂ − R₂ V₁|²"
     )
-    apart = Symbol(r"\operatorname{Im}(V_1 \overline{V_2})^2", "Im(V₁ V̄₂)²")
+    apart = Symbol(r"\mathrm{Im}(V_1 \overline{V_2})^2", "Im(V₁ V̄₂)²")
     condition = equal(size, times(apart, add(square(P1), square(Q1))))
     return [
         paragraph(text, *vectors, same),
