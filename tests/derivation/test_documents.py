@@ -111,9 +111,9 @@ def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:
     text = document("kuka_youbot")
     elements, step = text.split("**1. $")[:2]
     assert "U_1[3,3] & = s_1 t_{13} - c_1 t_{23} = 0" in elements
-    size = "with lengths divided by the arm's size (the sum of all its lengths), $0.6875$ m"
-    weight = size + r", and $\mathrm{sgn}(0) = 1$:"
-    assert weight in step
+    size = r"With $\ell = 0.6875$ m, the arm's size (the sum of all its lengths), and "
+    assert size + r"$\mathrm{sgn}(0) = 1$:" in step
+    assert r"\hat X & = X + \sigma \ell X'" in step  # a length and a number
 
 
 def test_an_arm_near_to_a_closed_form_is_told_so() -> None:

@@ -95,7 +95,7 @@ def _equal(left: object, right: object, *, turn: bool, size: float) -> bool:
 
 def with_pose(of: Story, q: list[float]) -> Letters:
     """The letters of a configuration."""
-    return {**letters_of(of, q), "size": of.algebra.chain.size}
+    return {**letters_of(of, q), "size": of.algebra.chain.size, "ℓ": of.algebra.chain.size}
 
 
 @pytest.mark.parametrize("name", [*NAMES, *WHOLE])

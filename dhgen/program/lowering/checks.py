@@ -83,16 +83,20 @@ def checks_needed(
     if checks.rows and _follows_the_seed(chain, program, q):
         checks = replace(checks, again=True)
         program = lowered(checks)
-    checks = _led(chain, checks, lowered)
+    led = _led(chain, checks, lowered)
     if not tolerances.tell_rounding:
-        return checks  # exact rows can't be told
+        return led  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
     about = places_without_a_word(derivation.pool, derivation.steps) if checks.rows else silent
     q = np.concatenate([q, _beside(chain, about)])
     program = lowered(checks)
-    inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, q, enough)
-    return replace(checks, tightened=True, led=False) if inexact else checks
+    tightened = (
+        _may_be_inexact(derivation, program, checks)
+        or _is_inexact(chain, program, q, enough)
+        or _loses_poses(chain, lowered(led), q)
+    )
+    return replace(checks, tightened=True) if tightened else led
 
 
 def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> Checks:
@@ -175,12 +179,15 @@ def _has_strangers(chain: Chain, program: Program, q: FloatArray) -> bool:
 
 
 def _is_inexact(chain: Chain, program: Program, q: FloatArray, enough: float) -> bool:
-    """Whether rows that pass for solutions miss by more, or poses are left without a row."""
-    rows, misses = _misses(chain, program, q, q)
-    others, missed = _misses(chain, program, q, np.zeros_like(q))
-    lost = ~rows.solved.any(axis=1)
-    inexact = np.any(misses[rows.solved] > enough) or np.any(missed[others.solved] > enough)
-    return bool(lost.any() or inexact)
+    """Whether rows that pass for solutions miss by more."""
+    found = (_misses(chain, program, q, seed) for seed in (q, np.zeros_like(q)))
+    return any(bool(np.any(misses[rows.solved] > enough)) for rows, misses in found)
+
+
+def _loses_poses(chain: Chain, program: Program, q: FloatArray) -> bool:
+    """Whether poses are left without a row, with the joint values as the seed."""
+    rows, _ = _misses(chain, program, q, q)
+    return not bool(rows.solved.any(axis=1).all())
 
 
 def _misses(

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Block
 
 LOOKS = (
-    "Which of two looks like its name depends on how the arm is built and mounted; what a row "
-    "means never changes."
+    " Each sign chooses one of the two values that its step finds. Which of two looks like its "
+    "name depends on how the arm is built and mounted; what a row means never changes."
 )
 
 
@@ -25,7 +25,7 @@ def branch_legend(story: Story) -> list[Block]:
         return []
     choices = [_choice(story, place, axis) for place, axis in enumerate(story.program.axes)]
     signed = any(axis.count == 2 for axis in story.program.axes)
-    text = f"In these names {'; '.join('{}' for _ in choices)}.{' ' + LOOKS if signed else ''}"
+    text = f"In these names {'; '.join('{}' for _ in choices)}.{LOOKS if signed else ''}"
     return [Paragraph(Prose(text, tuple(choices)))]
 
 

@@ -21,6 +21,7 @@ from dhgen.targets.derivation.text.formula import (
     Symbol,
     add,
     equal,
+    over,
     times,
 )
 
@@ -28,12 +29,13 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
     from dhgen.targets.derivation.step_context import StepContext
-    from dhgen.targets.derivation.text.blocks import Block
+    from dhgen.targets.derivation.text.blocks import Block, Prose
     from dhgen.targets.derivation.text.formula import Formula
 
 PRIMED = {name: Symbol(f"{name}'", f"{name}'") for name in "XY"}
 ADDED = {name: Symbol(rf"\hat {name}", f"{name}^") for name in "XY"}
 WEIGHT = Symbol(r"\sigma", "σ")
+SIZE = Symbol(r"\ell", "ℓ")
 OF_MOMENT = ", an element of the cross product of columns 3 and 4"
 FACING = -1  # the pool's equations are right - left, those on paper left = right
 
@@ -67,7 +69,8 @@ class Second:
         )
         x, y = type_letter("X"), type_letter("Y")
         sums = (
-            equal(ADDED[name], add(type_letter(name), times(WEIGHT, PRIMED[name]))) for name in "XY"
+            equal(ADDED[name], add(type_letter(name), times(WEIGHT, *self._scaled(PRIMED[name]))))
+            for name in "XY"
         )
         along = add(times(x, PRIMED["X"]), times(y, PRIMED["Y"]))
         return [
@@ -84,15 +87,44 @@ class Second:
             paragraph("This is {} with", equal(left, ZERO)),
             display(*letters),
             paragraph(
-                "The vectors of both equations lie along one line. They are added, the second one "
-                "turned to the side of the first, with lengths divided by the arm's size "
-                f"({size_in_words(story.algebra.chain)}), {{}} {{}}, and {{}}:",
-                number_symbol(float(f"{story.algebra.chain.size:.12g}")),
-                Given(story.robot.length_unit),
+                "For poses that the arm can take the vectors ({}, {}) and ({}, {}) lie along one "
+                "line. They are added, the second one turned to the side of the first. With {}{}:",
+                x,
+                y,
+                *PRIMED.values(),
+                self._size(),
                 equal(Call("sgn", (ZERO,)), ONE),
             ),
             display(equal(WEIGHT, Call("sgn", (along,))), *sums),
         ]
+
+    @property
+    def _power(self) -> int:
+        """How many lengths more the first equation's letters are products of."""
+        degree = self.context.story.algebra.degree
+        first, second = (
+            degree(*(step.coefficient(name) for name in "XY"))
+            for step in (self.context.step, self.step)
+        )
+        return first - second
+
+    def _scaled(self, letter: Formula) -> tuple[Formula, ...]:
+        """A letter of the second equation, with as many lengths as those of the first."""
+        power = self._power
+        if power < 0:
+            return (over(letter, times(*[SIZE] * -power)),)
+        return (*[SIZE] * power, letter)
+
+    def _size(self) -> Prose:
+        """What makes both comparable."""
+        chain = self.context.story.algebra.chain
+        if not self._power:
+            return say("")
+        return say(
+            f"{{}} {{}}, the arm's size ({size_in_words(chain)}), and ",
+            equal(SIZE, number_symbol(float(f"{chain.size:.12g}"))),
+            Given(self.context.story.robot.length_unit),
+        )
 
     def condition(self, first: Polynomial | None) -> Formula | None:
         """Where both equations say nothing, in joint angles: Y s - X c is zero for both."""
