@@ -3923,7 +3923,7 @@ static int settle(const double T[16], double enough, double most, double q[5])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * on theirs at once. */
+ * there at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[5])
 {
     double x[5], e[6];

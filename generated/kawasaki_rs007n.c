@@ -1038,7 +1038,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * on theirs at once. */
+ * there at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     double x[6], e[6];
@@ -1078,8 +1078,8 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])

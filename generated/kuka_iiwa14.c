@@ -1054,8 +1054,8 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
         take(x, q);
 }
 
-/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
- * ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
+ * half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][7], unsigned char status[8])
 {
     const int held[7] = { 0 };
@@ -1063,7 +1063,7 @@ static void tell_once(const double T[16], double q[8][7], unsigned char status[8
         double half[7], e[6], *row = q[n / 8];
         const int k = n % 8;
         int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
             for (int i = 0; i < 3; i++) {
                 off_pose(T, half, e);
                 add_step(held, 1e-13, e, half);
@@ -1077,8 +1077,8 @@ static void tell_once(const double T[16], double q[8][7], unsigned char status[8
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])

@@ -1251,7 +1251,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
         double half[6], e[6], *row = q[n / 8];
         const int k = n % 8;
         int ends = 0;
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
             for (int i = 0; i < 3; i++) {
                 off_pose(T, half, e);
                 add_step(held, 1e-13, e, half);
@@ -1265,8 +1265,8 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])

@@ -761,7 +761,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * on theirs at once. */
+ * there at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[6])
 {
     float x[6], e[6];
@@ -801,8 +801,8 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
         take(x, q);
 }
 
-/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
- * ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
+ * half way the arm is singular. */
 static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
@@ -810,7 +810,7 @@ static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
         float half[6], e[6], *row = q[n / 8];
         const int k = n % 8;
         int ends = k == 0 && off_pose(T, row, e) > 5e-05f && !settle(T, 5e-05f, 0.15f, row);
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.03f) {
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.03f && !isnan(half[0])) {
             for (int i = 0; i < 3; i++) {
                 off_pose(T, half, e);
                 add_step(held, 1e-13f, e, half);
@@ -824,8 +824,8 @@ static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])

@@ -589,8 +589,8 @@ static int settle(const double T[16], double enough, double most, double q[3])
     return settled;
 }
 
-/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
- * ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
+ * half way the arm is singular. */
 static void tell_once(const double T[16], double q[4][3], unsigned char status[4])
 {
     const int held[3] = { 0 };
@@ -598,7 +598,7 @@ static void tell_once(const double T[16], double q[4][3], unsigned char status[4
         double half[3], e[6], *row = q[n / 4];
         const int k = n % 4;
         int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
-        if (0 < k && k <= n / 4 && half_way(q[k - 1], row, half) < 0.001) {
+        if (0 < k && k <= n / 4 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
             for (int i = 0; i < 3; i++) {
                 off_pose(T, half, e);
                 add_step(held, 1e-13, e, half);
@@ -612,8 +612,8 @@ static void tell_once(const double T[16], double q[4][3], unsigned char status[4
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])

@@ -658,7 +658,7 @@ static int settle(const float T[16], float enough, float most, float q[4])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * on theirs at once. */
+ * there at once. */
 static int lead_inside(const float T[16], float enough, float most, float q[4])
 {
     float x[4], e[6];
@@ -698,8 +698,8 @@ static void stand(const float T[16], int row, float rows[2][4], const unsigned c
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const float T[16], const float seed[4], float q[2][4],
     unsigned char status[2])

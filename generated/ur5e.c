@@ -1108,7 +1108,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * on theirs at once. */
+ * there at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     double x[6], e[6];
@@ -1148,8 +1148,8 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Leads rows of nested roots to solutions, and ends those that rounding alone tells from earlier
- * ones: half way the arm is singular. */
+/* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
+ * half way the arm is singular. */
 static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
 {
     const int held[6] = { 0 };
@@ -1157,7 +1157,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
         double half[6], e[6], *row = q[n / 8];
         const int k = n % 8;
         int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001) {
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
             for (int i = 0; i < 3; i++) {
                 off_pose(T, half, e);
                 add_step(held, 1e-13, e, half);
@@ -1171,8 +1171,8 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: that of a row
- * beside it, of one that is as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])

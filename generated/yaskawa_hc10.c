@@ -4092,7 +4092,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * on theirs at once. */
+ * there at once. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     double x[6], e[6];

@@ -90,7 +90,6 @@ def checks_needed(
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
     about = places_without_a_word(derivation.pool, derivation.steps) if checks.rows else silent
     q = np.concatenate([q, _beside(chain, about)])
-    program = lowered(checks)
     tightened = (
         _may_be_inexact(derivation, program, checks)
         or _is_inexact(chain, program, q, enough)
@@ -186,7 +185,8 @@ def _is_inexact(chain: Chain, program: Program, q: FloatArray, enough: float) ->
 
 def _loses_poses(chain: Chain, program: Program, q: FloatArray) -> bool:
     """Whether poses are left without a row, with the joint values as the seed."""
-    rows, _ = _misses(chain, program, q, q)
+    arm = numeric_arm(chain)
+    rows = interpret(program, arm.pose(q), q, given_values(arm, q))
     return not bool(rows.solved.any(axis=1).all())
 
 
