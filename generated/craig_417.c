@@ -355,76 +355,69 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta1 */
     const wide N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt_wide(D1), inverse1 = 1.0 / N1,
-        v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1, v4 = inverse1 * (v2 - v3),
-        v5 = inverse1 * (v2 + v3), v6 = inverse1 * v2, v7 = w1 * (T13 * inverse1), c1_p = v6 - v7,
-        c1_m = v6 + v7, v8 = T23 * w1, v9 = inverse1 * (v1 + v8), v10 = inverse1 * (v1 - v8),
-        v11 = inverse1 * v1, v12 = w1 * (T23 * inverse1), v13 = v11 + v12, v14 = v11 - v12;
+        v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2, v4 = w1 * (T13 * inverse1),
+        c1_p = v3 - v4, c1_m = v3 + v4, v5 = inverse1 * v1, v6 = w1 * (T23 * inverse1),
+        v7 = v5 + v6, v8 = v5 - v6;
 
     /* theta2 */
-    const wide S2 = k2 * w1, v15 = k2 * T33, v16 = v15 * v15 + S2 * S2, w2 = sqrt_wide(v16),
-        v17 = 1.0 / v16, v18 = w2 * v17, c2 = v15 * v18, v19 = S2 * v18,
-        angle1 = atan2_wide(-S2, v15);
+    const wide S2 = k2 * w1, v9 = k2 * T33, v10 = v9 * v9 + S2 * S2, w2 = sqrt_wide(v10),
+        v11 = 1.0 / v10, v12 = w2 * v11, c2 = v9 * v12, v13 = S2 * v12,
+        angle1 = atan2_wide(-S2, v9);
 
     /* theta34 */
-    const wide v20 = T23 * T11 - T13 * T21, v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21)),
-        v22 = v21 + w1 * (m2 * (inverse1 * v20)), v23 = v21 + w1 * (m2 * (inverse1 * -v20)),
-        v24 = T23 * T12 - T13 * T22, v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22)),
-        v26 = v25 + w1 * (m2 * (inverse1 * v24)), v27 = v25 + w1 * (m2 * (inverse1 * -v24)),
-        v28 = v22 * v22 + v26 * v26, v29 = v23 * v23 + v27 * v27,
-        v30 = sqrt_wide(v28) * (1.0 / v28), v31 = sqrt_wide(v29) * (1.0 / v29), c34_p = v26 * v30,
-        c34_m = v27 * v31, s34_p = v22 * v30, s34_m = v23 * v31;
+    const wide v14 = T23 * T11 - T13 * T21, v15 = m2 * (inverse1 * (v1 * T11 + v2 * T21)),
+        v16 = v15 + w1 * (m2 * (inverse1 * v14)), v17 = v15 + w1 * (m2 * (inverse1 * -v14)),
+        v18 = T23 * T12 - T13 * T22, v19 = m2 * (inverse1 * (v1 * T12 + v2 * T22)),
+        v20 = v19 + w1 * (m2 * (inverse1 * v18)), v21 = v19 + w1 * (m2 * (inverse1 * -v18)),
+        v22 = v16 * v16 + v20 * v20, v23 = v17 * v17 + v21 * v21,
+        v24 = sqrt_wide(v22) * (1.0 / v22), v25 = sqrt_wide(v23) * (1.0 / v23);
 
     /* theta3 */
-    const wide v32 = 2.0 * T24, v33 = 2.0 * T14, v34 = T13 * v32 - T23 * v33,
-        v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32)),
-        v36 = v35 + w1 * (m3 * (inverse1 * v34)), v37 = v35 + w1 * (m3 * (inverse1 * -v34)),
-        v38 = S2 * T34, C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24)))),
-        C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38))),
-        v39 = v36 * v36 + C3_p * C3_p, v40 = v37 * v37 + C3_m * C3_m,
-        factor3_p = sqrt_wide(v39) * (1.0 / v39), factor3_m = sqrt_wide(v40) * (1.0 / v40),
-        c3_p = C3_p * factor3_p, c3_m = C3_m * factor3_m, v41 = v36 * factor3_p,
-        v42 = v37 * factor3_m, angle2 = atan2_wide(-v36, C3_p), angle3 = atan2_wide(-v37, C3_m);
+    const wide v26 = 2.0 * T24, v27 = 2.0 * T14, v28 = v13 * T34, v29 = T13 * v26 - T23 * v27,
+        v30 = m4 - m3 * (inverse1 * (v1 * v27 + v2 * v26)),
+        v31 = v30 + w1 * (m3 * (inverse1 * v29)), v32 = v30 + w1 * (m3 * (inverse1 * -v29)),
+        v33 = S2 * T34, C3_p = w2 * (m2 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24)))),
+        C3_m = w2 * (m2 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33))),
+        v34 = v31 * v31 + C3_p * C3_p, v35 = v32 * v32 + C3_m * C3_m,
+        factor3_p = sqrt_wide(v34) * (1.0 / v34), factor3_m = sqrt_wide(v35) * (1.0 / v35),
+        angle2 = atan2_wide(-v31, C3_p), angle3 = atan2_wide(-v32, C3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v43 = c1_p * c2, v44 = c1_m * c2, v45 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9,
-        v46 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2))), v47 = k6 * c1_p, v48 = k6 * c1_m,
-        v49 = k6 * v13, v50 = k6 * v14, v51 = v13 * c2, v52 = v14 * c2,
-        v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2))),
-        v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v55 = sqrt2 * c2, v56 = sqrt2 * (k6 * c2),
-        v57 = 2.0 * (a3 * v19), v58 = a3 * v55, v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57)),
-        v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57)), v61 = T33 - k1 * v55, v62 = v19 * 2.0,
-        v63 = T31 + k1 * (s34_p * v55 - c34_p * v62), v64 = T31 + k1 * (s34_m * v55 + c34_m * v62),
-        v65 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
-            v53))),
-        v66 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
-            v54))), v67 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19)),
-        v68 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19)),
-        v69 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51)),
-        v70 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52)),
-        v71 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47)),
-        v72 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48)),
-        v73 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45),
-        v74 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46),
-        v75 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19)),
-        v76 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19)), v77 = v59 * v59 + v65 * v65 + v71 * v71,
-        v78 = v60 * v60 + v66 * v66 + v72 * v72, v79 = v61 * v61,
-        v80 = v79 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75,
-        v81 = v79 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76;
+    const wide v36 = c1_p * c2, v37 = c1_m * c2, v38 = c1_p * v13, v39 = c1_m * v13, v40 = v7 * c2,
+        v41 = v8 * c2, v42 = v7 * v13, v43 = v8 * v13, v44 = k1 * (sqrt2 * (v16 * v24)),
+        v45 = k1 * (sqrt2 * (v17 * v25)), v46 = a3 * (v31 * factor3_p),
+        v47 = a3 * (v32 * factor3_m), v48 = c1_p * T24 + v7 * T14 - k1 * (sqrt2 * (k6 - v46)),
+        v49 = c1_m * T24 + v8 * T14 - k1 * (sqrt2 * (k6 - v47)), v50 = T23 * c1_p + T13 * v7 - k2,
+        v51 = T23 * c1_m + T13 * v8 - k2, v52 = c1_p * T21 + v7 * T11 - v44,
+        v53 = c1_m * T21 + v8 * T11 - v45, v54 = c2 * T34,
+        v55 = v54 + (T24 * v42 - T14 * v38) - k1 * (sqrt2 * (k6 + v46)),
+        v56 = v54 + (T14 * v39 - T24 * v43) - k1 * (sqrt2 * (k6 + v47)), v57 = T33 * c2,
+        v58 = k2 - (v57 + (T23 * v42 - T13 * v38)), v59 = k2 - (v57 + (T13 * v39 - T23 * v43)),
+        v60 = c2 * T31, v61 = v44 + (v60 + (T21 * v42 - T11 * v38)),
+        v62 = v45 + (v60 + (T11 * v39 - T21 * v43)),
+        v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p),
+        v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m), v65 = v13 * T31,
+        v66 = v65 + (T11 * v36 - T21 * v40) - v20 * v24,
+        v67 = T11 * v37 - T21 * v41 - v65 - v21 * v25, v68 = T33 * v13,
+        v69 = v68 + (T13 * v36 - T23 * v40), v70 = T13 * v37 - T23 * v41 - v68,
+        v71 = v48 * v48 + v55 * v55 + v63 * v63, v72 = v49 * v49 + v56 * v56 + v64 * v64,
+        v73 = v50 * v50 + v52 * v52 + v58 * v58 + v61 * v61 + v66 * v66 + v69 * v69,
+        v74 = v51 * v51 + v53 * v53 + v59 * v59 + v62 * v62 + v67 * v67 + v70 * v70;
 
     /* joint values */
-    const wide angle4 = atan2_wide(v22, v26), v82 = angle4 - angle2, angle5 = atan2_wide(v23, v27),
-        v83 = angle5 - angle3;
-    const double v84 = NAN;
-    const wide v85 = only_wide(((v77 <= m6) & (v80 <= m8)) == 0, v84),
-        v86 = only_wide(((v78 <= m6) & (v81 <= m8)) == 0, v84), angle6 = atan2_wide(-v13, c1_p),
-        angle7 = atan2_wide(-v14, c1_m);
-    const wide_mask doubt1 = (v40 <= m5) | (v29 <= m1) | (v39 <= m5) | (v28 <= m1) | ((m6 < v78) &
-        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v81) & (v81 <= m9)) | (abs_wide(D1) <=
-        k4) | (v16 <= m1) | ((m8 < v80) & (v80 <= m9));
+    const wide angle4 = atan2_wide(v16, v20), v75 = angle4 - angle2, angle5 = atan2_wide(v17, v21),
+        v76 = angle5 - angle3;
+    const double v77 = NAN;
+    const wide v78 = only_wide(((v71 <= m6) & (v73 <= m8)) == 0, v77),
+        v79 = only_wide(((v72 <= m6) & (v74 <= m8)) == 0, v77), angle6 = atan2_wide(-v7, c1_p),
+        angle7 = atan2_wide(-v8, c1_m);
+    const wide_mask doubt1 = (v35 <= m5) | (v23 <= m1) | (v34 <= m5) | (v22 <= m1) | ((m6 < v72) &
+        (v72 <= m7)) | ((m6 < v71) & (v71 <= m7)) | ((m8 < v74) & (v74 <= m9)) | (abs_wide(D1) <=
+        k4) | (v10 <= m1) | ((m8 < v73) & (v73 <= m9));
 
-    q[0] = v85 + angle6; q[1] = angle1 + v85; q[2] = angle2 + v85; q[3] = v85 + centred_wide(v82);
+    q[0] = v78 + angle6; q[1] = angle1 + v78; q[2] = angle2 + v78; q[3] = v78 + centred_wide(v75);
     kind[0] = kind_of(q[0], 0);
-    q[4] = v86 + angle7; q[5] = v86 - angle1; q[6] = angle3 + v86; q[7] = v86 + centred_wide(v83);
+    q[4] = v79 + angle7; q[5] = v79 - angle1; q[6] = angle3 + v79; q[7] = v79 + centred_wide(v76);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -441,70 +434,66 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta1 */
     const double N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt(D1), inverse1 = 1.0 / N1,
-        v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1;
-    const four v4 = inverse1 * (v2 - e1 * v3);
-    const double v5 = inverse1 * v2;
-    const four c1 = v5 - w1 * (inverse1 * (e1 * T13));
-    const double v6 = T23 * w1;
-    const four v7 = inverse1 * (v1 + e1 * v6);
-    const double v8 = inverse1 * v1;
-    const four v9 = v8 + w1 * (inverse1 * (e1 * T23));
+        v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2;
+    const four c1 = v3 - w1 * (inverse1 * (e1 * T13));
+    const double v4 = inverse1 * v1;
+    const four v5 = v4 + w1 * (inverse1 * (e1 * T23));
 
     /* theta2 */
-    const double S2 = k2 * w1, v10 = k2 * T33, v11 = v10 * v10 + S2 * S2, w2 = sqrt(v11),
-        v12 = 1.0 / v11, v13 = w2 * v12, c2 = v10 * v13, v14 = S2 * v13;
-    const four v15 = e1 * S2;
+    const double S2 = k2 * w1, v6 = k2 * T33, v7 = v6 * v6 + S2 * S2, w2 = sqrt(v7), v8 = 1.0 / v7,
+        v9 = w2 * v8, c2 = v6 * v9, v10 = S2 * v9;
 
     /* theta34 */
-    const double v16 = T23 * T11 - T13 * T21, v17 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
-    const four v18 = v17 + w1 * (m2 * (inverse1 * (e1 * v16)));
-    const double v19 = T23 * T12 - T13 * T22, v20 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const four v21 = v20 + w1 * (m2 * (inverse1 * (e1 * v19))), v22 = v18 * v18 + v21 * v21,
-        v23 = sqrt_four(v22) * (1.0 / v22), c34 = v21 * v23, s34 = v18 * v23;
+    const double v11 = T23 * T11 - T13 * T21, v12 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const four v13 = v12 + w1 * (m2 * (inverse1 * (e1 * v11)));
+    const double v14 = T23 * T12 - T13 * T22, v15 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const four v16 = v15 + w1 * (m2 * (inverse1 * (e1 * v14))), v17 = v13 * v13 + v16 * v16,
+        v18 = sqrt_four(v17) * (1.0 / v17);
 
     /* theta3 */
-    const double v24 = 2.0 * T24, v25 = 2.0 * T14, v26 = T13 * v24 - T23 * v25,
-        v27 = m4 - m3 * (inverse1 * (v1 * v25 + v2 * v24));
-    const four v28 = v27 + w1 * (m3 * (inverse1 * (e1 * v26))),
-        C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24)))),
-        v29 = v28 * v28 + C3 * C3, factor3 = sqrt_four(v29) * (1.0 / v29), c3 = C3 * factor3,
-        v30 = v28 * factor3;
+    const double v19 = 2.0 * T24, v20 = 2.0 * T14, v21 = v10 * T34, v22 = T13 * v19 - T23 * v20,
+        v23 = m4 - m3 * (inverse1 * (v1 * v20 + v2 * v19));
+    const four v24 = v23 + w1 * (m3 * (inverse1 * (e1 * v22))),
+        C3 = w2 * (m2 * (v8 * (S2 * (e1 * T34) + v6 * (c1 * T14 - v5 * T24)))),
+        v25 = v24 * v24 + C3 * C3, factor3 = sqrt_four(v25) * (1.0 / v25);
 
     /* is the pose one that the arm can take? */
-    const four v31 = c1 * c2, v32 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7, v33 = k6 * c1,
-        v34 = k6 * v9, v35 = v9 * c2, v36 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
-    const double v37 = sqrt2 * c2, v38 = sqrt2 * (k6 * c2), v39 = 2.0 * (a3 * v14), v40 = a3 * v37;
-    const four v41 = T34 - k1 * (v38 + (v30 * v40 + e1 * (c3 * v39)));
-    const double v42 = T33 - k1 * v37, v43 = v14 * 2.0;
-    const four v44 = T31 + k1 * (s34 * v37 - e1 * (c34 * v43)),
-        v45 = T24 - k1 * (sqrt2 * (v33 + e1 * (v14 * v34)) - (c3 * (2.0 * (a3 * v35)) + v30 * (a3 *
-            v36))), v46 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14))),
-        v47 = T21 - k1 * (s34 * v36 - c34 * (2.0 * v35)),
-        v48 = T14 - k1 * (c3 * (2.0 * (a3 * v31)) - v30 * (a3 * v32) + sqrt2 * (v34 - e1 * (v14 *
-            v33))), v49 = T11 - k1 * (c34 * (2.0 * v31) + s34 * v32),
-        v50 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14))), v51 = v41 * v41 + v45 * v45 + v48 * v48;
-    const double v52 = v42 * v42;
-    const four v53 = v52 + v44 * v44 + v46 * v46 + v47 * v47 + v49 * v49 + v50 * v50;
+    const four v26 = c1 * c2, v27 = c1 * v10, v28 = v5 * c2, v29 = v5 * v10,
+        v30 = k1 * (sqrt2 * (v13 * v18)), v31 = a3 * (v24 * factor3),
+        v32 = c1 * T24 + v5 * T14 - k1 * (sqrt2 * (k6 - v31)), v33 = T23 * c1 + T13 * v5 - k2,
+        v34 = c1 * T21 + v5 * T11 - v30;
+    const double v35 = c2 * T34;
+    const four v36 = v35 + e1 * (T24 * v29 - T14 * v27) - k1 * (sqrt2 * (k6 + v31));
+    const double v37 = T33 * c2;
+    const four v38 = k2 - (v37 + e1 * (T23 * v29 - T13 * v27));
+    const double v39 = c2 * T31;
+    const four v40 = v30 + (v39 + e1 * (T21 * v29 - T11 * v27)),
+        v41 = e1 * v21 + (T14 * v26 - T24 * v28) - a3 * (C3 * factor3);
+    const double v42 = v10 * T31;
+    const four v43 = T11 * v26 - T21 * v28 + e1 * v42 - v16 * v18;
+    const double v44 = T33 * v10;
+    const four v45 = T13 * v26 - T23 * v28 + e1 * v44, v46 = v32 * v32 + v36 * v36 + v41 * v41,
+        v47 = v33 * v33 + v34 * v34 + v38 * v38 + v40 * v40 + v43 * v43 + v45 * v45;
 
     /* joint values */
-    const double v55 = NAN;
-    const four v56 = only_four(((v51 <= m6) & (v53 <= m8)) == 0, v55);
-    const int doubt1 = (fabs(D1) <= k4) | (v11 <= m1);
-    const four_mask doubt2 = (v29 <= m5) | (v22 <= m1) | ((m8 < v53) & (v53 <= m9)) | ((m6 < v51) &
-        (v51 <= m7));
+    const double v49 = NAN;
+    const four v50 = only_four(((v46 <= m6) & (v47 <= m8)) == 0, v49);
+    const int doubt1 = (fabs(D1) <= k4) | (v7 <= m1);
+    const four_mask doubt2 = (v25 <= m5) | (v17 <= m1) | ((m8 < v47) & (v47 <= m9)) | ((m6 < v46) &
+        (v46 <= m7));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(shuffle(-v9, all_four(-S2), 0, 1, 6, 3), shuffle(c1,
-        all_four(v10), 0, 1, 6, 3)),
-        ratio2 = ratio_four(shuffle(-v28, v18, 0, 1, 6, 7), shuffle(C3, v21, 0, 1, 6, 7));
+    const four_ratio ratio1 = ratio_four(shuffle(-v5, all_four(-S2), 0, 1, 6, 3), shuffle(c1,
+        all_four(v6), 0, 1, 6, 3)),
+        ratio2 = ratio_four(shuffle(-v24, v13, 0, 1, 6, 7), shuffle(C3, v16, 0, 1, 6, 7));
     const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2), packed2 = angle_four(ratio2),
         angle2 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle3 = shuffle(packed2, packed2, 2, 3, 2, 3);
-    const four v54 = angle3 - angle2, q1 = v56 + angle4, q2 = v56 + e1 * angle1, q3 = angle2 + v56,
-        q4 = v56 + centred_four(v54);
+    const four v48 = angle3 - angle2, q1 = v50 + angle4, q2 = v50 + e1 * angle1, q3 = angle2 + v50,
+        q4 = v50 + centred_four(v48);
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -600,33 +589,33 @@ static void solve(
         const double q2 = atan2(s2, c2);
 
         /* theta34 */
-        const double v6 = k2 * (T21 * c1 - T11 * s1), v7 = k2 * (T22 * c1 - T12 * s1);
+        const double Z2_34 = T21 * c1 - T11 * s1;
+        const double v6 = k2 * Z2_34, v7 = k2 * (T22 * c1 - T12 * s1);
         const double w34 = sqrt(v6 * v6 + v7 * v7);
         const int free34 = w34 <= free_limit_squared;
         const double v8 = 1.0 / (free34 ? 1.0 : w34);
         const double c34 = free34 ? cos(v9) : v7 * v8, s34 = free34 ? sin(v9) : v6 * v8;
 
         /* theta3 */
-        const double v12 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7));
-        const double C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - s2 * T34);
-        const double w3 = sqrt(v12 * v12 + C3 * C3);
+        const double v12 = s2 * T34, v13 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7));
+        const double C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - v12);
+        const double w3 = sqrt(v13 * v13 + C3 * C3);
         const int free3 = w3 <= free_limit_squared2;
         const double factor3 = 1.0 / (free3 ? 1.0 : w3);
         const double c3 = free3 ? cos(seed[2]) : C3 * factor3,
-            s3 = free3 ? sin(seed[2]) : -(v12 * factor3);
+            s3 = free3 ? sin(seed[2]) : -(v13 * factor3);
         const double q3 = atan2(s3, c3);
 
         /* is the pose one that the arm can take? */
-        const double v13 = c1 * c2, v14 = c1 * s2, v15 = sqrt2 * (s1 + v14), v16 = c1 * k6,
-            v17 = s1 * k6, v18 = s1 * c2, v19 = s1 * s2, v20 = sqrt2 * (c1 - v19), v21 = sqrt2 * c2;
-        if (!(fabs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v21)))) <=
-            pose_slack1 && fabs(T33 - k1 * v21) <= pose_slack && fabs(T31 + k1 * (c34 * (2.0 * s2) +
-            s34 * v21)) <= pose_slack && fabs(T24 - k1 * (c3 * (2.0 * (a3 * v18)) + s3 * (a3 * v20)
-            + sqrt2 * (v16 + s2 * v17))) <= pose_slack1 && fabs(T23 - k1 * (sqrt2 * (c1 + v19))) <=
-            pose_slack && fabs(T21 - k1 * (c34 * (2.0 * v18) + s34 * v20)) <= pose_slack && fabs(T14
-            - k1 * (c3 * (2.0 * (a3 * v13)) - s3 * (a3 * v15) + sqrt2 * (s2 * v16 - v17))) <=
-            pose_slack1 && fabs(T11 - k1 * (c34 * (2.0 * v13) - s34 * v15)) <= pose_slack &&
-            fabs(T13 - k1 * (sqrt2 * (v14 - s1))) <= pose_slack))
+        const double v14 = c1 * c2, v15 = c1 * s2, v16 = s1 * c2, v17 = s1 * s2,
+            v18 = k1 * (sqrt2 * s34), v19 = a3 * s3;
+        if (!(fabs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 + v19))) <= pose_slack1 && fabs(T23 * c1
+            - T13 * s1 - k2) <= pose_slack && fabs(Z2_34 - v18) <= pose_slack && fabs(T14 * v15 +
+            T24 * v17 + c2 * T34 + k1 * (sqrt2 * (v19 - k6))) <= pose_slack1 && fabs(k2 - (T13 * v15
+            + T23 * v17 + T33 * c2)) <= pose_slack && fabs(v18 + (T11 * v15 + T21 * v17 + T31 * c2))
+            <= pose_slack && fabs(T14 * v14 + T24 * v16 - v12 - a3 * c3) <= pose_slack1 && fabs(T11
+            * v14 + T21 * v16 - T31 * s2 - c34) <= pose_slack && fabs(T13 * v14 + T23 * v16 - T33 *
+            s2) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */

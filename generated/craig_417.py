@@ -125,8 +125,8 @@ k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * k6 [m]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
 m2 = 0.7071067811865476  # a coefficient of v6
-m3 = 0.5  # a coefficient of v12
-m4 = 1.4142135623730951  # a coefficient of v12
+m3 = 0.5  # a coefficient of v13
+m4 = 1.4142135623730951  # a coefficient of v13
 m5 = 8.1e-15  # doubt_limit_squared2^2 [m^4]
 m6 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
 m7 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
@@ -322,7 +322,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 a4ee0568c1d46542"
+_KEY = "craig_417 a37113e91680d7d6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -427,7 +427,8 @@ def _solve(pose, seed, q, status):
         q2 = _atan2(s2, c2)
 
         # theta34
-        v6 = k2 * (T21 * c1 - T11 * s1)
+        Z2_34 = T21 * c1 - T11 * s1
+        v6 = k2 * Z2_34
         v7 = k2 * (T22 * c1 - T12 * s1)
         w34 = math.sqrt(v6 * v6 + v7 * v7)
         free34 = w34 <= free_limit_squared
@@ -436,34 +437,31 @@ def _solve(pose, seed, q, status):
         s34 = math.sin(v9) if free34 else v6 * v8
 
         # theta3
-        v12 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7))
-        C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - s2 * T34)
-        w3 = math.sqrt(v12 * v12 + C3 * C3)
+        v12 = s2 * T34
+        v13 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7))
+        C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - v12)
+        w3 = math.sqrt(v13 * v13 + C3 * C3)
         free3 = w3 <= free_limit_squared2
         factor3 = 1.0 / (1.0 if free3 else w3)
         c3 = math.cos(seed[2]) if free3 else C3 * factor3
-        s3 = math.sin(seed[2]) if free3 else -(v12 * factor3)
+        s3 = math.sin(seed[2]) if free3 else -(v13 * factor3)
         q3 = _atan2(s3, c3)
 
         # is the pose one that the arm can take?
-        v13 = c1 * c2
-        v14 = c1 * s2
-        v15 = sqrt2 * (s1 + v14)
-        v16 = c1 * k6
-        v17 = s1 * k6
-        v18 = s1 * c2
-        v19 = s1 * s2
-        v20 = sqrt2 * (c1 - v19)
-        v21 = sqrt2 * c2
+        v14 = c1 * c2
+        v15 = c1 * s2
+        v16 = s1 * c2
+        v17 = s1 * s2
+        v18 = k1 * (sqrt2 * s34)
+        v19 = a3 * s3
         if (
-            not (abs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v21)))) <=
-            pose_slack1 and abs(T33 - k1 * v21) <= pose_slack and abs(T31 + k1 * (c34 * (2.0 * s2) +
-            s34 * v21)) <= pose_slack and abs(T24 - k1 * (c3 * (2.0 * (a3 * v18)) + s3 * (a3 * v20)
-            + sqrt2 * (v16 + s2 * v17))) <= pose_slack1 and abs(T23 - k1 * (sqrt2 * (c1 + v19))) <=
-            pose_slack and abs(T21 - k1 * (c34 * (2.0 * v18) + s34 * v20)) <= pose_slack and abs(T14
-            - k1 * (c3 * (2.0 * (a3 * v13)) - s3 * (a3 * v15) + sqrt2 * (s2 * v16 - v17))) <=
-            pose_slack1 and abs(T11 - k1 * (c34 * (2.0 * v13) - s34 * v15)) <= pose_slack and
-            abs(T13 - k1 * (sqrt2 * (v14 - s1))) <= pose_slack)
+            not (abs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 + v19))) <= pose_slack1 and abs(T23 *
+            c1 - T13 * s1 - k2) <= pose_slack and abs(Z2_34 - v18) <= pose_slack and abs(T14 * v15 +
+            T24 * v17 + c2 * T34 + k1 * (sqrt2 * (v19 - k6))) <= pose_slack1 and abs(k2 - (T13 * v15
+            + T23 * v17 + T33 * c2)) <= pose_slack and abs(v18 + (T11 * v15 + T21 * v17 + T31 * c2))
+            <= pose_slack and abs(T14 * v14 + T24 * v16 - v12 - a3 * c3) <= pose_slack1 and abs(T11
+            * v14 + T21 * v16 - T31 * s2 - c34) <= pose_slack and abs(T13 * v14 + T23 * v16 - T33 *
+            s2) <= pose_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -716,117 +714,104 @@ def _regular(pose, q, status):
     inverse1 = 1.0 / N1
     v1 = k2 * T13
     v2 = k2 * T23
-    v3 = T13 * w1
-    v4 = inverse1 * (v2 - v3)
-    v5 = inverse1 * (v2 + v3)
-    v6 = inverse1 * v2
-    v7 = w1 * (T13 * inverse1)
-    c1_p = v6 - v7
-    c1_m = v6 + v7
-    v8 = T23 * w1
-    v9 = inverse1 * (v1 + v8)
-    v10 = inverse1 * (v1 - v8)
-    v11 = inverse1 * v1
-    v12 = w1 * (T23 * inverse1)
-    v13 = v11 + v12
-    v14 = v11 - v12
+    v3 = inverse1 * v2
+    v4 = w1 * (T13 * inverse1)
+    c1_p = v3 - v4
+    c1_m = v3 + v4
+    v5 = inverse1 * v1
+    v6 = w1 * (T23 * inverse1)
+    v7 = v5 + v6
+    v8 = v5 - v6
 
     # theta2, type 3: U1[3, 3] and U1[1, 3]
     S2 = k2 * w1
-    v15 = k2 * T33
-    v16 = v15 * v15 + S2 * S2
-    w2 = math.sqrt(v16)
-    v17 = 1.0 / v16
-    v18 = w2 * v17
-    c2 = v15 * v18
-    v19 = S2 * v18
+    v9 = k2 * T33
+    v10 = v9 * v9 + S2 * S2
+    w2 = math.sqrt(v10)
+    v11 = 1.0 / v10
+    v12 = w2 * v11
+    c2 = v9 * v12
+    v13 = S2 * v12
 
     # theta34, type 3: U1[2, 2] and U1[2, 1]
-    v20 = T23 * T11 - T13 * T21
-    v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
-    v22 = v21 + w1 * (m2 * (inverse1 * v20))
-    v23 = v21 + w1 * (m2 * (inverse1 * -v20))
-    v24 = T23 * T12 - T13 * T22
-    v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
-    v26 = v25 + w1 * (m2 * (inverse1 * v24))
-    v27 = v25 + w1 * (m2 * (inverse1 * -v24))
-    v28 = v22 * v22 + v26 * v26
-    v29 = v23 * v23 + v27 * v27
-    v30 = math.sqrt(v28) * (1.0 / v28)
-    v31 = math.sqrt(v29) * (1.0 / v29)
-    c34_p = v26 * v30
-    c34_m = v27 * v31
-    s34_p = v22 * v30
-    s34_m = v23 * v31
+    v14 = T23 * T11 - T13 * T21
+    v15 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
+    v16 = v15 + w1 * (m2 * (inverse1 * v14))
+    v17 = v15 + w1 * (m2 * (inverse1 * -v14))
+    v18 = T23 * T12 - T13 * T22
+    v19 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
+    v20 = v19 + w1 * (m2 * (inverse1 * v18))
+    v21 = v19 + w1 * (m2 * (inverse1 * -v18))
+    v22 = v16 * v16 + v20 * v20
+    v23 = v17 * v17 + v21 * v21
+    v24 = math.sqrt(v22) * (1.0 / v22)
+    v25 = math.sqrt(v23) * (1.0 / v23)
 
     # theta3, type 3: U2[3, 4] and U2[1, 4]
-    v32 = 2.0 * T24
-    v33 = 2.0 * T14
-    v34 = T13 * v32 - T23 * v33
-    v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32))
-    v36 = v35 + w1 * (m3 * (inverse1 * v34))
-    v37 = v35 + w1 * (m3 * (inverse1 * -v34))
-    v38 = S2 * T34
-    C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))))
-    C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)))
-    v39 = v36 * v36 + C3_p * C3_p
-    v40 = v37 * v37 + C3_m * C3_m
-    factor3_p = math.sqrt(v39) * (1.0 / v39)
-    factor3_m = math.sqrt(v40) * (1.0 / v40)
-    c3_p = C3_p * factor3_p
-    c3_m = C3_m * factor3_m
-    v41 = v36 * factor3_p
-    v42 = v37 * factor3_m
+    v26 = 2.0 * T24
+    v27 = 2.0 * T14
+    v28 = v13 * T34
+    v29 = T13 * v26 - T23 * v27
+    v30 = m4 - m3 * (inverse1 * (v1 * v27 + v2 * v26))
+    v31 = v30 + w1 * (m3 * (inverse1 * v29))
+    v32 = v30 + w1 * (m3 * (inverse1 * -v29))
+    v33 = S2 * T34
+    C3_p = w2 * (m2 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
+    C3_m = w2 * (m2 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
+    v34 = v31 * v31 + C3_p * C3_p
+    v35 = v32 * v32 + C3_m * C3_m
+    factor3_p = math.sqrt(v34) * (1.0 / v34)
+    factor3_m = math.sqrt(v35) * (1.0 / v35)
 
     # is the pose one that the arm can take?
-    v43 = c1_p * c2
-    v44 = c1_m * c2
-    v45 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
-    v46 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
-    v47 = k6 * c1_p
-    v48 = k6 * c1_m
-    v49 = k6 * v13
-    v50 = k6 * v14
-    v51 = v13 * c2
-    v52 = v14 * c2
-    v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
-    v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
-    v55 = sqrt2 * c2
-    v56 = sqrt2 * (k6 * c2)
-    v57 = 2.0 * (a3 * v19)
-    v58 = a3 * v55
-    v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57))
-    v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57))
-    v61 = T33 - k1 * v55
-    v62 = v19 * 2.0
-    v63 = T31 + k1 * (s34_p * v55 - c34_p * v62)
-    v64 = T31 + k1 * (s34_m * v55 + c34_m * v62)
-    v65 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 * v53)))
-    v66 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 * v54)))
-    v67 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-    v68 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-    v69 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
-    v70 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
-    v71 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47))
-    v72 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48))
-    v73 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
-    v74 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
-    v75 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-    v76 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
-    v77 = v59 * v59 + v65 * v65 + v71 * v71
-    v78 = v60 * v60 + v66 * v66 + v72 * v72
-    v79 = v61 * v61
-    v80 = v79 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
-    v81 = v79 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
+    v36 = c1_p * c2
+    v37 = c1_m * c2
+    v38 = c1_p * v13
+    v39 = c1_m * v13
+    v40 = v7 * c2
+    v41 = v8 * c2
+    v42 = v7 * v13
+    v43 = v8 * v13
+    v44 = k1 * (sqrt2 * (v16 * v24))
+    v45 = k1 * (sqrt2 * (v17 * v25))
+    v46 = a3 * (v31 * factor3_p)
+    v47 = a3 * (v32 * factor3_m)
+    v48 = c1_p * T24 + v7 * T14 - k1 * (sqrt2 * (k6 - v46))
+    v49 = c1_m * T24 + v8 * T14 - k1 * (sqrt2 * (k6 - v47))
+    v50 = T23 * c1_p + T13 * v7 - k2
+    v51 = T23 * c1_m + T13 * v8 - k2
+    v52 = c1_p * T21 + v7 * T11 - v44
+    v53 = c1_m * T21 + v8 * T11 - v45
+    v54 = c2 * T34
+    v55 = v54 + (T24 * v42 - T14 * v38) - k1 * (sqrt2 * (k6 + v46))
+    v56 = v54 + (T14 * v39 - T24 * v43) - k1 * (sqrt2 * (k6 + v47))
+    v57 = T33 * c2
+    v58 = k2 - (v57 + (T23 * v42 - T13 * v38))
+    v59 = k2 - (v57 + (T13 * v39 - T23 * v43))
+    v60 = c2 * T31
+    v61 = v44 + (v60 + (T21 * v42 - T11 * v38))
+    v62 = v45 + (v60 + (T11 * v39 - T21 * v43))
+    v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p)
+    v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m)
+    v65 = v13 * T31
+    v66 = v65 + (T11 * v36 - T21 * v40) - v20 * v24
+    v67 = T11 * v37 - T21 * v41 - v65 - v21 * v25
+    v68 = T33 * v13
+    v69 = v68 + (T13 * v36 - T23 * v40)
+    v70 = T13 * v37 - T23 * v41 - v68
+    v71 = v48 * v48 + v55 * v55 + v63 * v63
+    v72 = v49 * v49 + v56 * v56 + v64 * v64
+    v73 = v50 * v50 + v52 * v52 + v58 * v58 + v61 * v61 + v66 * v66 + v69 * v69
+    v74 = v51 * v51 + v53 * v53 + v59 * v59 + v62 * v62 + v67 * v67 + v70 * v70
 
     # joint values
-    v84 = math.sqrt(-1.0)
-    v85 = 0.0 if (v77 <= m6 and v80 <= m8) else v84
-    v86 = 0.0 if (v78 <= m6 and v81 <= m8) else v84
+    v77 = math.sqrt(-1.0)
+    v78 = 0.0 if (v71 <= m6 and v73 <= m8) else v77
+    v79 = 0.0 if (v72 <= m6 and v74 <= m8) else v77
     doubt1 = (
-        v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v78 and v78 <= m7) or (m6 < v77
-        and v77 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or (m8 < v80 and
-        v80 <= m9)
+        v35 <= m5 or v23 <= m1 or v34 <= m5 or v22 <= m1 or (m6 < v72 and v72 <= m7) or (m6 < v71
+        and v71 <= m7) or (m8 < v74 and v74 <= m9) or abs(D1) <= k4 or v10 <= m1 or (m8 < v73 and
+        v73 <= m9)
     )
 
     # a joint is free, or branches meet
@@ -835,17 +820,17 @@ def _regular(pose, q, status):
 
     # angles, side by side
     room[0] = -S2
-    room[1] = -v36
-    room[2] = -v37
-    room[3] = v22
-    room[4] = v23
-    room[5] = -v13
-    room[6] = -v14
-    room[8] = v15
+    room[1] = -v31
+    room[2] = -v32
+    room[3] = v16
+    room[4] = v17
+    room[5] = -v7
+    room[6] = -v8
+    room[8] = v9
     room[9] = C3_p
     room[10] = C3_m
-    room[11] = v26
-    room[12] = v27
+    room[11] = v20
+    room[12] = v21
     room[13] = c1_p
     room[14] = c1_m
     for k in range(7, 8):
@@ -861,16 +846,16 @@ def _regular(pose, q, status):
     angle7 = room[6]
 
     # joint values
-    v82 = angle4 - angle2
-    v83 = angle5 - angle3
-    q1_p = v85 + angle6
-    q1_m = v86 + angle7
-    q2_p = angle1 + v85
-    q2_m = v86 - angle1
-    q3_p = angle2 + v85
-    q3_m = angle3 + v86
-    q4_p = v85 + (v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0)))
-    q4_m = v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
+    v75 = angle4 - angle2
+    v76 = angle5 - angle3
+    q1_p = v78 + angle6
+    q1_m = v79 + angle7
+    q2_p = angle1 + v78
+    q2_m = v79 - angle1
+    q3_p = angle2 + v78
+    q3_m = angle3 + v79
+    q4_p = v78 + (v75 + (turn if v75 <= -half_turn else (-turn if half_turn < v75 else 0.0)))
+    q4_m = v79 + (v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0)))
 
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -1135,142 +1120,117 @@ def _in_tiles(T, q, status):
             inverse1 = 1.0 / N1
             v1 = k2 * T13
             v2 = k2 * T23
-            v3 = T13 * w1
-            v4 = inverse1 * (v2 - v3)
-            v5 = inverse1 * (v2 + v3)
-            v6 = inverse1 * v2
-            v7 = w1 * (T13 * inverse1)
-            c1_p = v6 - v7
-            c1_m = v6 + v7
-            v8 = T23 * w1
-            v9 = inverse1 * (v1 + v8)
-            v10 = inverse1 * (v1 - v8)
-            v11 = inverse1 * v1
-            v12 = w1 * (T23 * inverse1)
-            v13 = v11 + v12
-            v14 = v11 - v12
+            v3 = inverse1 * v2
+            v4 = w1 * (T13 * inverse1)
+            c1_p = v3 - v4
+            c1_m = v3 + v4
+            v5 = inverse1 * v1
+            v6 = w1 * (T23 * inverse1)
+            v7 = v5 + v6
+            v8 = v5 - v6
             S2 = k2 * w1
-            v15 = k2 * T33
-            v16 = v15 * v15 + S2 * S2
-            w2 = math.sqrt(v16)
-            v17 = 1.0 / v16
-            v18 = w2 * v17
-            c2 = v15 * v18
-            v19 = S2 * v18
-            v20 = T23 * T11 - T13 * T21
-            v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
-            v22 = v21 + w1 * (m2 * (inverse1 * v20))
-            v23 = v21 + w1 * (m2 * (inverse1 * -v20))
-            v24 = T23 * T12 - T13 * T22
-            v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
-            v26 = v25 + w1 * (m2 * (inverse1 * v24))
-            v27 = v25 + w1 * (m2 * (inverse1 * -v24))
-            v28 = v22 * v22 + v26 * v26
-            v29 = v23 * v23 + v27 * v27
-            v30 = math.sqrt(v28) * (1.0 / v28)
-            v31 = math.sqrt(v29) * (1.0 / v29)
-            c34_p = v26 * v30
-            c34_m = v27 * v31
-            s34_p = v22 * v30
-            s34_m = v23 * v31
-            v32 = 2.0 * T24
-            v33 = 2.0 * T14
-            v34 = T13 * v32 - T23 * v33
-            v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32))
-            v36 = v35 + w1 * (m3 * (inverse1 * v34))
-            v37 = v35 + w1 * (m3 * (inverse1 * -v34))
-            v38 = S2 * T34
-            C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))))
-            C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)))
-            v39 = v36 * v36 + C3_p * C3_p
-            v40 = v37 * v37 + C3_m * C3_m
-            factor3_p = math.sqrt(v39) * (1.0 / v39)
-            factor3_m = math.sqrt(v40) * (1.0 / v40)
-            c3_p = C3_p * factor3_p
-            c3_m = C3_m * factor3_m
-            v41 = v36 * factor3_p
-            v42 = v37 * factor3_m
-            v43 = c1_p * c2
-            v44 = c1_m * c2
-            v45 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
-            v46 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
-            v47 = k6 * c1_p
-            v48 = k6 * c1_m
-            v49 = k6 * v13
-            v50 = k6 * v14
-            v51 = v13 * c2
-            v52 = v14 * c2
-            v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
-            v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
-            v55 = sqrt2 * c2
-            v56 = sqrt2 * (k6 * c2)
-            v57 = 2.0 * (a3 * v19)
-            v58 = a3 * v55
-            v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57))
-            v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57))
-            v61 = T33 - k1 * v55
-            v62 = v19 * 2.0
-            v63 = T31 + k1 * (s34_p * v55 - c34_p * v62)
-            v64 = T31 + k1 * (s34_m * v55 + c34_m * v62)
-            v65 = (
-                T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
-                v53)))
-            )
-            v66 = (
-                T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
-                v54)))
-            )
-            v67 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-            v68 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-            v69 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
-            v70 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
-            v71 = (
-                T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 *
-                v47))
-            )
-            v72 = (
-                T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 *
-                v48))
-            )
-            v73 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
-            v74 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
-            v75 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-            v76 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
-            v77 = v59 * v59 + v65 * v65 + v71 * v71
-            v78 = v60 * v60 + v66 * v66 + v72 * v72
-            v79 = v61 * v61
-            v80 = v79 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
-            v81 = v79 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
-            v84 = math.sqrt(-1.0)
-            v85 = 0.0 if (v77 <= m6 and v80 <= m8) else v84
-            v86 = 0.0 if (v78 <= m6 and v81 <= m8) else v84
+            v9 = k2 * T33
+            v10 = v9 * v9 + S2 * S2
+            w2 = math.sqrt(v10)
+            v11 = 1.0 / v10
+            v12 = w2 * v11
+            c2 = v9 * v12
+            v13 = S2 * v12
+            v14 = T23 * T11 - T13 * T21
+            v15 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
+            v16 = v15 + w1 * (m2 * (inverse1 * v14))
+            v17 = v15 + w1 * (m2 * (inverse1 * -v14))
+            v18 = T23 * T12 - T13 * T22
+            v19 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
+            v20 = v19 + w1 * (m2 * (inverse1 * v18))
+            v21 = v19 + w1 * (m2 * (inverse1 * -v18))
+            v22 = v16 * v16 + v20 * v20
+            v23 = v17 * v17 + v21 * v21
+            v24 = math.sqrt(v22) * (1.0 / v22)
+            v25 = math.sqrt(v23) * (1.0 / v23)
+            v26 = 2.0 * T24
+            v27 = 2.0 * T14
+            v28 = v13 * T34
+            v29 = T13 * v26 - T23 * v27
+            v30 = m4 - m3 * (inverse1 * (v1 * v27 + v2 * v26))
+            v31 = v30 + w1 * (m3 * (inverse1 * v29))
+            v32 = v30 + w1 * (m3 * (inverse1 * -v29))
+            v33 = S2 * T34
+            C3_p = w2 * (m2 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
+            C3_m = w2 * (m2 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
+            v34 = v31 * v31 + C3_p * C3_p
+            v35 = v32 * v32 + C3_m * C3_m
+            factor3_p = math.sqrt(v34) * (1.0 / v34)
+            factor3_m = math.sqrt(v35) * (1.0 / v35)
+            v36 = c1_p * c2
+            v37 = c1_m * c2
+            v38 = c1_p * v13
+            v39 = c1_m * v13
+            v40 = v7 * c2
+            v41 = v8 * c2
+            v42 = v7 * v13
+            v43 = v8 * v13
+            v44 = k1 * (sqrt2 * (v16 * v24))
+            v45 = k1 * (sqrt2 * (v17 * v25))
+            v46 = a3 * (v31 * factor3_p)
+            v47 = a3 * (v32 * factor3_m)
+            v48 = c1_p * T24 + v7 * T14 - k1 * (sqrt2 * (k6 - v46))
+            v49 = c1_m * T24 + v8 * T14 - k1 * (sqrt2 * (k6 - v47))
+            v50 = T23 * c1_p + T13 * v7 - k2
+            v51 = T23 * c1_m + T13 * v8 - k2
+            v52 = c1_p * T21 + v7 * T11 - v44
+            v53 = c1_m * T21 + v8 * T11 - v45
+            v54 = c2 * T34
+            v55 = v54 + (T24 * v42 - T14 * v38) - k1 * (sqrt2 * (k6 + v46))
+            v56 = v54 + (T14 * v39 - T24 * v43) - k1 * (sqrt2 * (k6 + v47))
+            v57 = T33 * c2
+            v58 = k2 - (v57 + (T23 * v42 - T13 * v38))
+            v59 = k2 - (v57 + (T13 * v39 - T23 * v43))
+            v60 = c2 * T31
+            v61 = v44 + (v60 + (T21 * v42 - T11 * v38))
+            v62 = v45 + (v60 + (T11 * v39 - T21 * v43))
+            v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p)
+            v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m)
+            v65 = v13 * T31
+            v66 = v65 + (T11 * v36 - T21 * v40) - v20 * v24
+            v67 = T11 * v37 - T21 * v41 - v65 - v21 * v25
+            v68 = T33 * v13
+            v69 = v68 + (T13 * v36 - T23 * v40)
+            v70 = T13 * v37 - T23 * v41 - v68
+            v71 = v48 * v48 + v55 * v55 + v63 * v63
+            v72 = v49 * v49 + v56 * v56 + v64 * v64
+            v73 = v50 * v50 + v52 * v52 + v58 * v58 + v61 * v61 + v66 * v66 + v69 * v69
+            v74 = v51 * v51 + v53 * v53 + v59 * v59 + v62 * v62 + v67 * v67 + v70 * v70
+            v77 = math.sqrt(-1.0)
+            v78 = 0.0 if (v71 <= m6 and v73 <= m8) else v77
+            v79 = 0.0 if (v72 <= m6 and v74 <= m8) else v77
             doubt1 = (
-                v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v78 and v78 <= m7) or (m6
-                < v77 and v77 <= m7) or (m8 < v81 and v81 <= m9) or abs(D1) <= k4 or v16 <= m1 or
-                (m8 < v80 and v80 <= m9)
+                v35 <= m5 or v23 <= m1 or v34 <= m5 or v22 <= m1 or (m6 < v72 and v72 <= m7) or (m6
+                < v71 and v71 <= m7) or (m8 < v74 and v74 <= m9) or abs(D1) <= k4 or v10 <= m1 or
+                (m8 < v73 and v73 <= m9)
             )
-            work[272 + k] = v85
-            work[288 + k] = v86
+            work[272 + k] = v78
+            work[288 + k] = v79
             work[304 + k] = doubt1
             work[320 + k] = -S2
-            work[336 + k] = -v36
-            work[352 + k] = -v37
-            work[368 + k] = v22
-            work[384 + k] = v23
-            work[400 + k] = -v13
-            work[416 + k] = -v14
-            work[432 + k] = v15
+            work[336 + k] = -v31
+            work[352 + k] = -v32
+            work[368 + k] = v16
+            work[384 + k] = v17
+            work[400 + k] = -v7
+            work[416 + k] = -v8
+            work[432 + k] = v9
             work[448 + k] = C3_p
             work[464 + k] = C3_m
-            work[480 + k] = v26
-            work[496 + k] = v27
+            work[480 + k] = v20
+            work[496 + k] = v21
             work[512 + k] = c1_p
             work[528 + k] = c1_m
         for k in range(320, 432):
             work[k] = _atan2(work[k], work[k + 112])
         for k in range(0, 16):
-            v85 = work[272 + k]
-            v86 = work[288 + k]
+            v78 = work[272 + k]
+            v79 = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
@@ -1279,19 +1239,19 @@ def _in_tiles(T, q, status):
             angle5 = work[384 + k]
             angle6 = work[400 + k]
             angle7 = work[416 + k]
-            v82 = angle4 - angle2
-            v83 = angle5 - angle3
-            q1_p = v85 + angle6
-            q1_m = v86 + angle7
-            q2_p = angle1 + v85
-            q2_m = v86 - angle1
-            q3_p = angle2 + v85
-            q3_m = angle3 + v86
+            v75 = angle4 - angle2
+            v76 = angle5 - angle3
+            q1_p = v78 + angle6
+            q1_m = v79 + angle7
+            q2_p = angle1 + v78
+            q2_m = v79 - angle1
+            q3_p = angle2 + v78
+            q3_m = angle3 + v79
             q4_p = (
-                v85 + (v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0)))
+                v78 + (v75 + (turn if v75 <= -half_turn else (-turn if half_turn < v75 else 0.0)))
             )
             q4_m = (
-                v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
+                v79 + (v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0)))
             )
             _544 = q1_p
             work[544 + k] = _544

@@ -450,7 +450,7 @@ static double beyond_limits(const double values[7])
         v62 = v5 * T21, v63 = v3 * (c3 * T31); \
     /* joint values */ \
     const number q3_p = v6 + (free_joints[0] + (w4 - w4))
-#define SIGNED(number) \
+#define SIGNED(number, signs) \
     /* theta1 */ \
     const number v9 = e1 * v8, v11 = inverse1 * v9, v12 = e1 * v7, v14 = inverse1 * v12; \
     /* theta2 */ \
@@ -461,7 +461,7 @@ static double beyond_limits(const double values[7])
     const number v46 = e1 * v45; \
     /* theta7 */ \
     const number v55 = e1 * v51, v64 = e1 * v60
-#define SIGNED_TWICE(number) \
+#define SIGNED_TWICE(number, signs) \
     /* theta1 */ \
     const number v10 = w1 * (inverse1 * (e2 * -wx)), c1 = v11 - v10, \
         v13 = w1 * (inverse1 * (e2 * wy)), s1 = v13 + v14; \
@@ -495,7 +495,7 @@ HELPER wide_mask solve_wide(
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        SIGNED(wide);
+        SIGNED(wide, double);
 
         /* joint values */
         const wide v67 = e1 * angle5 - offset4, q4_ = raised_wide(v67);
@@ -504,7 +504,7 @@ HELPER wide_mask solve_wide(
 
         UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* left, right */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
-            SIGNED_TWICE(wide);
+            SIGNED_TWICE(wide, double);
 
             /* theta5 */
             const wide angle1 = atan2_wide(Y5, -X5), q5_m = angle1 - signed_wide(half_turn, Y5);
@@ -556,8 +556,8 @@ HELPER int solve_regular(
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
     KNOWN(double);
-    SIGNED(four);
-    SIGNED_TWICE(four);
+    SIGNED(four, four);
+    SIGNED_TWICE(four, four);
 
     /* joint values */
     const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);

@@ -508,10 +508,8 @@ static const double
     m1 = 1.296e-13, /* doubt_limit_squared2^2 [m^4] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */
     m4 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m6 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
-    m7 = 1e-24; /* exact_slack^2 */
-/* coefficients */
-static const double m5 = 2.0;
+    m5 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
+    m6 = 1e-24; /* exact_slack^2 */
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -608,45 +606,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide q1_p = T34 - d5 * T33;
 
     /* theta2 */
-    const wide v1 = d3 * (T14 - d5 * T13 - a1), C2 = d3 * (T24 - d5 * T23), v2 = v1 * v1 + C2 * C2,
-        w2 = sqrt_wide(v2), v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4, s2 = v1 * v4,
-        angle1 = atan2_wide(v1, -C2);
+    const wide wy = T24 - d5 * T23, v1 = T14 - d5 * T13 - a1, s2 = d3 * v1, C2 = d3 * wy,
+        v2 = s2 * s2 + C2 * C2, v3 = sqrt_wide(v2) * (1.0 / v2), angle1 = atan2_wide(v1, -wy);
 
     /* theta3 */
-    const wide v6 = T23 * s2 - T13 * v5, X3 = w2 * (v3 * (v1 * T23 - T13 * C2)),
-        v7 = X3 * X3 + T33 * T33, w3 = sqrt_wide(v7), v8 = 1.0 / v7, factor3 = w3 * v8,
-        v9 = X3 * factor3, v10 = T33 * factor3, angle2 = atan2_wide(-T33, -X3);
+    const wide X3 = T23 * s2 - T13 * C2, v4 = T33 * T33 + v3 * (X3 * (v3 * X3)), w3 = sqrt_wide(v4),
+        v5 = 1.0 / v4, factor3 = w3 * v5, v6 = X3 * factor3, v7 = T33 * factor3, v8 = v3 * v6,
+        angle2 = atan2_wide(-v7, -v8);
 
     /* theta4 */
-    const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2)), v12 = v7 + v11 * v11,
-        v13 = sqrt_wide(v12) * (1.0 / v12), c4 = v11 * v13, s4 = w3 * v13,
-        angle3 = atan2_wide(w3, v11);
+    const wide v9 = T23 * C2 + T13 * s2, v10 = v4 + v3 * (v9 * (v3 * v9)),
+        v11 = sqrt_wide(v10) * (1.0 / v10), c4 = v9 * v11, s4 = w3 * v11,
+        angle3 = atan2_wide(s4, v3 * c4);
 
     /* theta5 */
-    const wide C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12))),
-        S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11))), v14 = S5 * S5 + C5 * C5,
-        v15 = sqrt_wide(v14) * (1.0 / v14), v16 = C5 * v15, v17 = S5 * v15,
-        angle4 = atan2_wide(-S5, -C5);
+    const wide C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12))), v12 = s2 * T21 - C2 * T11,
+        S5 = w3 * (v5 * (X3 * T31 - T33 * v12)), v13 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5)),
+        v14 = sqrt_wide(v13) * (1.0 / v13), v15 = C5 * v14, v16 = S5 * v14,
+        angle4 = atan2_wide(-v16, -v15);
 
     /* is the pose one that the arm can take? */
-    const wide v18 = v5 * v9, v19 = s2 * v9, v20 = T34 + (-q1_p - s4 * (d5 * v10)),
-        v21 = T33 - v10 * s4, v22 = T31 - (v16 * (v10 * c4) + v9 * v17),
-        v23 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v19))),
-        v24 = T23 - (v5 * c4 + s4 * v19),
-        v25 = T21 + (v17 * (s2 * v10) - v16 * (c4 * v19 - v5 * s4)),
-        v26 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2))),
-        v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4)),
-        v28 = T13 - (s2 * c4 - s4 * v18);
+    const wide v17 = v7 * s4, v18 = v6 * s4, v19 = T14 - a1, v20 = T34 - q1_p - d5 * v17,
+        v21 = T33 - v17, v22 = v3 * v15, v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16),
+        v24 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v19), v25 = v3 * (c4 - v9),
+        v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15), v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18),
+        v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16)), v29 = v3 * (X3 - v18);
 
     /* joint values */
-    const wide_mask doubt1 = (v7 <= m2) | (v2 <= m1) | (v12 <= m4) | (v14 <= m4) | (m7 < v21 * v21 +
-        v22 * v22 + v24 * v24 + v25 * v25 + v27 * v27 + v28 * v28) | (m6 < v20 * v20 + v23 * v23 +
-        v26 * v26);
+    const wide_mask doubt1 = (v4 <= m2) | (v2 <= m1) | (v10 <= m4) | (v13 <= m4) | (m6 < v21 * v21 +
+        v23 * v23 + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29) | (m5 < v20 * v20 + v24 * v24 +
+        v27 * v27);
 
     q[0] = q1_p; q[1] = angle1; q[2] = angle2; q[3] = angle3; q[4] = angle4;
     kind[0] = kind_of(q[0], 0);
-    q[5] = q1_p; q[6] = angle1; q[7] = angle2 - signed_wide(half_turn, -T33); q[8] = -angle3;
-    q[9] = angle4 - signed_wide(half_turn, -S5);
+    q[5] = q1_p; q[6] = angle1; q[7] = angle2 - signed_wide(half_turn, -v7); q[8] = -angle3;
+    q[9] = angle4 - signed_wide(half_turn, -v16);
     kind[1] = kind_of(q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -667,50 +661,47 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double q1 = T34 - d5 * T33;
 
     /* theta2 */
-    const double v1 = d3 * (T14 - d5 * T13 - a1), C2 = d3 * (T24 - d5 * T23),
-        v2 = v1 * v1 + C2 * C2, w2 = sqrt(v2), v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4,
-        s2 = v1 * v4;
+    const double wy = T24 - d5 * T23, v1 = T14 - d5 * T13 - a1, s2 = d3 * v1, C2 = d3 * wy,
+        v2 = s2 * s2 + C2 * C2, v3 = sqrt(v2) * (1.0 / v2);
 
     /* theta3 */
-    const double v6 = T23 * s2 - T13 * v5, X3 = w2 * (v3 * (v1 * T23 - T13 * C2)),
-        v7 = X3 * X3 + T33 * T33, w3 = sqrt(v7), v8 = 1.0 / v7, factor3 = w3 * v8,
-        v9 = X3 * factor3, v10 = T33 * factor3, v11 = copysign(half_turn, -T33);
-    const four v12 = m3 * (e1 - 1.0);
+    const double X3 = T23 * s2 - T13 * C2, v4 = T33 * T33 + v3 * (X3 * (v3 * X3)), w3 = sqrt(v4),
+        v5 = 1.0 / v4, factor3 = w3 * v5, v6 = X3 * factor3, v7 = T33 * factor3, v8 = v3 * v6,
+        v9 = copysign(half_turn, -v7);
+    const four v10 = m3 * (e1 - 1.0);
 
     /* theta4 */
-    const double v13 = w2 * (v3 * (T13 * v1 + T23 * C2)), v14 = v7 + v13 * v13,
-        v15 = sqrt(v14) * (1.0 / v14), c4 = v13 * v15, s4 = w3 * v15;
+    const double v11 = T23 * C2 + T13 * s2, v12 = v4 + v3 * (v11 * (v3 * v11)),
+        v13 = sqrt(v12) * (1.0 / v12), c4 = v11 * v13, s4 = w3 * v13;
 
     /* theta5 */
-    const double C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12))),
-        S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11))), v16 = S5 * S5 + C5 * C5,
-        v17 = sqrt(v16) * (1.0 / v16), v18 = C5 * v17, v19 = S5 * v17,
-        v20 = copysign(half_turn, -S5);
+    const double C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12))),
+        v14 = s2 * T21 - C2 * T11, S5 = w3 * (v5 * (X3 * T31 - T33 * v14)),
+        v15 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5)), v16 = sqrt(v15) * (1.0 / v15), v17 = C5 * v16,
+        v18 = S5 * v16, v19 = copysign(half_turn, -v18);
 
     /* is the pose one that the arm can take? */
-    const double v21 = v5 * v9, v22 = s2 * v9, v23 = T34 + (-q1 - s4 * (d5 * v10)),
-        v24 = T33 - v10 * s4, v25 = T31 - (v18 * (v10 * c4) + v9 * v19),
-        v26 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v22))),
-        v27 = T23 - (v5 * c4 + s4 * v22),
-        v28 = T21 + (v19 * (s2 * v10) - v18 * (c4 * v22 - v5 * s4)),
-        v29 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5 * s2))),
-        v30 = T11 - (v19 * (v5 * v10) - v18 * (c4 * v21 + s2 * s4)),
-        v31 = T13 - (s2 * c4 - s4 * v21);
+    const double v20 = v7 * s4, v21 = v6 * s4, v22 = T14 - a1, v23 = T34 - q1 - d5 * v20,
+        v24 = T33 - v20, v25 = v3 * v17, v26 = T31 - v3 * (v25 * (v7 * c4) + v8 * v18),
+        v27 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v22), v28 = v3 * (c4 - v11),
+        v29 = v3 * (C2 * T21 + s2 * T11 + s4 * v17), v30 = v3 * (T24 * s2 - C2 * v22 - d5 * v21),
+        v31 = v3 * (v14 - (v25 * (v8 * c4) - v7 * v18)), v32 = v3 * (X3 - v21);
 
     /* joint values */
-    const int doubt1 = (v7 <= m2) | (v2 <= m1) | (v14 <= m4) | (v16 <= m4) | (m7 < v24 * v24 + v25 *
-        v25 + v27 * v27 + v28 * v28 + v30 * v30 + v31 * v31) | (m6 < v23 * v23 + v26 * v26 + v29 *
-        v29);
+    const int doubt1 = (v4 <= m2) | (v2 <= m1) | (v12 <= m4) | (v15 <= m4) | (m6 < v24 * v24 + v26 *
+        v26 + v28 * v28 + v29 * v29 + v31 * v31 + v32 * v32) | (m5 < v23 * v23 + v27 * v27 + v30 *
+        v30);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four((four){ v1, -T33, w3, -S5 }, (four){ -C2, -X3, v13, -C5 });
+    const four_ratio ratio1 = ratio_four((four){ v1, -v7, s4, -v18 }, (four){ -wy, -v8, v3 * c4,
+        -v17 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q3 = angle2 + v11 * v12, q5 = angle4 + v12 * v20, q4 = e1 * angle3;
+    const four q3 = angle2 + v9 * v10, q5 = angle4 + v10 * v19, q4 = e1 * angle3;
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), angle1, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5);
@@ -798,7 +789,8 @@ static void solve(
     const double v5 = T12 * c2 + T22 * s2, v6 = T11 * c2 + T21 * s2;
 
     /* is the pose one that the arm can take? */
-    const double v9 = d5 * s2, v10 = a1 + d3 * s2, v12 = d5 * c2, v13 = d3 * c2;
+    const double v9 = T34 - wz, v11 = T14 - a1, v12 = c2 * v11 + T24 * s2,
+        v13 = T21 * c2 - T11 * s2, v14 = T24 * c2 - s2 * v11;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip, flip */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -828,14 +820,12 @@ static void solve(
         const double q5 = atan2(s5, c5);
 
         /* is the pose one that the arm can take? */
-        const double v8 = c2 * c3, v11 = s2 * c3;
-        if (!(fabs(T34 + (s4 * (d5 * s3) + -wz)) <= doubtful_slack1 && fabs(T33 + s3 * s4) <=
-            doubtful_slack && fabs(T31 - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack && fabs(T24 +
-            (c4 * v12 + s4 * (d5 * v11) + v13)) <= doubtful_slack1 && fabs(T23 + (c2 * c4 + s4 *
-            v11)) <= doubtful_slack && fabs(T21 + (c5 * (c2 * s4 - c4 * v11) + s5 * (s2 * s3))) <=
-            doubtful_slack && fabs(T14 - (v10 - (s4 * (d5 * v8) - c4 * v9))) <= doubtful_slack1 &&
-            fabs(T11 - (c5 * (c4 * v8 + s2 * s4) - s5 * (c2 * s3))) <= doubtful_slack && fabs(T13 -
-            (s2 * c4 - s4 * v8)) <= doubtful_slack))
+        const double v8 = s3 * s4, v10 = c3 * s4;
+        if (!(fabs(v9 + d5 * v8) <= doubtful_slack1 && fabs(T33 + v8) <= doubtful_slack && fabs(T31
+            - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack && fabs(v14 + (d3 + d5 * c4)) <=
+            doubtful_slack1 && fabs(Z1_4 + c4) <= doubtful_slack && fabs(v13 + s4 * c5) <=
+            doubtful_slack && fabs(v12 + d5 * v10) <= doubtful_slack1 && fabs(v6 - (c5 * (c3 * c4) -
+            s3 * s5)) <= doubtful_slack && fabs(X3 + v10) <= doubtful_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = wz; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;

@@ -121,9 +121,8 @@ doubtful_slack1 = 0.06  # a row may miss the pose by this before it is tightened
 m1 = 1.296e-13  # doubt_limit_squared2^2 [m^4]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 9.999999999999997e-17  # doubt_limit_squared^2
-m5 = 2.0  # a coefficient of v10
-m6 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
-m7 = 1e-24  # exact_slack^2
+m5 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
+m6 = 1e-24  # exact_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -302,7 +301,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof efe16530279d2d73"
+_KEY = "rail_5dof 1d31d2ae0bbeaaf8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -698,10 +697,11 @@ def _solve(pose, seed, q, status):
     v6 = T11 * c2 + T21 * s2
 
     # is the pose one that the arm can take?
-    v9 = d5 * s2
-    v10 = a1 + d3 * s2
-    v12 = d5 * c2
-    v13 = d3 * c2
+    v9 = T34 - wz
+    v11 = T14 - a1
+    v12 = c2 * v11 + T24 * s2
+    v13 = T21 * c2 - T11 * s2
+    v14 = T24 * c2 - s2 * v11
 
     for i1 in range(2):  # noflip, flip
         e1 = 1.0 - 2.0 * i1
@@ -733,16 +733,14 @@ def _solve(pose, seed, q, status):
         q5 = _atan2(s5, c5)
 
         # is the pose one that the arm can take?
-        v8 = c2 * c3
-        v11 = s2 * c3
+        v8 = s3 * s4
+        v10 = c3 * s4
         if (
-            not (abs(T34 + (s4 * (d5 * s3) + -wz)) <= doubtful_slack1 and abs(T33 + s3 * s4) <=
-            doubtful_slack and abs(T31 - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack and abs(T24 +
-            (c4 * v12 + s4 * (d5 * v11) + v13)) <= doubtful_slack1 and abs(T23 + (c2 * c4 + s4 *
-            v11)) <= doubtful_slack and abs(T21 + (c5 * (c2 * s4 - c4 * v11) + s5 * (s2 * s3))) <=
-            doubtful_slack and abs(T14 - (v10 - (s4 * (d5 * v8) - c4 * v9))) <= doubtful_slack1 and
-            abs(T11 - (c5 * (c4 * v8 + s2 * s4) - s5 * (c2 * s3))) <= doubtful_slack and abs(T13 -
-            (s2 * c4 - s4 * v8)) <= doubtful_slack)
+            not (abs(v9 + d5 * v8) <= doubtful_slack1 and abs(T33 + v8) <= doubtful_slack and
+            abs(T31 - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack and abs(v14 + (d3 + d5 * c4)) <=
+            doubtful_slack1 and abs(Z1_4 + c4) <= doubtful_slack and abs(v13 + s4 * c5) <=
+            doubtful_slack and abs(v12 + d5 * v10) <= doubtful_slack1 and abs(v6 - (c5 * (c3 * c4) -
+            s3 * s5)) <= doubtful_slack and abs(X3 + v10) <= doubtful_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -1106,57 +1104,58 @@ def _regular(pose, q, status):
     q1_p = T34 - d5 * T33
 
     # theta2, type 3: U0 A5^-1 [1, 4] and U0 A5^-1 [2, 4]
-    v1 = d3 * (T14 - d5 * T13 - a1)
-    C2 = d3 * (T24 - d5 * T23)
-    v2 = v1 * v1 + C2 * C2
-    w2 = math.sqrt(v2)
-    v3 = 1.0 / v2
-    v4 = w2 * v3
-    v5 = C2 * v4
-    s2 = v1 * v4
+    wy = T24 - d5 * T23
+    v1 = T14 - d5 * T13 - a1
+    s2 = d3 * v1
+    C2 = d3 * wy
+    v2 = s2 * s2 + C2 * C2
+    v3 = math.sqrt(v2) * (1.0 / v2)
 
     # theta3, type 2: U3[2, 3]
-    v6 = T23 * s2 - T13 * v5
-    X3 = w2 * (v3 * (v1 * T23 - T13 * C2))
-    v7 = X3 * X3 + T33 * T33
-    w3 = math.sqrt(v7)
-    v8 = 1.0 / v7
-    factor3 = w3 * v8
-    v9 = X3 * factor3
-    v10 = T33 * factor3
+    X3 = T23 * s2 - T13 * C2
+    v4 = T33 * T33 + v3 * (X3 * (v3 * X3))
+    w3 = math.sqrt(v4)
+    v5 = 1.0 / v4
+    factor3 = w3 * v5
+    v6 = X3 * factor3
+    v7 = T33 * factor3
+    v8 = v3 * v6
 
     # theta4, type 3: U3[3, 3] and U3[1, 3]
-    v11 = w2 * (v3 * (T13 * v1 + T23 * C2))
-    v12 = v7 + v11 * v11
-    v13 = math.sqrt(v12) * (1.0 / v12)
-    c4 = v11 * v13
-    s4 = w3 * v13
+    v9 = T23 * C2 + T13 * s2
+    v10 = v4 + v3 * (v9 * (v3 * v9))
+    v11 = math.sqrt(v10) * (1.0 / v10)
+    c4 = v9 * v11
+    s4 = w3 * v11
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
-    C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)))
-    S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)))
-    v14 = S5 * S5 + C5 * C5
-    v15 = math.sqrt(v14) * (1.0 / v14)
-    v16 = C5 * v15
-    v17 = S5 * v15
+    C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12)))
+    v12 = s2 * T21 - C2 * T11
+    S5 = w3 * (v5 * (X3 * T31 - T33 * v12))
+    v13 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5))
+    v14 = math.sqrt(v13) * (1.0 / v13)
+    v15 = C5 * v14
+    v16 = S5 * v14
 
     # is the pose one that the arm can take?
-    v18 = v5 * v9
-    v19 = s2 * v9
-    v20 = T34 + (-q1_p - s4 * (d5 * v10))
-    v21 = T33 - v10 * s4
-    v22 = T31 - (v16 * (v10 * c4) + v9 * v17)
-    v23 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v19)))
-    v24 = T23 - (v5 * c4 + s4 * v19)
-    v25 = T21 + (v17 * (s2 * v10) - v16 * (c4 * v19 - v5 * s4))
-    v26 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
-    v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4))
-    v28 = T13 - (s2 * c4 - s4 * v18)
+    v17 = v7 * s4
+    v18 = v6 * s4
+    v19 = T14 - a1
+    v20 = T34 - q1_p - d5 * v17
+    v21 = T33 - v17
+    v22 = v3 * v15
+    v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16)
+    v24 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v19)
+    v25 = v3 * (c4 - v9)
+    v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15)
+    v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18)
+    v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
+    v29 = v3 * (X3 - v18)
 
     # joint values
     doubt1 = (
-        v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v21 * v21 + v22 * v22 + v24 * v24 +
-        v25 * v25 + v27 * v27 + v28 * v28 or m6 < v20 * v20 + v23 * v23 + v26 * v26
+        v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23 + v25 * v25 +
+        v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27 * v27
     )
 
     # a joint is free, or branches meet
@@ -1165,13 +1164,13 @@ def _regular(pose, q, status):
 
     # angles, side by side
     room[0] = v1
-    room[1] = -T33
-    room[2] = w3
-    room[3] = -S5
-    room[8] = -C2
-    room[9] = -X3
-    room[10] = v11
-    room[11] = -C5
+    room[1] = -v7
+    room[2] = s4
+    room[3] = -v16
+    room[8] = -wy
+    room[9] = -v8
+    room[10] = v3 * c4
+    room[11] = -v15
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -1182,10 +1181,10 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # theta3, type 2: U3[2, 3]
-    q3_m = angle2 - math.copysign(half_turn, -T33)
+    q3_m = angle2 - math.copysign(half_turn, -v7)
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
-    q5_m = angle4 - math.copysign(half_turn, -S5)
+    q5_m = angle4 - math.copysign(half_turn, -v16)
 
     q[0, 0] = q1_p
     q[0, 1] = angle1
@@ -1383,10 +1382,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [448, 464, 480, 496, 512],
-    [448, 464, 528, 544, 560],
+    [464, 480, 496, 512, 528],
+    [464, 480, 544, 560, 576],
 ])
-_KINDS = np.array([576, 592])
+_KINDS = np.array([592, 608])
 
 
 @intrinsic(prefer_literal=True)
@@ -1413,7 +1412,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(608), 608)
+    work = carray(_tile(624), 624)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1451,90 +1450,92 @@ def _in_tiles(T, q, status):
             T33 = work[160 + k]
             T34 = work[176 + k]
             q1_p = T34 - d5 * T33
-            v1 = d3 * (T14 - d5 * T13 - a1)
-            C2 = d3 * (T24 - d5 * T23)
-            v2 = v1 * v1 + C2 * C2
-            w2 = math.sqrt(v2)
-            v3 = 1.0 / v2
-            v4 = w2 * v3
-            v5 = C2 * v4
-            s2 = v1 * v4
-            v6 = T23 * s2 - T13 * v5
-            X3 = w2 * (v3 * (v1 * T23 - T13 * C2))
-            v7 = X3 * X3 + T33 * T33
-            w3 = math.sqrt(v7)
-            v8 = 1.0 / v7
-            factor3 = w3 * v8
-            v9 = X3 * factor3
-            v10 = T33 * factor3
-            v11 = w2 * (v3 * (T13 * v1 + T23 * C2))
-            v12 = v7 + v11 * v11
-            v13 = math.sqrt(v12) * (1.0 / v12)
-            c4 = v11 * v13
-            s4 = w3 * v13
-            C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)))
-            S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)))
-            v14 = S5 * S5 + C5 * C5
-            v15 = math.sqrt(v14) * (1.0 / v14)
-            v16 = C5 * v15
-            v17 = S5 * v15
-            v18 = v5 * v9
-            v19 = s2 * v9
-            v20 = T34 + (-q1_p - s4 * (d5 * v10))
-            v21 = T33 - v10 * s4
-            v22 = T31 - (v16 * (v10 * c4) + v9 * v17)
-            v23 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v19)))
-            v24 = T23 - (v5 * c4 + s4 * v19)
-            v25 = T21 + (v17 * (s2 * v10) - v16 * (c4 * v19 - v5 * s4))
-            v26 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
-            v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4))
-            v28 = T13 - (s2 * c4 - s4 * v18)
+            wy = T24 - d5 * T23
+            v1 = T14 - d5 * T13 - a1
+            s2 = d3 * v1
+            C2 = d3 * wy
+            v2 = s2 * s2 + C2 * C2
+            v3 = math.sqrt(v2) * (1.0 / v2)
+            X3 = T23 * s2 - T13 * C2
+            v4 = T33 * T33 + v3 * (X3 * (v3 * X3))
+            w3 = math.sqrt(v4)
+            v5 = 1.0 / v4
+            factor3 = w3 * v5
+            v6 = X3 * factor3
+            v7 = T33 * factor3
+            v8 = v3 * v6
+            v9 = T23 * C2 + T13 * s2
+            v10 = v4 + v3 * (v9 * (v3 * v9))
+            v11 = math.sqrt(v10) * (1.0 / v10)
+            c4 = v9 * v11
+            s4 = w3 * v11
+            C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12)))
+            v12 = s2 * T21 - C2 * T11
+            S5 = w3 * (v5 * (X3 * T31 - T33 * v12))
+            v13 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5))
+            v14 = math.sqrt(v13) * (1.0 / v13)
+            v15 = C5 * v14
+            v16 = S5 * v14
+            v17 = v7 * s4
+            v18 = v6 * s4
+            v19 = T14 - a1
+            v20 = T34 - q1_p - d5 * v17
+            v21 = T33 - v17
+            v22 = v3 * v15
+            v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16)
+            v24 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v19)
+            v25 = v3 * (c4 - v9)
+            v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15)
+            v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18)
+            v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
+            v29 = v3 * (X3 - v18)
             doubt1 = (
-                v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v21 * v21 + v22 * v22 + v24 *
-                v24 + v25 * v25 + v27 * v27 + v28 * v28 or m6 < v20 * v20 + v23 * v23 + v26 * v26
+                v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23 + v25 *
+                v25 + v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27 * v27
             )
             work[272 + k] = q1_p
-            work[288 + k] = S5
-            work[304 + k] = doubt1
-            work[320 + k] = v1
-            work[336 + k] = -T33
-            work[352 + k] = w3
-            work[368 + k] = -S5
-            work[384 + k] = -C2
-            work[400 + k] = -X3
-            work[416 + k] = v11
-            work[432 + k] = -C5
-        for k in range(320, 384):
+            work[288 + k] = v7
+            work[304 + k] = v16
+            work[320 + k] = doubt1
+            work[336 + k] = v1
+            work[352 + k] = -v7
+            work[368 + k] = s4
+            work[384 + k] = -v16
+            work[400 + k] = -wy
+            work[416 + k] = -v8
+            work[432 + k] = v3 * c4
+            work[448 + k] = -v15
+        for k in range(336, 400):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            T33 = work[160 + k]
             q1_p = work[272 + k]
-            S5 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
-            q3_m = angle2 - math.copysign(half_turn, -T33)
-            q5_m = angle4 - math.copysign(half_turn, -S5)
-            _448 = q1_p
-            work[448 + k] = _448
-            _464 = angle1
+            v7 = work[288 + k]
+            v16 = work[304 + k]
+            doubt1 = work[320 + k] != 0.0
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
+            angle3 = work[368 + k]
+            angle4 = work[384 + k]
+            q3_m = angle2 - math.copysign(half_turn, -v7)
+            q5_m = angle4 - math.copysign(half_turn, -v16)
+            _464 = q1_p
             work[464 + k] = _464
-            _480 = angle2
+            _480 = angle1
             work[480 + k] = _480
-            _496 = angle3
+            _496 = angle2
             work[496 + k] = _496
-            _512 = angle4
+            _512 = angle3
             work[512 + k] = _512
-            _528 = q3_m
+            _528 = angle4
             work[528 + k] = _528
-            _544 = -angle3
+            _544 = q3_m
             work[544 + k] = _544
-            _560 = q5_m
+            _560 = -angle3
             work[560 + k] = _560
-            work[576 + k] = UNREACHABLE if _448 != _448 else OK
-            work[592 + k] = UNREACHABLE if _448 != _448 else OK
+            _576 = q5_m
+            work[576 + k] = _576
+            work[592 + k] = UNREACHABLE if _464 != _464 else OK
+            work[608 + k] = UNREACHABLE if _464 != _464 else OK
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:

@@ -251,8 +251,8 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 1.0000000000000002e-06, /* a pose may be rounded by this [m] */
     k1 = 0.5, /* 1 / 2 */
-    k2 = 0.12855752193730788, /* 2 * d3 * ca2 [m] */
-    k3 = 1.3268278963378768, /* sa2 * sqrt3 */
+    k2 = 0.06427876096865394, /* d3 * ca2 [m] */
+    k3 = 0.12855752193730788, /* 2 * d3 * ca2 [m] */
     k4 = 0.6634139481689384, /* sa2 * sqrt3 / 2 */
     k5 = 0.8660254037844386, /* sqrt3 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
@@ -261,12 +261,12 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.0000000000000002e-10,
     m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m4 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
-    m5 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
-    m6 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m7 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+    m5 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
+    m6 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
+    m7 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m8 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 /* coefficients */
-static const double m1 = 0.383022221559489, m3 = 0.2541022842412185;
+static const double m1 = 0.383022221559489, m3 = 0.5, m4 = 0.8660254037844386;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -355,69 +355,71 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 
     /* theta1 */
     const wide v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k2), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1), inverse1 = 1.0 / N1,
-        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = inverse1 * v3, v5 = w1 * (v1 * inverse1), c1_p = v4 + v5,
-        c1_m = v4 - v5, v6 = inverse1 * v2, v7 = w1 * (Y1 * inverse1), s1_p = v7 - v6, v8 = v6 + v7;
+        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1), inverse1 = 1.0 / N1,
+        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1, c1_p = v3 + v4, c1_m = v3 - v4, v5 = Y1 * w1,
+        s1_p = v5 - v2, v6 = v2 + v5;
 
     /* theta3 */
-    const wide v9 = sqrt3 * T22, v10 = sqrt3 * T12, v11 = sqrt3 * T21, v12 = sqrt3 * T11,
-        v13 = Y1 * v12 - v1 * v11, v14 = m1 * (T31 - inverse1 * (v2 * v12 + v3 * v11)),
-        S3_p = v14 + w1 * (m1 * (inverse1 * v13)), S3_m = v14 + w1 * (m1 * (inverse1 * -v13)),
-        v15 = Y1 * v10 - v1 * v9, v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9)),
-        C3_p = v16 + w1 * (m1 * (inverse1 * v15)), C3_m = v16 + w1 * (m1 * (inverse1 * -v15)),
-        v17 = S3_p * S3_p + C3_p * C3_p, v18 = S3_m * S3_m + C3_m * C3_m,
-        v19 = sqrt_wide(v17) * (1.0 / v17), v20 = sqrt_wide(v18) * (1.0 / v18);
+    const wide v7 = sqrt3 * T22, v8 = sqrt3 * T12, v9 = sqrt3 * T21, v10 = sqrt3 * T11,
+        v11 = Y1 * v10 - v1 * v9, v12 = m1 * (T31 - inverse1 * (v2 * v10 + v3 * v9)),
+        S3_p = v12 + w1 * (m1 * (inverse1 * v11)), S3_m = v12 + w1 * (m1 * (inverse1 * -v11)),
+        v13 = Y1 * v8 - v1 * v7, v14 = m1 * (T32 - inverse1 * (v2 * v8 + v3 * v7)),
+        C3_p = v14 + w1 * (m1 * (inverse1 * v13)), C3_m = v14 + w1 * (m1 * (inverse1 * -v13)),
+        v15 = S3_p * S3_p + C3_p * C3_p, v16 = S3_m * S3_m + C3_m * C3_m,
+        v17 = sqrt_wide(v15) * (1.0 / v15), v18 = sqrt_wide(v16) * (1.0 / v16), v19 = C3_p * v17,
+        v20 = C3_m * v18, v21 = S3_p * v17, v22 = S3_m * v18;
 
     /* theta2 */
-    const wide v21 = v9 * T31 - v11 * T32, v22 = v12 * T32 - v10 * T31,
-        v23 = m3 * (inverse1 * (v2 * -v22 + v3 * v21)),
-        v24 = w1 * (m3 * (inverse1 * (v1 * v21 + Y1 * v22))), s2_p = v23 + v24, s2_m = v23 - v24,
-        c2 = k5 * (k1 * (2.0 * T33 - ca2)), v25 = c2 * c2, v26 = v19 * s2_p, v27 = v20 * s2_m,
-        v28 = v25 + v19 * (s2_p * v26), v29 = v25 + v20 * (s2_m * v27),
-        v30 = sqrt_wide(v28) * (1.0 / v28), v31 = sqrt_wide(v29) * (1.0 / v29);
+    const wide v23 = k4 * (T32 * v21 - T31 * v19), v24 = k4 * (T32 * v22 - T31 * v20),
+        v25 = k5 * (k1 * (2.0 * T33 - ca2)), v26 = v25 * v25, v27 = v26 + v23 * v23,
+        v28 = v26 + v24 * v24, v29 = sqrt_wide(v27) * (1.0 / v27),
+        v30 = sqrt_wide(v28) * (1.0 / v28), c2_p = v25 * v29, c2_m = v25 * v30, s2_p = v23 * v29,
+        s2_m = v24 * v30;
 
     /* is the pose one that the arm can take? */
-    const wide v32 = ca2 * s1_p, v33 = ca2 * v8, v34 = ca2 * c1_p, v35 = ca2 * c1_m,
-        v36 = sa2 * s1_p, v37 = sa2 * v8, v38 = sa2 * c1_p, v39 = sa2 * c1_m,
-        v40 = v30 * (c2 * v36 + v19 * (s2_p * (2.0 * v38))) - ca2 * (sqrt3 * s1_p),
-        v41 = v31 * (v20 * (s2_m * (2.0 * v39)) - c2 * v37) + ca2 * (sqrt3 * v8),
-        v42 = v30 * (c2 * v38 - v19 * (s2_p * (2.0 * v36))) - ca2 * (sqrt3 * c1_p),
-        v43 = v31 * (c2 * v39 + v20 * (s2_m * (2.0 * v37))) - ca2 * (sqrt3 * c1_m), v44 = k3 * c2,
-        v45 = ca2 + v30 * v44, v46 = ca2 + v31 * v44, v47 = T34 - k1 * (d3 * v45),
-        v48 = T34 - k1 * (d3 * v46), v49 = T33 - k1 * v45, v50 = T33 - k1 * v46,
-        v51 = T31 - v19 * (k1 * (sa2 * S3_p - v30 * (c2 * (ca2 * (sqrt3 * S3_p)) + v26 * (sqrt3 *
-            C3_p)))),
-        v52 = T31 - v20 * (k1 * (sa2 * S3_m - v31 * (c2 * (ca2 * (sqrt3 * S3_m)) + v27 * (sqrt3 *
-            C3_m)))), v53 = T24 - k1 * (d3 * v42), v54 = T24 - k1 * (d3 * v43),
-        v55 = T23 - k1 * v42, v56 = T23 - k1 * v43,
-        v57 = T21 - v19 * (k1 * (v30 * (v26 * (S3_p * (2.0 * v32) - c1_p * C3_p) - c2 * (C3_p *
-            (s1_p * 2.0) + S3_p * v34)) - sa2 * (sqrt3 * (c1_p * S3_p)))),
-        v58 = T21 + v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v33) + c1_m * C3_m) + c2 * (S3_m * v35
-            - C3_m * (v8 * 2.0))) + sa2 * (sqrt3 * (c1_m * S3_m)))), v59 = T14 + k1 * (d3 * v40),
-        v60 = T14 + k1 * (d3 * v41),
-        v61 = T11 - v19 * (k1 * (sa2 * (sqrt3 * (s1_p * S3_p)) + v30 * (c2 * (S3_p * v32 - C3_p *
-            (c1_p * 2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34))))),
-        v62 = T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33 +
-            C3_m * (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m)))), v63 = T13 - k1 * -v40,
-        v64 = T13 + k1 * v41, v65 = v47 * v47 + v53 * v53 + v59 * v59,
-        v66 = v48 * v48 + v54 * v54 + v60 * v60,
-        v67 = v49 * v49 + v51 * v51 + v55 * v55 + v57 * v57 + v61 * v61 + v63 * v63,
-        v68 = v50 * v50 + v52 * v52 + v56 * v56 + v58 * v58 + v62 * v62 + v64 * v64;
+    const wide v31 = ca2 * v21, v32 = ca2 * v22, v33 = sa2 * s2_p, v34 = sa2 * s2_m, v35 = m3 * v2,
+        v36 = w1 * (m3 * Y1), v37 = v36 - v35, v38 = v35 + v36, v39 = m3 * v3, v40 = w1 * (m3 * v1),
+        v41 = v39 + v40, v42 = v39 - v40, v43 = k5 * T31, v44 = k5 * T33, v45 = sa2 * c2_p,
+        v46 = sa2 * c2_m, v47 = k5 * T34, v48 = m4 * v2, v49 = w1 * (m4 * Y1), v50 = v49 - v48,
+        v51 = v48 + v49, v52 = m4 * v3, v53 = w1 * (m4 * v1), v54 = v52 + v53, v55 = v52 - v53,
+        v56 = k1 * T31, v57 = k1 * T33, v58 = k1 * T34,
+        v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2,
+        v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2,
+        v61 = v57 + inverse1 * (v50 * T13 - v54 * T23) - ca2,
+        v62 = v57 - inverse1 * (v51 * T13 + v55 * T23) - ca2,
+        v63 = v56 + inverse1 * (T11 * v50 - T21 * v54) - sa2 * v21,
+        v64 = v56 - inverse1 * (T11 * v51 + T21 * v55) - sa2 * v22,
+        v65 = v47 + inverse1 * (T24 * v41 - T14 * v37) - d3 * v45,
+        v66 = v47 + inverse1 * (T24 * v42 + T14 * v38) - d3 * v46,
+        v67 = v44 + inverse1 * (v41 * T23 - v37 * T13) - v45,
+        v68 = v44 + inverse1 * (v42 * T23 + v38 * T13) - v46,
+        v69 = v43 + inverse1 * (T21 * v41 - T11 * v37) + (c2_p * v31 + v19 * s2_p),
+        v70 = v43 + inverse1 * (T21 * v42 + T11 * v38) + (c2_m * v32 + v20 * s2_m),
+        v71 = d3 * v33 + inverse1 * (T14 * c1_p + T24 * s1_p),
+        v72 = d3 * v34 + inverse1 * (T14 * c1_m - T24 * v6),
+        v73 = inverse1 * (c1_p * T11 + s1_p * T21) - (s2_p * v31 - v19 * c2_p),
+        v74 = inverse1 * (c1_m * T11 - v6 * T21) - (s2_m * v32 - v20 * c2_m),
+        v75 = v33 + inverse1 * (c1_p * T13 + s1_p * T23),
+        v76 = v34 + inverse1 * (c1_m * T13 - v6 * T23), v77 = v59 * v59 + v65 * v65 + v71 * v71,
+        v78 = v60 * v60 + v66 * v66 + v72 * v72,
+        v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75,
+        v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76;
 
     /* joint values */
-    const double v69 = NAN;
-    const wide v70 = only_wide(((v65 <= m4) & (v67 <= m6)) == 0, v69),
-        v71 = only_wide(((v66 <= m4) & (v68 <= m6)) == 0, v69), angle1 = atan2_wide(s1_p, c1_p),
-        angle2 = atan2_wide(-v8, c1_m), angle3 = atan2_wide(v26, c2), angle4 = atan2_wide(v27, c2),
-        angle5 = atan2_wide(-S3_p, -C3_p), angle6 = atan2_wide(-S3_m, -C3_m);
-    const wide_mask doubt1 = (v29 <= m2) | (v18 <= m2) | (v28 <= m2) | (v17 <= m2) | ((m4 < v66) &
-        (v66 <= m5)) | ((m4 < v65) & (v65 <= m5)) | ((m6 < v68) & (v68 <= m7)) | (N1 <=
+    const double v81 = NAN;
+    const wide v82 = only_wide(((v77 <= m5) & (v79 <= m7)) == 0, v81),
+        v83 = only_wide(((v78 <= m5) & (v80 <= m7)) == 0, v81), angle1 = atan2_wide(s1_p, c1_p),
+        angle2 = atan2_wide(-v6, c1_m), angle3 = atan2_wide(v23, v25),
+        angle4 = atan2_wide(v24, v25), angle5 = atan2_wide(-S3_p, -C3_p),
+        angle6 = atan2_wide(-S3_m, -C3_m);
+    const wide_mask doubt1 = (v28 <= m2) | (v16 <= m2) | (v27 <= m2) | (v15 <= m2) | ((m5 < v78) &
+        (v78 <= m6)) | ((m5 < v77) & (v77 <= m6)) | ((m7 < v80) & (v80 <= m8)) | (N1 <=
         doubt_limit_squared2) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1)))
-        | ((m6 < v67) & (v67 <= m7));
+        | ((m7 < v79) & (v79 <= m8));
 
-    q[0] = v70 + angle1; q[1] = v70 + angle3; q[2] = v70 + angle5;
+    q[0] = v82 + angle1; q[1] = v82 + angle3; q[2] = v82 + angle5;
     kind[0] = kind_of(q[0], 0);
-    q[3] = v71 + angle2; q[4] = v71 + angle4; q[5] = v71 + angle6;
+    q[3] = v83 + angle2; q[4] = v83 + angle4; q[5] = v83 + angle6;
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -434,59 +436,67 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* theta1 */
     const double v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k2), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = 1.0 / N1, v2 = v1 * Z1,
-        v3 = Y1 * Z1, v4 = inverse1 * v3;
-    const four c1 = v4 + w1 * (inverse1 * (e1 * v1));
-    const double v5 = inverse1 * v2;
-    const four s1 = w1 * (inverse1 * (e1 * Y1)) - v5;
+        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = 1.0 / N1, v2 = v1 * Z1,
+        v3 = Y1 * Z1, v4 = v1 * w1;
+    const four c1 = v3 + e1 * v4, v5 = e1 * v1;
+    const double v6 = Y1 * w1;
+    const four s1 = e1 * v6 - v2, v7 = e1 * Y1;
 
     /* theta3 */
-    const double v6 = sqrt3 * T22, v7 = sqrt3 * T12, v8 = sqrt3 * T21, v9 = sqrt3 * T11,
-        v10 = Y1 * v9 - v1 * v8, v11 = m1 * (T31 - inverse1 * (v2 * v9 + v3 * v8));
-    const four S3 = v11 + w1 * (m1 * (inverse1 * (e1 * v10)));
-    const double v12 = Y1 * v7 - v1 * v6, v13 = m1 * (T32 - inverse1 * (v2 * v7 + v3 * v6));
-    const four C3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12))), v14 = S3 * S3 + C3 * C3,
-        v15 = sqrt_four(v14) * (1.0 / v14);
+    const double v8 = sqrt3 * T22, v9 = sqrt3 * T12, v10 = sqrt3 * T21, v11 = sqrt3 * T11,
+        v12 = Y1 * v11 - v1 * v10, v13 = m1 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
+    const four S3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12)));
+    const double v14 = Y1 * v9 - v1 * v8, v15 = m1 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
+    const four C3 = v15 + w1 * (m1 * (inverse1 * (e1 * v14))), v16 = S3 * S3 + C3 * C3,
+        v17 = sqrt_four(v16) * (1.0 / v16), v18 = C3 * v17, v19 = S3 * v17;
 
     /* theta2 */
-    const double v16 = v6 * T31 - v8 * T32, v17 = v9 * T32 - v7 * T31, v18 = v1 * v16 + Y1 * v17,
-        v19 = m3 * (inverse1 * (v2 * -v17 + v3 * v16));
-    const four s2 = v19 + w1 * (m3 * (inverse1 * (e1 * v18)));
-    const double c2 = k5 * (k1 * (2.0 * T33 - ca2)), v20 = c2 * c2;
-    const four v21 = v15 * s2, v22 = v20 + v15 * (s2 * v21), v23 = sqrt_four(v22) * (1.0 / v22);
+    const four v20 = k4 * (T32 * v19 - T31 * v18);
+    const double v21 = k5 * (k1 * (2.0 * T33 - ca2)), v22 = v21 * v21;
+    const four v23 = v22 + v20 * v20, v24 = sqrt_four(v23) * (1.0 / v23), c2 = v21 * v24,
+        s2 = v20 * v24;
 
     /* is the pose one that the arm can take? */
-    const four v24 = ca2 * s1, v25 = ca2 * c1, v26 = sa2 * s1, v27 = sa2 * c1,
-        v28 = v23 * (c2 * v26 + v15 * (s2 * (2.0 * v27))) - ca2 * (sqrt3 * s1),
-        v29 = v23 * (c2 * v27 - v15 * (s2 * (2.0 * v26))) - ca2 * (sqrt3 * c1);
-    const double v30 = k3 * c2;
-    const four v31 = ca2 + v23 * v30, v32 = T34 - k1 * (d3 * v31), v33 = T33 - k1 * v31,
-        v34 = T31 - v15 * (k1 * (sa2 * S3 - v23 * (c2 * (ca2 * (sqrt3 * S3)) + v21 * (sqrt3 *
-            C3)))), v35 = T24 - k1 * (d3 * v29), v36 = T23 - k1 * v29,
-        v37 = T21 - v15 * (k1 * (v23 * (v21 * (S3 * (2.0 * v24) - c1 * C3) - c2 * (C3 * (s1 * 2.0) +
-            S3 * v25)) - sa2 * (sqrt3 * (c1 * S3)))), v38 = T14 + k1 * (d3 * v28),
-        v39 = T11 - v15 * (k1 * (sa2 * (sqrt3 * (s1 * S3)) + v23 * (c2 * (S3 * v24 - C3 * (c1 *
-            2.0)) + v21 * (s1 * C3 + S3 * (2.0 * v25))))), v40 = T13 - k1 * -v28,
-        v41 = v32 * v32 + v35 * v35 + v38 * v38,
-        v42 = v33 * v33 + v34 * v34 + v36 * v36 + v37 * v37 + v39 * v39 + v40 * v40;
+    const four v25 = ca2 * v19, v26 = sa2 * s2;
+    const double v27 = m3 * v2;
+    const four v28 = w1 * (m3 * v7) - v27;
+    const double v29 = m3 * v3;
+    const four v30 = v29 + w1 * (m3 * v5);
+    const double v31 = k5 * T31, v32 = k5 * T33;
+    const four v33 = sa2 * c2;
+    const double v34 = k5 * T34, v35 = m4 * v2;
+    const four v36 = w1 * (m4 * v7) - v35;
+    const double v37 = m4 * v3;
+    const four v38 = v37 + w1 * (m4 * v5);
+    const double v39 = k1 * T31, v40 = k1 * T33, v41 = k1 * T34;
+    const four v42 = v41 + inverse1 * (T14 * v36 - T24 * v38) - k2,
+        v43 = v40 + inverse1 * (v36 * T13 - v38 * T23) - ca2,
+        v44 = v39 + inverse1 * (T11 * v36 - T21 * v38) - sa2 * v19,
+        v45 = v34 + inverse1 * (T24 * v30 - T14 * v28) - d3 * v33,
+        v46 = v32 + inverse1 * (v30 * T23 - v28 * T13) - v33,
+        v47 = v31 + inverse1 * (T21 * v30 - T11 * v28) + (c2 * v25 + v18 * s2),
+        v48 = d3 * v26 + inverse1 * (T14 * c1 + T24 * s1),
+        v49 = inverse1 * (c1 * T11 + s1 * T21) - (s2 * v25 - v18 * c2),
+        v50 = v26 + inverse1 * (c1 * T13 + s1 * T23), v51 = v42 * v42 + v45 * v45 + v48 * v48,
+        v52 = v43 * v43 + v44 * v44 + v46 * v46 + v47 * v47 + v49 * v49 + v50 * v50;
 
     /* joint values */
-    const double v43 = NAN;
-    const four v44 = only_four(((v41 <= m4) & (v42 <= m6)) == 0, v43);
+    const double v53 = NAN;
+    const four v54 = only_four(((v51 <= m5) & (v52 <= m7)) == 0, v53);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
         2.0 * fabs(Z1)));
-    const four_mask doubt2 = (v22 <= m2) | (v14 <= m2) | ((m6 < v42) & (v42 <= m7)) | ((m4 < v41) &
-        (v41 <= m5));
+    const four_mask doubt2 = (v23 <= m2) | (v16 <= m2) | ((m7 < v52) & (v52 <= m8)) | ((m5 < v51) &
+        (v51 <= m6));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(-S3, -C3),
-        ratio2 = ratio_four(shuffle(s1, v21, 0, 1, 6, 7), shuffle(c1, all_four(c2), 0, 1, 6, 7));
+        ratio2 = ratio_four(shuffle(s1, v20, 0, 1, 6, 7), shuffle(c1, all_four(v21), 0, 1, 6, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         packed2 = angle_four(ratio2), angle1 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle2 = shuffle(packed2, packed2, 2, 3, 2, 3);
-    const four q1 = v44 + angle1, q2 = v44 + angle2, q3 = v44 + angle3;
+    const four q1 = v54 + angle1, q2 = v54 + angle2, q3 = v54 + angle3;
 
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
@@ -546,7 +556,7 @@ static void solve(
     const double Y1 = k1 * (sqrt3 * T24);
     const double N1 = v1 * v1 + Y1 * Y1;
     const int free1 = N1 <= free_limit_squared2;
-    const double Z1 = k1 * (T34 - k2);
+    const double Z1 = k1 * (T34 - k3);
     const double D1 = N1 - Z1 * Z1;
     const double v2 = fabs(Z1), v3 = 2.0 * v2;
     const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1;
@@ -560,6 +570,10 @@ static void solve(
 
     /* theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1] */
     const double v12 = k1 * (2.0 * T33 - ca2) * k5, v13 = v12 * v12;
+
+    /* is the pose one that the arm can take? */
+    const double v19 = T31 * k5, v20 = T33 * k5, v22 = T34 * k5, v25 = k1 * T31, v26 = k1 * T33,
+        v27 = k1 * T34;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -589,16 +603,14 @@ static void solve(
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double v15 = ca2 * s1, v16 = ca2 * c1, v17 = s1 * sa2, v18 = c1 * sa2,
-            v19 = c2 * v17 + s2 * (2.0 * v18) - ca2 * (sqrt3 * s1),
-            v20 = c2 * v18 - s2 * (2.0 * v17) - ca2 * (sqrt3 * c1), v21 = ca2 + k3 * c2;
-        if (!(fabs(T34 - k1 * (d3 * v21)) <= pose_slack1 && fabs(T33 - k1 * v21) <= pose_slack &&
-            fabs(T31 - k1 * (c2 * (ca2 * (sqrt3 * s3)) + s2 * (sqrt3 * c3) - sa2 * s3)) <=
-            pose_slack && fabs(T24 - k1 * (d3 * v20)) <= pose_slack1 && fabs(T23 - k1 * v20) <=
-            pose_slack && fabs(T21 - k1 * (c2 * (c3 * (2.0 * s1) + s3 * v16) + s2 * (c1 * c3 - s3 *
-            (2.0 * v15)) + sa2 * (sqrt3 * (c1 * s3)))) <= pose_slack && fabs(T14 + k1 * (d3 * v19))
-            <= pose_slack1 && fabs(T11 - k1 * (c2 * (c3 * (2.0 * c1) - s3 * v15) - s2 * (s1 * c3 +
-            s3 * (2.0 * v16)) - sa2 * (sqrt3 * (s1 * s3)))) <= pose_slack && fabs(T13 - k1 * -v19)
+        const double v15 = ca2 * s3, v16 = sa2 * s2, v17 = k1 * s1, v18 = k1 * c1, v21 = sa2 * c2,
+            v23 = k1 * (sqrt3 * s1), v24 = k1 * (sqrt3 * c1);
+        if (!(fabs(T14 * v23 - T24 * v24 + v27 - k2) <= pose_slack1 && fabs(T13 * v23 - T23 * v24 +
+            v26 - ca2) <= pose_slack && fabs(sa2 * s3 + (T11 * v23 - T21 * v24 + v25)) <= pose_slack
+            && fabs(T24 * v18 - T14 * v17 + v22 - d3 * v21) <= pose_slack1 && fabs(T23 * v18 - T13 *
+            v17 + v20 - v21) <= pose_slack && fabs(T21 * v18 - T11 * v17 + v19 - (c2 * v15 + c3 *
+            s2)) <= pose_slack && fabs(T14 * c1 + T24 * s1 + d3 * v16) <= pose_slack1 && fabs(T11 *
+            c1 + T21 * s1 - (c3 * c2 - s2 * v15)) <= pose_slack && fabs(T13 * c1 + T23 * s1 + v16)
             <= pose_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;

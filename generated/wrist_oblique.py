@@ -120,8 +120,8 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.0000000000000002e-06  # a pose may be rounded by this [m]
 k1 = 0.5  # 1 / 2
-k2 = 0.12855752193730788  # 2 * d3 * ca2 [m]
-k3 = 1.3268278963378768  # sa2 * sqrt3
+k2 = 0.06427876096865394  # d3 * ca2 [m]
+k3 = 0.12855752193730788  # 2 * d3 * ca2 [m]
 k4 = 0.6634139481689384  # sa2 * sqrt3 / 2
 k5 = 0.8660254037844386  # sqrt3 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
@@ -130,11 +130,12 @@ f4 = 0.3213938048432697  # ca2 * 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-10  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 9.999999999999997e-17  # doubt_limit_squared^2
-m3 = 0.2541022842412185  # a coefficient of v11
-m4 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
-m5 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
-m6 = 1.0000000000000002e-10  # pose_slack^2
-m7 = 6.000000000000001e-10  # 6 * pose_slack^2
+m3 = 0.5  # a coefficient of v17
+m4 = 0.8660254037844386  # a coefficient of v23
+m5 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
+m6 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
+m7 = 1.0000000000000002e-10  # pose_slack^2
+m8 = 6.000000000000001e-10  # 6 * pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -307,7 +308,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique f4f1e326f24cf27e"
+_KEY = "wrist_oblique 1ce4a4e3391e4b4c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -374,7 +375,7 @@ def _solve(pose, seed, q, status):
     Y1 = k1 * (sqrt3 * T24)
     N1 = v1 * v1 + Y1 * Y1
     free1 = N1 <= free_limit_squared2
-    Z1 = k1 * (T34 - k2)
+    Z1 = k1 * (T34 - k3)
     D1 = N1 - Z1 * Z1
     v2 = abs(Z1)
     v3 = 2.0 * v2
@@ -395,6 +396,14 @@ def _solve(pose, seed, q, status):
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
     v12 = k1 * (2.0 * T33 - ca2) * k5
     v13 = v12 * v12
+
+    # is the pose one that the arm can take?
+    v19 = T31 * k5
+    v20 = T33 * k5
+    v22 = T34 * k5
+    v25 = k1 * T31
+    v26 = k1 * T33
+    v27 = k1 * T34
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -426,22 +435,21 @@ def _solve(pose, seed, q, status):
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        v15 = ca2 * s1
-        v16 = ca2 * c1
-        v17 = s1 * sa2
-        v18 = c1 * sa2
-        v19 = c2 * v17 + s2 * (2.0 * v18) - ca2 * (sqrt3 * s1)
-        v20 = c2 * v18 - s2 * (2.0 * v17) - ca2 * (sqrt3 * c1)
-        v21 = ca2 + k3 * c2
+        v15 = ca2 * s3
+        v16 = sa2 * s2
+        v17 = k1 * s1
+        v18 = k1 * c1
+        v21 = sa2 * c2
+        v23 = k1 * (sqrt3 * s1)
+        v24 = k1 * (sqrt3 * c1)
         if (
-            not (abs(T34 - k1 * (d3 * v21)) <= pose_slack1 and abs(T33 - k1 * v21) <= pose_slack and
-            abs(T31 - k1 * (c2 * (ca2 * (sqrt3 * s3)) + s2 * (sqrt3 * c3) - sa2 * s3)) <= pose_slack
-            and abs(T24 - k1 * (d3 * v20)) <= pose_slack1 and abs(T23 - k1 * v20) <= pose_slack and
-            abs(T21 - k1 * (c2 * (c3 * (2.0 * s1) + s3 * v16) + s2 * (c1 * c3 - s3 * (2.0 * v15)) +
-            sa2 * (sqrt3 * (c1 * s3)))) <= pose_slack and abs(T14 + k1 * (d3 * v19)) <= pose_slack1
-            and abs(T11 - k1 * (c2 * (c3 * (2.0 * c1) - s3 * v15) - s2 * (s1 * c3 + s3 * (2.0 *
-            v16)) - sa2 * (sqrt3 * (s1 * s3)))) <= pose_slack and abs(T13 - k1 * -v19) <=
-            pose_slack)
+            not (abs(T14 * v23 - T24 * v24 + v27 - k2) <= pose_slack1 and abs(T13 * v23 - T23 * v24
+            + v26 - ca2) <= pose_slack and abs(sa2 * s3 + (T11 * v23 - T21 * v24 + v25)) <=
+            pose_slack and abs(T24 * v18 - T14 * v17 + v22 - d3 * v21) <= pose_slack1 and abs(T23 *
+            v18 - T13 * v17 + v20 - v21) <= pose_slack and abs(T21 * v18 - T11 * v17 + v19 - (c2 *
+            v15 + c3 * s2)) <= pose_slack and abs(T14 * c1 + T24 * s1 + d3 * v16) <= pose_slack1 and
+            abs(T11 * c1 + T21 * s1 - (c3 * c2 - s2 * v15)) <= pose_slack and abs(T13 * c1 + T23 *
+            s1 + v16) <= pose_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -686,118 +694,115 @@ def _regular(pose, q, status):
     v1 = k1 * (sqrt3 * T14)
     Y1 = k1 * (sqrt3 * T24)
     N1 = v1 * v1 + Y1 * Y1
-    Z1 = k1 * (T34 - k2)
+    Z1 = k1 * (T34 - k3)
     D1 = N1 - Z1 * Z1
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v2 = v1 * Z1
     v3 = Y1 * Z1
-    v4 = inverse1 * v3
-    v5 = w1 * (v1 * inverse1)
-    c1_p = v4 + v5
-    c1_m = v4 - v5
-    v6 = inverse1 * v2
-    v7 = w1 * (Y1 * inverse1)
-    s1_p = v7 - v6
-    v8 = v6 + v7
+    v4 = v1 * w1
+    c1_p = v3 + v4
+    c1_m = v3 - v4
+    v5 = Y1 * w1
+    s1_p = v5 - v2
+    v6 = v2 + v5
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    v9 = sqrt3 * T22
-    v10 = sqrt3 * T12
-    v11 = sqrt3 * T21
-    v12 = sqrt3 * T11
-    v13 = Y1 * v12 - v1 * v11
-    v14 = m1 * (T31 - inverse1 * (v2 * v12 + v3 * v11))
-    S3_p = v14 + w1 * (m1 * (inverse1 * v13))
-    S3_m = v14 + w1 * (m1 * (inverse1 * -v13))
-    v15 = Y1 * v10 - v1 * v9
-    v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9))
-    C3_p = v16 + w1 * (m1 * (inverse1 * v15))
-    C3_m = v16 + w1 * (m1 * (inverse1 * -v15))
-    v17 = S3_p * S3_p + C3_p * C3_p
-    v18 = S3_m * S3_m + C3_m * C3_m
-    v19 = math.sqrt(v17) * (1.0 / v17)
-    v20 = math.sqrt(v18) * (1.0 / v18)
+    v7 = sqrt3 * T22
+    v8 = sqrt3 * T12
+    v9 = sqrt3 * T21
+    v10 = sqrt3 * T11
+    v11 = Y1 * v10 - v1 * v9
+    v12 = m1 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
+    S3_p = v12 + w1 * (m1 * (inverse1 * v11))
+    S3_m = v12 + w1 * (m1 * (inverse1 * -v11))
+    v13 = Y1 * v8 - v1 * v7
+    v14 = m1 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
+    C3_p = v14 + w1 * (m1 * (inverse1 * v13))
+    C3_m = v14 + w1 * (m1 * (inverse1 * -v13))
+    v15 = S3_p * S3_p + C3_p * C3_p
+    v16 = S3_m * S3_m + C3_m * C3_m
+    v17 = math.sqrt(v15) * (1.0 / v15)
+    v18 = math.sqrt(v16) * (1.0 / v16)
+    v19 = C3_p * v17
+    v20 = C3_m * v18
+    v21 = S3_p * v17
+    v22 = S3_m * v18
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v21 = v9 * T31 - v11 * T32
-    v22 = v12 * T32 - v10 * T31
-    v23 = m3 * (inverse1 * (v2 * -v22 + v3 * v21))
-    v24 = w1 * (m3 * (inverse1 * (v1 * v21 + Y1 * v22)))
-    s2_p = v23 + v24
-    s2_m = v23 - v24
-    c2 = k5 * (k1 * (2.0 * T33 - ca2))
-    v25 = c2 * c2
-    v26 = v19 * s2_p
-    v27 = v20 * s2_m
-    v28 = v25 + v19 * (s2_p * v26)
-    v29 = v25 + v20 * (s2_m * v27)
+    v23 = k4 * (T32 * v21 - T31 * v19)
+    v24 = k4 * (T32 * v22 - T31 * v20)
+    v25 = k5 * (k1 * (2.0 * T33 - ca2))
+    v26 = v25 * v25
+    v27 = v26 + v23 * v23
+    v28 = v26 + v24 * v24
+    v29 = math.sqrt(v27) * (1.0 / v27)
     v30 = math.sqrt(v28) * (1.0 / v28)
-    v31 = math.sqrt(v29) * (1.0 / v29)
+    c2_p = v25 * v29
+    c2_m = v25 * v30
+    s2_p = v23 * v29
+    s2_m = v24 * v30
 
     # is the pose one that the arm can take?
-    v32 = ca2 * s1_p
-    v33 = ca2 * v8
-    v34 = ca2 * c1_p
-    v35 = ca2 * c1_m
-    v36 = sa2 * s1_p
-    v37 = sa2 * v8
-    v38 = sa2 * c1_p
-    v39 = sa2 * c1_m
-    v40 = v30 * (c2 * v36 + v19 * (s2_p * (2.0 * v38))) - ca2 * (sqrt3 * s1_p)
-    v41 = v31 * (v20 * (s2_m * (2.0 * v39)) - c2 * v37) + ca2 * (sqrt3 * v8)
-    v42 = v30 * (c2 * v38 - v19 * (s2_p * (2.0 * v36))) - ca2 * (sqrt3 * c1_p)
-    v43 = v31 * (c2 * v39 + v20 * (s2_m * (2.0 * v37))) - ca2 * (sqrt3 * c1_m)
-    v44 = k3 * c2
-    v45 = ca2 + v30 * v44
-    v46 = ca2 + v31 * v44
-    v47 = T34 - k1 * (d3 * v45)
-    v48 = T34 - k1 * (d3 * v46)
-    v49 = T33 - k1 * v45
-    v50 = T33 - k1 * v46
-    v51 = (
-        T31 - v19 * (k1 * (sa2 * S3_p - v30 * (c2 * (ca2 * (sqrt3 * S3_p)) + v26 * (sqrt3 * C3_p))))
-    )
-    v52 = (
-        T31 - v20 * (k1 * (sa2 * S3_m - v31 * (c2 * (ca2 * (sqrt3 * S3_m)) + v27 * (sqrt3 * C3_m))))
-    )
-    v53 = T24 - k1 * (d3 * v42)
-    v54 = T24 - k1 * (d3 * v43)
-    v55 = T23 - k1 * v42
-    v56 = T23 - k1 * v43
-    v57 = (
-        T21 - v19 * (k1 * (v30 * (v26 * (S3_p * (2.0 * v32) - c1_p * C3_p) - c2 * (C3_p * (s1_p *
-        2.0) + S3_p * v34)) - sa2 * (sqrt3 * (c1_p * S3_p))))
-    )
-    v58 = (
-        T21 + v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v33) + c1_m * C3_m) + c2 * (S3_m * v35 - C3_m
-        * (v8 * 2.0))) + sa2 * (sqrt3 * (c1_m * S3_m))))
-    )
-    v59 = T14 + k1 * (d3 * v40)
-    v60 = T14 + k1 * (d3 * v41)
-    v61 = (
-        T11 - v19 * (k1 * (sa2 * (sqrt3 * (s1_p * S3_p)) + v30 * (c2 * (S3_p * v32 - C3_p * (c1_p *
-        2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34)))))
-    )
-    v62 = (
-        T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33 + C3_m *
-        (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m))))
-    )
-    v63 = T13 - k1 * -v40
-    v64 = T13 + k1 * v41
-    v65 = v47 * v47 + v53 * v53 + v59 * v59
-    v66 = v48 * v48 + v54 * v54 + v60 * v60
-    v67 = v49 * v49 + v51 * v51 + v55 * v55 + v57 * v57 + v61 * v61 + v63 * v63
-    v68 = v50 * v50 + v52 * v52 + v56 * v56 + v58 * v58 + v62 * v62 + v64 * v64
+    v31 = ca2 * v21
+    v32 = ca2 * v22
+    v33 = sa2 * s2_p
+    v34 = sa2 * s2_m
+    v35 = m3 * v2
+    v36 = w1 * (m3 * Y1)
+    v37 = v36 - v35
+    v38 = v35 + v36
+    v39 = m3 * v3
+    v40 = w1 * (m3 * v1)
+    v41 = v39 + v40
+    v42 = v39 - v40
+    v43 = k5 * T31
+    v44 = k5 * T33
+    v45 = sa2 * c2_p
+    v46 = sa2 * c2_m
+    v47 = k5 * T34
+    v48 = m4 * v2
+    v49 = w1 * (m4 * Y1)
+    v50 = v49 - v48
+    v51 = v48 + v49
+    v52 = m4 * v3
+    v53 = w1 * (m4 * v1)
+    v54 = v52 + v53
+    v55 = v52 - v53
+    v56 = k1 * T31
+    v57 = k1 * T33
+    v58 = k1 * T34
+    v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2
+    v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2
+    v61 = v57 + inverse1 * (v50 * T13 - v54 * T23) - ca2
+    v62 = v57 - inverse1 * (v51 * T13 + v55 * T23) - ca2
+    v63 = v56 + inverse1 * (T11 * v50 - T21 * v54) - sa2 * v21
+    v64 = v56 - inverse1 * (T11 * v51 + T21 * v55) - sa2 * v22
+    v65 = v47 + inverse1 * (T24 * v41 - T14 * v37) - d3 * v45
+    v66 = v47 + inverse1 * (T24 * v42 + T14 * v38) - d3 * v46
+    v67 = v44 + inverse1 * (v41 * T23 - v37 * T13) - v45
+    v68 = v44 + inverse1 * (v42 * T23 + v38 * T13) - v46
+    v69 = v43 + inverse1 * (T21 * v41 - T11 * v37) + (c2_p * v31 + v19 * s2_p)
+    v70 = v43 + inverse1 * (T21 * v42 + T11 * v38) + (c2_m * v32 + v20 * s2_m)
+    v71 = d3 * v33 + inverse1 * (T14 * c1_p + T24 * s1_p)
+    v72 = d3 * v34 + inverse1 * (T14 * c1_m - T24 * v6)
+    v73 = inverse1 * (c1_p * T11 + s1_p * T21) - (s2_p * v31 - v19 * c2_p)
+    v74 = inverse1 * (c1_m * T11 - v6 * T21) - (s2_m * v32 - v20 * c2_m)
+    v75 = v33 + inverse1 * (c1_p * T13 + s1_p * T23)
+    v76 = v34 + inverse1 * (c1_m * T13 - v6 * T23)
+    v77 = v59 * v59 + v65 * v65 + v71 * v71
+    v78 = v60 * v60 + v66 * v66 + v72 * v72
+    v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
+    v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
 
     # joint values
-    v69 = math.sqrt(-1.0)
-    v70 = 0.0 if (v65 <= m4 and v67 <= m6) else v69
-    v71 = 0.0 if (v66 <= m4 and v68 <= m6) else v69
+    v81 = math.sqrt(-1.0)
+    v82 = 0.0 if (v77 <= m5 and v79 <= m7) else v81
+    v83 = 0.0 if (v78 <= m5 and v80 <= m7) else v81
     doubt1 = (
-        v29 <= m2 or v18 <= m2 or v28 <= m2 or v17 <= m2 or (m4 < v66 and v66 <= m5) or (m4 < v65
-        and v65 <= m5) or (m6 < v68 and v68 <= m7) or N1 <= doubt_limit_squared2 or abs(D1) <=
-        reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v67 and v67 <= m7)
+        v28 <= m2 or v16 <= m2 or v27 <= m2 or v15 <= m2 or (m5 < v78 and v78 <= m6) or (m5 < v77
+        and v77 <= m6) or (m7 < v80 and v80 <= m8) or N1 <= doubt_limit_squared2 or abs(D1) <=
+        reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m7 < v79 and v79 <= m8)
     )
 
     # a joint is free, or branches meet
@@ -806,15 +811,15 @@ def _regular(pose, q, status):
 
     # angles, side by side
     room[0] = s1_p
-    room[1] = -v8
-    room[2] = v26
-    room[3] = v27
+    room[1] = -v6
+    room[2] = v23
+    room[3] = v24
     room[4] = -S3_p
     room[5] = -S3_m
     room[8] = c1_p
     room[9] = c1_m
-    room[10] = c2
-    room[11] = c2
+    room[10] = v25
+    room[11] = v25
     room[12] = -C3_p
     room[13] = -C3_m
     for k in range(6, 8):
@@ -829,12 +834,12 @@ def _regular(pose, q, status):
     angle6 = room[5]
 
     # joint values
-    q1_p = v70 + angle1
-    q1_m = v71 + angle2
-    q2_p = v70 + angle3
-    q2_m = v71 + angle4
-    q3_p = v70 + angle5
-    q3_m = v71 + angle6
+    q1_p = v82 + angle1
+    q1_m = v83 + angle2
+    q2_p = v82 + angle3
+    q2_m = v83 + angle4
+    q3_p = v82 + angle5
+    q3_m = v83 + angle6
 
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -1095,133 +1100,128 @@ def _in_tiles(T, q, status):
             v1 = k1 * (sqrt3 * T14)
             Y1 = k1 * (sqrt3 * T24)
             N1 = v1 * v1 + Y1 * Y1
-            Z1 = k1 * (T34 - k2)
+            Z1 = k1 * (T34 - k3)
             D1 = N1 - Z1 * Z1
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v2 = v1 * Z1
             v3 = Y1 * Z1
-            v4 = inverse1 * v3
-            v5 = w1 * (v1 * inverse1)
-            c1_p = v4 + v5
-            c1_m = v4 - v5
-            v6 = inverse1 * v2
-            v7 = w1 * (Y1 * inverse1)
-            s1_p = v7 - v6
-            v8 = v6 + v7
-            v9 = sqrt3 * T22
-            v10 = sqrt3 * T12
-            v11 = sqrt3 * T21
-            v12 = sqrt3 * T11
-            v13 = Y1 * v12 - v1 * v11
-            v14 = m1 * (T31 - inverse1 * (v2 * v12 + v3 * v11))
-            S3_p = v14 + w1 * (m1 * (inverse1 * v13))
-            S3_m = v14 + w1 * (m1 * (inverse1 * -v13))
-            v15 = Y1 * v10 - v1 * v9
-            v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9))
-            C3_p = v16 + w1 * (m1 * (inverse1 * v15))
-            C3_m = v16 + w1 * (m1 * (inverse1 * -v15))
-            v17 = S3_p * S3_p + C3_p * C3_p
-            v18 = S3_m * S3_m + C3_m * C3_m
-            v19 = math.sqrt(v17) * (1.0 / v17)
-            v20 = math.sqrt(v18) * (1.0 / v18)
-            v21 = v9 * T31 - v11 * T32
-            v22 = v12 * T32 - v10 * T31
-            v23 = m3 * (inverse1 * (v2 * -v22 + v3 * v21))
-            v24 = w1 * (m3 * (inverse1 * (v1 * v21 + Y1 * v22)))
-            s2_p = v23 + v24
-            s2_m = v23 - v24
-            c2 = k5 * (k1 * (2.0 * T33 - ca2))
-            v25 = c2 * c2
-            v26 = v19 * s2_p
-            v27 = v20 * s2_m
-            v28 = v25 + v19 * (s2_p * v26)
-            v29 = v25 + v20 * (s2_m * v27)
+            v4 = v1 * w1
+            c1_p = v3 + v4
+            c1_m = v3 - v4
+            v5 = Y1 * w1
+            s1_p = v5 - v2
+            v6 = v2 + v5
+            v7 = sqrt3 * T22
+            v8 = sqrt3 * T12
+            v9 = sqrt3 * T21
+            v10 = sqrt3 * T11
+            v11 = Y1 * v10 - v1 * v9
+            v12 = m1 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
+            S3_p = v12 + w1 * (m1 * (inverse1 * v11))
+            S3_m = v12 + w1 * (m1 * (inverse1 * -v11))
+            v13 = Y1 * v8 - v1 * v7
+            v14 = m1 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
+            C3_p = v14 + w1 * (m1 * (inverse1 * v13))
+            C3_m = v14 + w1 * (m1 * (inverse1 * -v13))
+            v15 = S3_p * S3_p + C3_p * C3_p
+            v16 = S3_m * S3_m + C3_m * C3_m
+            v17 = math.sqrt(v15) * (1.0 / v15)
+            v18 = math.sqrt(v16) * (1.0 / v16)
+            v19 = C3_p * v17
+            v20 = C3_m * v18
+            v21 = S3_p * v17
+            v22 = S3_m * v18
+            v23 = k4 * (T32 * v21 - T31 * v19)
+            v24 = k4 * (T32 * v22 - T31 * v20)
+            v25 = k5 * (k1 * (2.0 * T33 - ca2))
+            v26 = v25 * v25
+            v27 = v26 + v23 * v23
+            v28 = v26 + v24 * v24
+            v29 = math.sqrt(v27) * (1.0 / v27)
             v30 = math.sqrt(v28) * (1.0 / v28)
-            v31 = math.sqrt(v29) * (1.0 / v29)
-            v32 = ca2 * s1_p
-            v33 = ca2 * v8
-            v34 = ca2 * c1_p
-            v35 = ca2 * c1_m
-            v36 = sa2 * s1_p
-            v37 = sa2 * v8
-            v38 = sa2 * c1_p
-            v39 = sa2 * c1_m
-            v40 = v30 * (c2 * v36 + v19 * (s2_p * (2.0 * v38))) - ca2 * (sqrt3 * s1_p)
-            v41 = v31 * (v20 * (s2_m * (2.0 * v39)) - c2 * v37) + ca2 * (sqrt3 * v8)
-            v42 = v30 * (c2 * v38 - v19 * (s2_p * (2.0 * v36))) - ca2 * (sqrt3 * c1_p)
-            v43 = v31 * (c2 * v39 + v20 * (s2_m * (2.0 * v37))) - ca2 * (sqrt3 * c1_m)
-            v44 = k3 * c2
-            v45 = ca2 + v30 * v44
-            v46 = ca2 + v31 * v44
-            v47 = T34 - k1 * (d3 * v45)
-            v48 = T34 - k1 * (d3 * v46)
-            v49 = T33 - k1 * v45
-            v50 = T33 - k1 * v46
-            v51 = (
-                T31 - v19 * (k1 * (sa2 * S3_p - v30 * (c2 * (ca2 * (sqrt3 * S3_p)) + v26 * (sqrt3 *
-                C3_p))))
-            )
-            v52 = (
-                T31 - v20 * (k1 * (sa2 * S3_m - v31 * (c2 * (ca2 * (sqrt3 * S3_m)) + v27 * (sqrt3 *
-                C3_m))))
-            )
-            v53 = T24 - k1 * (d3 * v42)
-            v54 = T24 - k1 * (d3 * v43)
-            v55 = T23 - k1 * v42
-            v56 = T23 - k1 * v43
-            v57 = (
-                T21 - v19 * (k1 * (v30 * (v26 * (S3_p * (2.0 * v32) - c1_p * C3_p) - c2 * (C3_p *
-                (s1_p * 2.0) + S3_p * v34)) - sa2 * (sqrt3 * (c1_p * S3_p))))
-            )
-            v58 = (
-                T21 + v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v33) + c1_m * C3_m) + c2 * (S3_m *
-                v35 - C3_m * (v8 * 2.0))) + sa2 * (sqrt3 * (c1_m * S3_m))))
-            )
-            v59 = T14 + k1 * (d3 * v40)
-            v60 = T14 + k1 * (d3 * v41)
-            v61 = (
-                T11 - v19 * (k1 * (sa2 * (sqrt3 * (s1_p * S3_p)) + v30 * (c2 * (S3_p * v32 - C3_p *
-                (c1_p * 2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34)))))
-            )
-            v62 = (
-                T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33
-                + C3_m * (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m))))
-            )
-            v63 = T13 - k1 * -v40
-            v64 = T13 + k1 * v41
-            v65 = v47 * v47 + v53 * v53 + v59 * v59
-            v66 = v48 * v48 + v54 * v54 + v60 * v60
-            v67 = v49 * v49 + v51 * v51 + v55 * v55 + v57 * v57 + v61 * v61 + v63 * v63
-            v68 = v50 * v50 + v52 * v52 + v56 * v56 + v58 * v58 + v62 * v62 + v64 * v64
-            v69 = math.sqrt(-1.0)
-            v70 = 0.0 if (v65 <= m4 and v67 <= m6) else v69
-            v71 = 0.0 if (v66 <= m4 and v68 <= m6) else v69
+            c2_p = v25 * v29
+            c2_m = v25 * v30
+            s2_p = v23 * v29
+            s2_m = v24 * v30
+            v31 = ca2 * v21
+            v32 = ca2 * v22
+            v33 = sa2 * s2_p
+            v34 = sa2 * s2_m
+            v35 = m3 * v2
+            v36 = w1 * (m3 * Y1)
+            v37 = v36 - v35
+            v38 = v35 + v36
+            v39 = m3 * v3
+            v40 = w1 * (m3 * v1)
+            v41 = v39 + v40
+            v42 = v39 - v40
+            v43 = k5 * T31
+            v44 = k5 * T33
+            v45 = sa2 * c2_p
+            v46 = sa2 * c2_m
+            v47 = k5 * T34
+            v48 = m4 * v2
+            v49 = w1 * (m4 * Y1)
+            v50 = v49 - v48
+            v51 = v48 + v49
+            v52 = m4 * v3
+            v53 = w1 * (m4 * v1)
+            v54 = v52 + v53
+            v55 = v52 - v53
+            v56 = k1 * T31
+            v57 = k1 * T33
+            v58 = k1 * T34
+            v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2
+            v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2
+            v61 = v57 + inverse1 * (v50 * T13 - v54 * T23) - ca2
+            v62 = v57 - inverse1 * (v51 * T13 + v55 * T23) - ca2
+            v63 = v56 + inverse1 * (T11 * v50 - T21 * v54) - sa2 * v21
+            v64 = v56 - inverse1 * (T11 * v51 + T21 * v55) - sa2 * v22
+            v65 = v47 + inverse1 * (T24 * v41 - T14 * v37) - d3 * v45
+            v66 = v47 + inverse1 * (T24 * v42 + T14 * v38) - d3 * v46
+            v67 = v44 + inverse1 * (v41 * T23 - v37 * T13) - v45
+            v68 = v44 + inverse1 * (v42 * T23 + v38 * T13) - v46
+            v69 = v43 + inverse1 * (T21 * v41 - T11 * v37) + (c2_p * v31 + v19 * s2_p)
+            v70 = v43 + inverse1 * (T21 * v42 + T11 * v38) + (c2_m * v32 + v20 * s2_m)
+            v71 = d3 * v33 + inverse1 * (T14 * c1_p + T24 * s1_p)
+            v72 = d3 * v34 + inverse1 * (T14 * c1_m - T24 * v6)
+            v73 = inverse1 * (c1_p * T11 + s1_p * T21) - (s2_p * v31 - v19 * c2_p)
+            v74 = inverse1 * (c1_m * T11 - v6 * T21) - (s2_m * v32 - v20 * c2_m)
+            v75 = v33 + inverse1 * (c1_p * T13 + s1_p * T23)
+            v76 = v34 + inverse1 * (c1_m * T13 - v6 * T23)
+            v77 = v59 * v59 + v65 * v65 + v71 * v71
+            v78 = v60 * v60 + v66 * v66 + v72 * v72
+            v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
+            v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
+            v81 = math.sqrt(-1.0)
+            v82 = 0.0 if (v77 <= m5 and v79 <= m7) else v81
+            v83 = 0.0 if (v78 <= m5 and v80 <= m7) else v81
             doubt1 = (
-                v29 <= m2 or v18 <= m2 or v28 <= m2 or v17 <= m2 or (m4 < v66 and v66 <= m5) or (m4
-                < v65 and v65 <= m5) or (m6 < v68 and v68 <= m7) or N1 <= doubt_limit_squared2 or
-                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v67 and v67 <= m7)
+                v28 <= m2 or v16 <= m2 or v27 <= m2 or v15 <= m2 or (m5 < v78 and v78 <= m6) or (m5
+                < v77 and v77 <= m6) or (m7 < v80 and v80 <= m8) or N1 <= doubt_limit_squared2 or
+                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m7 < v79 and v79 <= m8)
             )
-            work[272 + k] = v70
-            work[288 + k] = v71
+            work[272 + k] = v82
+            work[288 + k] = v83
             work[304 + k] = doubt1
             work[320 + k] = s1_p
-            work[336 + k] = -v8
-            work[352 + k] = v26
-            work[368 + k] = v27
+            work[336 + k] = -v6
+            work[352 + k] = v23
+            work[368 + k] = v24
             work[384 + k] = -S3_p
             work[400 + k] = -S3_m
             work[416 + k] = c1_p
             work[432 + k] = c1_m
-            work[448 + k] = c2
-            work[464 + k] = c2
+            work[448 + k] = v25
+            work[464 + k] = v25
             work[480 + k] = -C3_p
             work[496 + k] = -C3_m
         for k in range(320, 416):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 16):
-            v70 = work[272 + k]
-            v71 = work[288 + k]
+            v82 = work[272 + k]
+            v83 = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
@@ -1229,12 +1229,12 @@ def _in_tiles(T, q, status):
             angle4 = work[368 + k]
             angle5 = work[384 + k]
             angle6 = work[400 + k]
-            q1_p = v70 + angle1
-            q1_m = v71 + angle2
-            q2_p = v70 + angle3
-            q2_m = v71 + angle4
-            q3_p = v70 + angle5
-            q3_m = v71 + angle6
+            q1_p = v82 + angle1
+            q1_m = v83 + angle2
+            q2_p = v82 + angle3
+            q2_m = v83 + angle4
+            q3_p = v82 + angle5
+            q3_m = v83 + angle6
             _512 = q1_p
             work[512 + k] = _512
             _528 = q2_p

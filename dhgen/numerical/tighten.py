@@ -41,9 +41,13 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: float = 
     rows = q.copy()
     misses, moved = np.full(len(q), np.inf), np.zeros(len(q), dtype=bool)
     first = misses.copy()
-    for place in np.flatnonzero(~np.isnan(q).any(axis=1)):
-        first[place] = _missed(kernel, T, q[place])
-        rows[place], misses[place] = _tightened(kernel, T, q[place], exact, psi)
+    told = np.flatnonzero(~np.isnan(q).any(axis=1))
+    first[told] = _missed(kernel, T, q[told])
+    misses[first <= exact] = first[first <= exact]
+    for place in told[first[told] > exact]:
+        rows[place], misses[place] = _tightened(
+            kernel, T, q[place], float(first[place]), exact, psi
+        )
         moved[place] = bool((rows[place] != q[place]).any())
     rows[misses > _enough(kernel, misses, exact)] = np.nan
     for place in np.flatnonzero(moved):
@@ -80,18 +84,15 @@ def exactness(kernel: NumericalKernel, T: FloatArray) -> float:
     return TOLERANCES.exact * max(1.0, float(distance))
 
 
-def _missed(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> float:
-    """By how much a row (n,) misses the pose [arm sizes, rad]: its arm angle is right."""
-    return float(np.linalg.norm(miss(kernel, T, q[None])[0][0, : kernel.entries]))
+def _missed(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray:
+    """By how much rows (N, n) miss the pose [arm sizes, rad]: their arm angles are right."""
+    return np.asarray(np.linalg.norm(miss(kernel, T, q)[0][:, : kernel.entries], axis=1))
 
 
 def _tightened(
-    kernel: NumericalKernel, T: FloatArray, q: FloatArray, exact: float, psi: float
+    kernel: NumericalKernel, T: FloatArray, q: FloatArray, first: float, exact: float, psi: float
 ) -> tuple[FloatArray, float]:
-    """A row (n,) and by how much it misses the pose [arm sizes, rad]."""
-    first = _missed(kernel, T, q)
-    if first <= exact:
-        return q, first
+    """A row (n,) that is not exact, and by how much it misses the pose [arm sizes, rad]."""
     turned = miss(kernel, T, q[None], psi)[0][0, kernel.entries :]
     if (np.abs(turned) > TOLERANCES.doubtful).any():
         return q, np.inf  # out of reach: it was not led here by rounding

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.formulas import Formula, combined
@@ -15,12 +16,15 @@ from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.program.ir import Operator
     from dhgen.program.role import Role
 
 Node = int
 
 _COMMUTES = frozenset({"add", "mul", "and", "or", "maximum"})
+ARITHMETIC = frozenset({"add", "sub", "mul", "div", "sqrt"})
 _WHOLE = 100  # whole numbers up to here stand in the expressions themselves
 
 
@@ -176,6 +180,19 @@ class Graph:
             seen.update(fresh)
             pending += fresh
         return found
+
+    def operations(self, nodes: Iterable[Node], beyond: int) -> int:
+        """Arithmetic for all branches that nodes take besides what is numbered below `beyond`."""
+        pending = [node for node in set(nodes) if node >= beyond]
+        seen, total = set(pending), 0
+        while pending:
+            entry = self.entries[pending.pop()]
+            if entry.operator in ARITHMETIC:
+                total += prod(self.axes[axis].count for axis in entry.axes)
+            fresh = {operand for operand in entry.operands if operand >= beyond} - seen
+            seen |= fresh
+            pending += fresh
+        return total
 
     def _add(self, entry: Entry) -> Node:
         key = (entry.leaf, entry.operator, entry.operands)

@@ -49,6 +49,7 @@ class Checks:
 
     Attributes:
         rows: Every row is compared with the pose.
+        moved: They are in the frame from where that takes the fewest operations, not in the base.
         again: A row that fails this may pass by another value of a free joint.
         tightened: A row that is not exact takes some steps of damped least squares.
         led: The same where rows are neither compared nor tightened, for those that miss the pose
@@ -57,6 +58,7 @@ class Checks:
     """
 
     rows: bool
+    moved: bool = False
     again: bool = False
     tightened: bool = False
     led: bool = False

@@ -5,14 +5,14 @@ from __future__ import annotations
 from functools import partial, reduce
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.paul.problem import telling_entries
 from dhgen.program.ir import Failure
+from dhgen.program.lowering.misses import misses
 
 if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.program.building.schedule import Option
     from dhgen.program.lowering.context import Lowering
+    from dhgen.program.lowering.misses import Miss
 
 
 def check_rows(context: Lowering) -> None:
@@ -30,13 +30,13 @@ class _Check:
     def run(self) -> None:
         builder = self._builder
         builder.heading("is the pose one that the arm can take?")
-        misses = self._misses()
-        total = self._length(misses) if self._checks.again else None
+        found = misses(self._context)
+        total = self._length(found) if self._checks.again else None
         chosen = (
             () if total is None else builder.deciding(self._context.angles.free_options(), total)
         )
         groups: dict[tuple[int, ...], list[Node]] = {}  # by the signs that they depend on
-        for miss, degree in misses:
+        for miss, degree in found:
             slack = self._slack(degree, chosen)
             near = builder.apply("at_most", builder.absolute(miss), slack)
             groups.setdefault(builder.axes_of(near), []).append(near)
@@ -65,17 +65,6 @@ class _Check:
             leads = self._builder.apply("and", leads, neither(option.flag))
         return either(fits, leads)
 
-    def _misses(self) -> list[tuple[Node, int]]:
-        """What each entry that tells the task differs by, and the lengths in it: one or none."""
-        builder, found = self._builder, []
-        for name in sorted(telling_entries(self._context.chain.task)):
-            row, column = POSE_PLACES[name]
-            reached = self._context.lower(self._context.problem.forward.entry(row, column))
-            miss = builder.sub(self._context.value(name), reached)
-            if not builder.is_zero(miss):
-                found.append((miss, int(column == 3)))
-        return found
-
     def _slack(self, degree: int, chosen: tuple[Option, ...]) -> Node:
         """What an entry may differ by, of rounding of the pose or of what the row was taken from.
 
@@ -92,11 +81,11 @@ class _Check:
             return wide
         return builder.select(reduce(partial(builder.apply, "or"), flags), slack, wide)
 
-    def _length(self, misses: list[tuple[Node, int]]) -> Node:
+    def _length(self, found: list[Miss]) -> Node:
         """The root of the sum of their squares, lengths in arm sizes."""
         builder = self._builder
         squares: dict[int, list[Node]] = {}
-        for miss, degree in misses:
+        for miss, degree in found:
             squares.setdefault(degree, []).append(builder.square(miss))
         total = builder.integer(0)
         for degree, group in sorted(squares.items()):

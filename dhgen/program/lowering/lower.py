@@ -14,6 +14,7 @@ from dhgen.program.lowering.final_check import check_rows
 from dhgen.program.lowering.shoulder import lower_shoulder
 from dhgen.program.lowering.types import KERNELS
 from dhgen.program.lowering.whole import whole_program
+from dhgen.program.regular.regular import effort
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.tolerances import TOLERANCES
 
@@ -46,7 +47,9 @@ def lower(
         kernel = replace(numerical_kernel(chain, redundant=False), most=program.rows)
         return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
 
-    return lowered(checks_needed(derivation, tolerances, lowered))
+    checks = checks_needed(derivation, tolerances, lowered)
+    tried = [checks, replace(checks, moved=True)] if checks.rows else [checks]
+    return min(map(lowered, tried), key=lambda program: effort(program, tolerances))
 
 
 def _lowered(derivation: Derivation, context: Lowering) -> Program:

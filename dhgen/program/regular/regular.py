@@ -82,6 +82,17 @@ def inverses_kept(program: Program, tolerances: Tolerances) -> frozenset[str]:
         kept = tried[costs.index(cost)]
 
 
+def effort(program: Program, tolerances: Tolerances = TOLERANCES) -> int:
+    """What a program takes at a regular pose, in multiplications; what it takes at all otherwise.
+
+    Args:
+        program: The whole program.
+        tolerances: The table that the program was made with.
+    """
+    solver = regular(program, tolerances=tolerances)
+    return _cost(program if solver is None else solver.program)
+
+
 def _is_inverse(expression: Expression, signs: frozenset[str]) -> bool:
     """Whether a value is the inverse of a length, up to a sign of a branch."""
     match expression:

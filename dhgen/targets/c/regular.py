@@ -197,7 +197,7 @@ def _with_angles(flat: Flat, text: LaneText, shared: Shared, misfit: str) -> lis
     a root meanwhile makes room for what waits for nothing.
     """
     signs = range(len(flat.lanes) + 1)
-    known = [line for k in signs for line in shared.stated(k, "four" if k else "double")]
+    known = [line for k in signs for line in shared.stated(k, "four" if k else "double", "four")]
     late: set[str] = set()
     first: list[Statement] = []
     angles: list[Let] = []

@@ -39,19 +39,29 @@ class Shared:
 
     Attributes:
         names: What they are called.
+        signs: Those of them that need nothing but signs, and have a type of their own.
         macros: The definition of a macro for each depth, the values that need so many signs.
         depths: Those that have one.
         functions: Of <math.h> that they call.
     """
 
     names: frozenset[str] = frozenset()
+    signs: frozenset[str] = frozenset()
     macros: Sequence[str] = ()
     depths: tuple[int, ...] = ()
     functions: tuple[Function, ...] = ()
 
-    def stated(self, depth: int, number: str, indent: str = INDENT) -> list[str]:
-        """The statement for a depth, where there is one."""
-        return [f"{indent}{MACROS[depth]}({number});"] if depth in self.depths else []
+    def stated(self, depth: int, number: str, signs: str, indent: str = INDENT) -> list[str]:
+        """The statement for a depth, where there is one.
+
+        Args:
+            depth: The number of signs that its values need.
+            number: Their type.
+            signs: The type of values that need nothing but signs.
+            indent: What stands before it.
+        """
+        types = f"{number}, {signs}" if depth else number
+        return [f"{indent}{MACROS[depth]}({types});"] if depth in self.depths else []
 
 
 NOTHING_SHARED = Shared()
@@ -69,16 +79,18 @@ def shared_values(flat: Flat) -> Shared:
     macros: list[str] = []
     depths = []
     for depth in range(len(flat.lanes) + 1):
-        lines = _values([each for each in body if words.stands(each, depth)], words.texts)
+        lines = _values([each for each in body if words.stands(each, depth)], words.told)
         if lines:
             depths.append(depth)
-            first, *others = [f"#define {MACROS[depth]}(number)", *lines]
+            types = "number, signs" if depth else "number"
+            first, *others = [f"#define {MACROS[depth]}({types})", *lines]
             macros += [f"{line}{GOES_ON}" for line in [first, *others[:-1]]]
             macros.append(others[-1].removesuffix(";"))
     text = "\n".join(macros)
     called = {name: of for name, of in _CALLED.items() if f"{of}_##" in text}
     functions = (Function(name, f"{of}_double") for name, of in called.items())
-    return Shared(frozenset(words.texts), macros, tuple(depths), tuple(functions))
+    signs = frozenset(name for name, told in words.told.items() if told.kind == "signs")
+    return Shared(frozenset(words.told), signs, macros, tuple(depths), tuple(functions))
 
 
 class _Words:
@@ -86,7 +98,7 @@ class _Words:
 
     def __init__(self, flat: Flat) -> None:
         program = flat.program
-        self.texts: dict[str, str] = {}
+        self.told: dict[str, Declaration] = {}
         self._own: set[str] = set()
         self._one = LaneText("four", program, wide=False)
         self._wide = LaneText("wide", program, wide=True)
@@ -103,27 +115,29 @@ class _Words:
         mixed = depth_of(let) > 0 and _PLAIN.search(one)
         one = _PLAIN.sub(lambda found: f"{_CALLED[found[1]]}_##number(", one)
         one, wide = (_LANES.sub(r"\1_##number(", text) for text in (one, wide))
-        own = angle or mixed or lanes.kind != "wide" or (told.kind == "double") == bool(let.axes)
+        signs = bool(let.axes) and (told.kind, lanes.kind) == ("four", "double")
+        number = lanes.kind == "wide" and told.kind == ("four" if let.axes else "double")
+        own = angle or mixed or not (signs or number)
         if own or one != wide or names_in(let.expression) & self._own:
             self._own.add(let.name)
         else:
-            self.texts[let.name] = one
+            self.told[let.name] = Declaration("signs" if signs else "number", let.name, one)
 
     def has(self, statement: Statement) -> bool:
-        return not isinstance(statement, Let) or statement.name in self.texts
+        return not isinstance(statement, Let) or statement.name in self.told
 
     def stands(self, statement: Statement, depth: int) -> bool:
         return not isinstance(statement, Let) or depth_of(statement) == depth
 
 
-def _values(body: Sequence[Statement], texts: dict[str, str]) -> list[str]:
+def _values(body: Sequence[Statement], told: dict[str, Declaration]) -> list[str]:
     """Values under their headings."""
     lines: list[str] = []
     heading = ""
     values: list[Declaration] = []
     for statement in [*body, Heading("")]:
         if isinstance(statement, Let):
-            values.append(Declaration("number", statement.name, texts[statement.name]))
+            values.append(told[statement.name])
         elif isinstance(statement, Heading):
             if values:
                 lines += [INDENT + C().comment(heading)] if heading else []

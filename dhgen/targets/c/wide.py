@@ -82,7 +82,7 @@ class _Wide:
         self._at_once = {each: let for each, let in needed if let.name not in shared.names}
         self._shared = shared
         for name in shared.names:
-            self._text.declare(name, lanes=True)
+            self._text.declare(name, lanes=name not in shared.signs)
 
     def lines(self, entries: Sequence[str]) -> list[str]:
         given = ", ".join(["T", *(["free_joints"] if self._module.chain.given else [])])
@@ -133,7 +133,10 @@ class _Wide:
             for each in self._flat.program.body
             if not isinstance(each, Let) or (each.name not in elsewhere and depth_of(each) == depth)
         ]
-        return [*self._shared.stated(depth, "wide", indent), *lets(body, self._text, indent)]
+        return [
+            *self._shared.stated(depth, "wide", "double", indent),
+            *lets(body, self._text, indent),
+        ]
 
     def _depth(self, names: set[str]) -> int:
         """The loop that values and signs need."""

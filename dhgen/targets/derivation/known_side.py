@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, SHOULDER_NAMES
 from dhgen.kinematics.ring import substitute, used_places
-from dhgen.kinematics.transform import compose, inverse, translation
+from dhgen.kinematics.transform import compose, translation
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
@@ -20,21 +20,24 @@ def by_joints(story: Story, polynomial: Polynomial) -> Polynomial | None:
     shoulder = [name for names in SHOULDER_NAMES for name in names]
     if algebra.chain.arm_angle and used & {algebra.index[name] for name in shoulder}:
         return None
-    values = _values(story)
+    values = _values(story, {algebra.ring.symbols[place].name for place in used})
     change = {algebra.index[name]: value for name, value in values.items()}
-    change = {place: value for place, value in change.items() if place in used}
     return algebra.normal(substitute(polynomial, change)) if change else polynomial
 
 
-def _values(story: Story) -> dict[str, Polynomial]:
-    """The pose entries and the coordinates of named points."""
+def _values(story: Story, used: set[str]) -> dict[str, Polynomial]:
+    """The pose entries and the coordinates of named points, as far as they are used."""
     algebra, problem = story.algebra, story.derivation.problem
-    forward = problem.spans.product(0, len(problem.links))
-    values = {name: forward.entry(*place) for name, place in POSE_PLACES.items()}
-    back = inverse(forward, algebra.normal)
-    seen = [(point.names, point.in_tool, forward) for point in story.derivation.pool.points]
-    seen += [(point.names, point.in_base, back) for point in story.derivation.pool.base_points]
+    whole = 0, len(problem.links)
+    forward = problem.spans.product(*whole)
+    values = {name: forward.entry(*place) for name, place in POSE_PLACES.items() if name in used}
+    pool = story.derivation.pool
+    seen = [(p.names, p.in_tool, forward) for p in pool.points if used & {*p.names}]
+    of_base = [p for p in pool.base_points if used & {*p.names}]
+    seen += [(p.names, p.in_base, problem.spans.inverse(*whole)) for p in of_base]
     for names, coordinates, transform in seen:
         point = compose(transform, translation(algebra.ring, coordinates), algebra.normal)
-        values |= dict(zip(names, point.translation, strict=True))
+        values |= {
+            name: at for name, at in zip(names, point.translation, strict=True) if name in used
+        }
     return values
