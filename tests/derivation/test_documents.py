@@ -118,7 +118,7 @@ def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:
 
 def test_an_arm_near_to_a_closed_form_is_told_so() -> None:
     """The offset of the xArm's wrist is 76 mm; Manseur and Doty's arm is near to nothing."""
-    assert "axes 4, 5 and 6 do not quite meet in one point" in document("xarm6")
+    assert "axes 4, 5 and 6 do not meet in one point" in document("xarm6")
     assert "from a closed form" not in document("manseur_doty")
 
 

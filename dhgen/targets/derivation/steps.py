@@ -71,6 +71,12 @@ def _lead(context: StepContext) -> Prose:
     return say(f"{context.number}. {{}}, {values} — type {step.kind.value}{also}.", names)
 
 
+def has_number_in_002(story: Story, number: int) -> bool:
+    """Whether a step's equations have a number in document 002 too."""
+    context = StepContext(story, number, story.steps[number - 1])
+    return document_002_number(context) is not None
+
+
 def document_002_number(context: StepContext) -> int | None:
     """The number of the step's equations in document 002, which has four types."""
     step = context.step
@@ -141,4 +147,4 @@ def _changed(story: Story, form: Form, angle: AngleSum) -> bool:
     return not kept and not inside
 
 
-__all__ = ["Given", "document_002_number", "step_blocks"]
+__all__ = ["Given", "document_002_number", "has_number_in_002", "step_blocks"]

@@ -60,16 +60,15 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
 
 def _why(kernel: GeneralKernel) -> str:
     """Why the joints do not come one after the other, and what finds them."""
-    kinds = "1 to 11" if kernel.eliminations and not kernel.pointing else "1 to 8, 10 and 11"
-    steps = f"no order of equations of the types {kinds} gives the joints one after the other."
+    steps = "order of the equations of Paul's method gives the joints one after the other."
     if kernel.eliminations:
-        beginning = steps.capitalize() if kernel.pointing else f"{UNRELATED}, and {steps}"
+        beginning = f"No {steps}" if kernel.pointing else f"{UNRELATED}, and no {steps}"
         return (
             f"{beginning} {_joints(kernel)} are found together{_given(kernel)}, by the "
             "elimination of M. Raghavan and B. Roth (1993)."
         )
     return (
-        f"{steps.capitalize()} {_joints(kernel)}, four turns and two slides, are found "
+        f"No {steps} {_joints(kernel)}, four turns and two slides, are found "
         f"together{_given(kernel)}: the directions give three turns by the fourth, and the "
         "position an equation in that one."
     )

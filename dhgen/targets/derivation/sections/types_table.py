@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.steps import step_blocks
+from dhgen.targets.derivation.steps import has_number_in_002, step_blocks
 from dhgen.targets.derivation.text.blocks import Table, joined, paragraph, say
 from dhgen.targets.derivation.text.formula import Listing, Symbol
 from dhgen.targets.derivation.text.walk import symbols_of
@@ -53,6 +53,13 @@ _FORMS = {
 }
 
 CAPITALS = frozenset("KPQRVWXYZ")  # those of matrices and of signed roots are others
+_WITH_LENGTHS = {
+    Kind.LENGTH,
+    Kind.POLAR,
+    Kind.ANGLE_AND_LENGTH,
+    Kind.SQUARED_LENGTH,
+    Kind.TWO_LENGTHS,
+}
 _BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
@@ -63,15 +70,19 @@ def types_table(story: Story) -> list[Block]:
     rows = tuple(_row(story, kind) for kind in kinds)
     new = [f"type {kind.value}" for kind in kinds if kind in _BEYOND]
     beyond = f"; {' and '.join(new)} {'is' if len(new) == 1 else 'are'} not in it" if new else ""
+    slides = [Symbol("r", "r")] if set(kinds) & _WITH_LENGTHS else []
+    length = "{} is an unknown length, " if slides else ""
     text = (
         "The types that occur here, numbered as in document 003, which has the table of W. Khalil "
-        f"and E. Dombre (2002{beyond}): {{}} is an unknown length, {{}} and {{}} are the cosine "
+        f"and E. Dombre (2002{beyond}): {length}{{}} and {{}} are the cosine "
         "and sine of an unknown angle, and capitals are known."
     )
     own = sorted({each.text[0] for each in symbols_of(_steps(story))} & CAPITALS)
     if own:
         text += " Each step defines {} anew."
-    letters = Symbol("r", "r"), Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
+    if any(has_number_in_002(story, number) for number in range(1, len(story.steps) + 1)):
+        text += " Document 002 counts four types in its own way; its number stands in parentheses."
+    letters = *slides, Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
     capitals = [joined([say("{}", Symbol(each, each)) for each in own])] if own else []
     return [paragraph(text, *letters, *capitals), Table(header, rows)]
 
