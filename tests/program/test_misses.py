@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cache
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from dhgen.kinematics.build import build_chain
@@ -16,6 +19,9 @@ from dhgen.program.lowering.types import KERNELS
 from dhgen.tolerances import TOLERANCES
 from tests.kinematics.values import table
 
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
+
 SLANTING = (  # four turns cannot take most poses, and the slant makes entries of their product long
     "theta: q, d: 0.2, alpha: -pi/2",
     "theta: q, d: 0.1, alpha: 0.7",
@@ -25,9 +31,14 @@ SLANTING = (  # four turns cannot take most poses, and the slant makes entries o
 OFF = 1e-3  # [rad and arm sizes]
 
 
+@cache
+def slanting() -> Derivation:
+    return derive(build_chain(table(*SLANTING)))
+
+
 def operations(*, moved: bool) -> int:
     """What comparing takes beyond the steps."""
-    derivation = derive(build_chain(table(*SLANTING)))
+    derivation = slanting()
     context = Lowering(derivation, TOLERANCES, Checks(rows=True, moved=moved))
     for number, step in enumerate(derivation.steps, start=1):
         context.step_number = number
@@ -41,10 +52,10 @@ def test_another_frame_is_less_work() -> None:
 
 
 def test_rows_are_those_of_poses_that_the_arm_can_take() -> None:
-    chain = build_chain(table(*SLANTING))
+    chain = slanting().problem.algebra.chain
     arm = numeric_arm(chain)
     q = np.random.default_rng(3).uniform(-2.5, 2.5, (200, chain.dof))
-    program, poses = lower(derive(chain)), arm.pose(q)
+    program, poses = lower(slanting()), arm.pose(q)
     rows = interpret(program, poses, q)
     gaps = np.abs(np.angle(np.exp(1j * (rows.q - q[:, None])))).max(axis=2)
     assert (np.where(rows.solved, gaps, np.inf).min(axis=1) < 1e-9).all()
