@@ -16,7 +16,7 @@ from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     from dhgen.program.ir import Operator
     from dhgen.program.role import Role
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Node = int
 
 _COMMUTES = frozenset({"add", "mul", "and", "or", "maximum"})
-ARITHMETIC = frozenset({"add", "sub", "mul", "div", "sqrt"})
+_ARITHMETIC = frozenset({"add", "sub", "mul", "div", "sqrt"})
 _WHOLE = 100  # whole numbers up to here stand in the expressions themselves
 
 
@@ -170,29 +170,26 @@ class Graph:
 
     def leaves(self, node: Node) -> set[Expression]:
         """The leaves that a node is made of."""
-        found: set[Expression] = set()
-        pending, seen = [node], {node}
-        while pending:
-            entry = self.entries[pending.pop()]
-            if entry.leaf is not None:
-                found.add(entry.leaf)
-            fresh = [operand for operand in entry.operands if operand not in seen]
-            seen.update(fresh)
-            pending += fresh
-        return found
+        return {entry.leaf for entry in self._made_of([node]) if entry.leaf is not None}
 
     def operations(self, nodes: Iterable[Node], beyond: int) -> int:
         """Arithmetic for all branches that nodes take besides what is numbered below `beyond`."""
-        pending = [node for node in set(nodes) if node >= beyond]
-        seen, total = set(pending), 0
+        return sum(
+            prod(self.axes[axis].count for axis in entry.axes)
+            for entry in self._made_of(nodes, beyond)
+            if entry.operator in _ARITHMETIC
+        )
+
+    def _made_of(self, nodes: Iterable[Node], beyond: int = 0) -> Iterator[Entry]:
+        """Nodes and all that they are made of, each once, but what is numbered below `beyond`."""
+        pending = [node for node in dict.fromkeys(nodes) if node >= beyond]
+        seen = set(pending)
         while pending:
             entry = self.entries[pending.pop()]
-            if entry.operator in ARITHMETIC:
-                total += prod(self.axes[axis].count for axis in entry.axes)
+            yield entry
             fresh = {operand for operand in entry.operands if operand >= beyond} - seen
             seen |= fresh
             pending += fresh
-        return total
 
     def _add(self, entry: Entry) -> Node:
         key = (entry.leaf, entry.operator, entry.operands)

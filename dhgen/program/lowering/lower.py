@@ -48,8 +48,10 @@ def lower(
         return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
 
     checks = checks_needed(derivation, tolerances, lowered)
-    tried = [checks, replace(checks, moved=True)] if checks.rows else [checks]
-    return min(map(lowered, tried), key=lambda program: effort(program, tolerances))
+    if not checks.rows:
+        return lowered(checks)
+    tried = (lowered(checks), lowered(replace(checks, moved=True)))
+    return min(tried, key=lambda program: effort(program, tolerances))
 
 
 def _lowered(derivation: Derivation, context: Lowering) -> Program:

@@ -33,8 +33,8 @@ def _values(story: Story, used: set[str]) -> dict[str, Polynomial]:
     values = {name: forward.entry(*place) for name, place in POSE_PLACES.items() if name in used}
     pool = story.derivation.pool
     seen = [(p.names, p.in_tool, forward) for p in pool.points if used & {*p.names}]
-    of_base = [p for p in pool.base_points if used & {*p.names}]
-    seen += [(p.names, p.in_base, problem.spans.inverse(*whole)) for p in of_base]
+    back = problem.spans.inverse(*whole)
+    seen += [(p.names, p.in_base, back) for p in pool.base_points if used & {*p.names}]
     for names, coordinates, transform in seen:
         point = compose(transform, translation(algebra.ring, coordinates), algebra.normal)
         values |= {

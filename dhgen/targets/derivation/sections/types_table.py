@@ -53,13 +53,6 @@ _FORMS = {
 }
 
 CAPITALS = frozenset("KPQRVWXYZ")  # those of matrices and of signed roots are others
-_WITH_LENGTHS = {
-    Kind.LENGTH,
-    Kind.POLAR,
-    Kind.ANGLE_AND_LENGTH,
-    Kind.SQUARED_LENGTH,
-    Kind.TWO_LENGTHS,
-}
 _BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
@@ -70,7 +63,8 @@ def types_table(story: Story) -> list[Block]:
     rows = tuple(_row(story, kind) for kind in kinds)
     new = [f"type {kind.value}" for kind in kinds if kind in _BEYOND]
     beyond = f"; {' and '.join(new)} {'is' if len(new) == 1 else 'are'} not in it" if new else ""
-    slides = [Symbol("r", "r")] if set(kinds) & _WITH_LENGTHS else []
+    has_length = any("r" in form.text for kind in kinds for form in _FORMS[kind])
+    slides = [Symbol("r", "r")] if has_length else []
     length = "{} is an unknown length, " if slides else ""
     text = (
         "The types that occur here, numbered as in document 003, which has the table of W. Khalil "
