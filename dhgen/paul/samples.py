@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,8 +16,9 @@ if TYPE_CHECKING:
 
     Values = NDArray[np.float64]
 
+FEW = 64  # monomials that there is room for at first
 
-@dataclass(frozen=True, slots=True)
+
 class Samples:
     """Values of every generator; no monomial and no polynomial is worked out twice.
 
@@ -28,9 +28,11 @@ class Samples:
         values: Shape (generators, places).
     """
 
-    values: Values
-    _monomials: dict[Exponents, list[float]] = field(default_factory=dict)
-    _found: dict[Polynomial, tuple[Values, Values]] = field(default_factory=dict)
+    def __init__(self, values: Values) -> None:
+        self.values = values
+        self._rows: dict[Exponents, int] = {}
+        self._monomials = np.empty((FEW, values.shape[1]))
+        self._found: dict[Polynomial, tuple[Values, Values]] = {}
 
     def value(self, polynomial: Polynomial) -> Values:
         """The polynomial, shape (places,)."""
@@ -45,11 +47,15 @@ class Samples:
         return found
 
     def _terms(self, polynomial: Polynomial) -> Values:
-        known = self._monomials
-        new = [monomial for monomial in polynomial if monomial not in known]
-        known.update(zip(new, monomials_on(new, self.values).tolist(), strict=True))
-        monomials = np.array([known[monomial] for monomial in polynomial])
-        return np.asarray(_factors(polynomial) * monomials.reshape(-1, self.values.shape[1]))
+        rows = self._rows
+        new = [monomial for monomial in polynomial if monomial not in rows]
+        if new:
+            first = len(rows)
+            rows.update(zip(new, range(first, first + len(new)), strict=True))
+            while len(rows) > len(self._monomials):
+                self._monomials = np.concatenate([self._monomials, np.empty_like(self._monomials)])
+            self._monomials[first : len(rows)] = monomials_on(new, self.values)
+        return _factors(polynomial) * self._monomials[[rows[monomial] for monomial in polynomial]]
 
 
 def terms_on(polynomial: Polynomial, values: Values) -> Values:

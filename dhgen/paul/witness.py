@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra, AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
+    from dhgen.paul.problem import Problem
 
     Values = NDArray[np.float64]
     Truths = NDArray[np.bool_]
@@ -183,29 +184,38 @@ def _turn(angle: AngleSum, turns: dict[int, complex]) -> complex:
 
 def add_pose(pool: Pool, samples: Samples) -> None:
     """U_0 and the named points, from the forward model, where the joints have values."""
-    problem = pool.problem
-    index = problem.algebra.index
+    index = pool.problem.algebra.index
+    forward = _forward(pool.problem, samples)
     for name in POSE_NAMES:
-        entry = problem.forward.entry(*POSE_PLACES[name])
-        samples.values[index[name]] = samples.value(entry)
+        row, column = POSE_PLACES[name]
+        samples.values[index[name]] = forward[:, row, column]
     for point in pool.points:
+        place = forward[:, :3] @ _column([*point.in_tool, point.in_tool[0].ring.one], samples)
         for row, name in enumerate(point.names):
-            place = sum(
-                samples.value(problem.forward.entry(row, column))
-                * samples.value(point.in_tool[column])
-                for column in range(3)
-            )
-            samples.values[index[name]] = place + samples.value(problem.forward.entry(row, 3))
+            samples.values[index[name]] = place[:, row, 0]
     if pool.plane is not None:
         for names, entries in zip(SHOULDER_NAMES, pool.plane.rotation, strict=True):
             for name, entry in zip(names, entries, strict=True):
                 samples.values[index[name]] = samples.value(entry)
     for base_point in pool.base_points:
-        offset = [
-            samples.value(base_point.in_base[row]) - samples.value(problem.forward.entry(row, 3))
-            for row in range(3)
-        ]
+        offset = _column(base_point.in_base, samples) - forward[:, :3, 3:]
+        place = forward[:, :3, :3].transpose(0, 2, 1) @ offset
         for column, name in enumerate(base_point.names):
-            samples.values[index[name]] = sum(
-                samples.value(problem.forward.entry(row, column)) * offset[row] for row in range(3)
-            )
+            samples.values[index[name]] = place[:, column, 0]
+
+
+def _column(entries: Sequence[Polynomial], samples: Samples) -> Values:
+    """Columns of polynomials, (places, n, 1)."""
+    return np.stack([samples.value(entry) for entry in entries], axis=1)[:, :, None]
+
+
+def _forward(problem: Problem, samples: Samples) -> Values:
+    """A_1 ... A_n as numbers, (places, 4, 4): its entries have many terms, those of links few."""
+    T = np.broadcast_to(np.eye(4), (samples.values.shape[1], 4, 4))
+    for place in range(len(problem.links)):
+        link = problem.spans.product(place, place + 1)
+        A = np.broadcast_to(np.eye(4), T.shape).copy()
+        for row, column in product(range(3), range(4)):
+            A[:, row, column] = samples.value(link.entry(row, column))
+        T = T @ A
+    return np.asarray(T)

@@ -289,7 +289,7 @@ def test_where_all_coefficients_vanish_is_said_in_words() -> None:
     of = story("cuspidal_3r")
     told = "all coefficients of the equation vanish at once"
     assert f"\nDegenerate when {told}: every $" in document("cuspidal_3r")
-    assert f"| {told} | — | every $" in document("cuspidal_3r")
+    assert f"| {told} | no short form | every $" in document("cuspidal_3r")
     summary = derivation_summary(of.robot, of.derivation, of.program)
     assert f"degenerate where {told}: every θ₁ works" in summary
 

@@ -51,5 +51,5 @@ def test_the_step_and_the_table_say_so() -> None:
     folded = "two links of equal length are folded upon each other, and every $\\theta_{23}$ works"
     takes = "\\theta_{23}$ takes the value that the seed's $q_2$ and $q_3$ give it (each 0 without"
     assert f"Degenerate when $X = Y = K = 0$: {folded}. Then ${takes}" in text
-    assert f"| $X = Y = K = 0$ | — | {folded}; ${takes}" in text
+    assert f"| $X = Y = K = 0$ | no short form | {folded}; ${takes}" in text
     assert text.count("the joints themselves follow from it") == 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
@@ -24,7 +25,8 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.formula import Relation
 
 
-def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singularity, ...]]:
+@lru_cache(maxsize=32)  # several sections ask what steps say
+def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Singularity, ...]]:
     """One step, with the singular places it brings."""
     step = story.steps[number - 1]
     context = StepContext(story, number, step)
@@ -34,7 +36,7 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
     if direct and not rewriting and all(origin.row for origin in step.origins):
         # the elements have the equations, of which these are the solved form
         where = say("{}, of which each holds the sine or the cosine alone:", where)
-        return [Paragraph(where, lead=_lead(context)), *text.blocks], text.singularities
+        return (Paragraph(where, lead=_lead(context)), *text.blocks), text.singularities
     told = [paragraph("Each equation holds the sine or the cosine alone:")] if direct else []
     blocks: list[Block] = [
         Paragraph(say("{}:", where), lead=_lead(context)),
@@ -42,7 +44,7 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
         *rewriting,
         *told,
     ]
-    return [*blocks, *with_functions(context, text.blocks)], text.singularities
+    return (*blocks, *with_functions(context, text.blocks)), text.singularities
 
 
 def leaves_a_joint_free(story: Story) -> bool:

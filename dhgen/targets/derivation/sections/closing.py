@@ -57,7 +57,7 @@ def singular_section(found: list[Singularity]) -> list[Block]:
         (
             say(str(each.step)) if each.step else say("{}", PSI),
             say("{}", each.condition),
-            say("—") if each.joints is None else say("{}", each.joints),
+            say("no short form") if each.joints is None else say("{}", each.joints),
             say("{}; {}", each.meaning, each.effect),
         )
         for each in found
