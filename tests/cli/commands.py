@@ -60,11 +60,11 @@ def copy(written: Path, tmp_path: Path) -> Path:
 
 
 def in_shell(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Runs the command as a shell does that closes streams."""
+    """Runs the command as a shell does that closes streams, what it proves without numba."""
     return subprocess.run(
         ["/bin/sh", "-c", f"{sys.executable} -m dhgen {command}"],
         cwd=folder,
-        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        env=os.environ | {"PYTHONPATH": str(ROOT), "NUMBA_DISABLE_JIT": "1"},
         capture_output=True,
         text=True,
         check=False,

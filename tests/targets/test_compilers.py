@@ -21,6 +21,7 @@ EVERY = [*NAMES, *MADE_UP_NAMES]
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
 MORE = ("-Wcast-qual", "-Wstrict-prototypes", "-Wmissing-prototypes", "-Wold-style-definition")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
+CPP = [name for name in ("g++", "clang++") if shutil.which(name)]
 GENERATED = ROBOTS.parent / "generated"
 DRIVER = Path(__file__).with_name("sanitized.c.txt")
 
@@ -39,9 +40,13 @@ def test_there_is_a_compiler() -> None:
 @pytest.mark.parametrize("name", EVERY)
 def test_no_warnings(name: str, compiler: str) -> None:
     made(name)
-    levels = ("-O0", "-O1", "-O2", "-O3") if name in {"ur5", "scara", "planar_4r"} else ("-O2",)
+    levels: tuple[str, ...] = ("-O0", "-O1", "-O2", "-O3")
+    if name not in {"ur5", "scara", "planar_4r"}:
+        # what clang warns of, it sees before it optimises
+        levels = ("-O2",) if compiler == "gcc" else ("-fsyntax-only",)
     for level in levels:
-        flags = ("-std=c99", level, *WARNINGS, *MORE, "-c", f"{name}.c", "-o", f"{name}.o")
+        output = () if level == "-fsyntax-only" else ("-c", "-o", f"{name}.o")
+        flags = ("-std=c99", level, *WARNINGS, *MORE, f"{name}.c", *output)
         assert compiled(compiler, *flags) == ""
 
 
@@ -53,17 +58,26 @@ def test_no_warnings_in_lanes(name: str) -> None:
     assert compiled(COMPILERS[0], *flags) == ""
 
 
-@pytest.mark.parametrize("compiler", [name for name in ("g++", "clang++") if shutil.which(name)])
-def test_headers_are_read_by_cpp_too(compiler: str) -> None:
-    names = [*sorted(path.stem for path in ROBOTS.glob("*.yaml")), *MADE_UP_NAMES]
-    for name in MADE_UP_NAMES:
-        made(name)
+def in_cpp(compiler: str, names: list[str]) -> str:
+    """What a C++ compiler says of headers."""
     calls = [f"auto f_{n} = &{n}_ik; int n_{n} = {n.upper()}_ROWS;" for n in names]
     includes = [f'#include "{name}.h"' for name in names]
     main = "int main() { return 0; }"
-    (folder() / "every.cpp").write_text("\n".join([*includes, *calls, main]))
-    flags = ("-std=c++11", *WARNINGS, "-I", str(GENERATED), "-c", "every.cpp", "-o", "every.o")
-    assert compiled(compiler, *flags) == ""
+    (folder() / f"{names[0]}.cpp").write_text("\n".join([*includes, *calls, main]))
+    flags = ("-std=c++11", *WARNINGS, "-I", str(GENERATED), "-fsyntax-only", f"{names[0]}.cpp")
+    return compiled(compiler, *flags)
+
+
+@pytest.mark.parametrize("compiler", CPP)
+def test_all_headers_together_are_read_by_cpp(compiler: str) -> None:
+    assert in_cpp(compiler, sorted(path.stem for path in ROBOTS.glob("*.yaml"))) == ""
+
+
+@pytest.mark.parametrize("compiler", CPP)
+@pytest.mark.parametrize("name", MADE_UP_NAMES)
+def test_headers_are_read_by_cpp(name: str, compiler: str) -> None:
+    made(name)
+    assert in_cpp(compiler, [name]) == ""
 
 
 def test_names_are_c_names_for_cpp() -> None:
@@ -83,17 +97,17 @@ def test_names_are_c_names_for_cpp() -> None:
 def poses(name: str) -> FloatArray:
     """Ordinary poses, singular ones, poses out of reach, and none at all; fewer of general arms."""
     arm = robot(name)
-    most = 150 if made(name).module.solver.rows == 16 else 600
+    most, spoiled = (120, 40) if made(name).module.solver.rows == 16 else (600, 100)
     source = np.random.default_rng(51)
     q = np.concatenate(
         [random_joints(arm, 200), right_angles(arm, 200), one_joint_at(arm, (0.0, np.pi), 10)]
     )
     good = source.permutation(poses_of(name, q))[:most]
-    bad = good[:100].copy()
-    bad.reshape(100, 16)[np.arange(100), source.integers(0, 16, 100)] = source.choice(
-        [np.nan, np.inf, -np.inf, 1e300, -1e-300], 100
-    )
-    noise = source.normal(0.0, 1.0, (100, 4, 4)) * 10.0 ** source.integers(-300, 300, (100, 1, 1))
+    bad = good[:spoiled].copy()
+    places = np.arange(spoiled), source.integers(0, 16, spoiled)
+    bad.reshape(-1, 16)[places] = source.choice([np.nan, np.inf, -np.inf, 1e300, -1e-300], spoiled)
+    powers = 10.0 ** source.integers(-300, 300, (spoiled, 1, 1))
+    noise = source.normal(0.0, 1.0, (spoiled, 4, 4)) * powers
     far = out_of_reach(arm, 20)
     return np.concatenate([good, bad, noise, far, np.zeros((1, 4, 4)), np.eye(4)[None]])
 
