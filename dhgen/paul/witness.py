@@ -190,7 +190,8 @@ def add_pose(pool: Pool, samples: Samples) -> None:
         row, column = POSE_PLACES[name]
         samples.values[index[name]] = forward[:, row, column]
     for point in pool.points:
-        place = forward[:, :3] @ _column([*point.in_tool, point.in_tool[0].ring.one], samples)
+        in_tool = _column([*point.in_tool, pool.problem.algebra.ring.one], samples)
+        place = _times(forward[:, :3], in_tool)
         for row, name in enumerate(point.names):
             samples.values[index[name]] = place[:, row, 0]
     if pool.plane is not None:
@@ -199,7 +200,7 @@ def add_pose(pool: Pool, samples: Samples) -> None:
                 samples.values[index[name]] = samples.value(entry)
     for base_point in pool.base_points:
         offset = _column(base_point.in_base, samples) - forward[:, :3, 3:]
-        place = forward[:, :3, :3].transpose(0, 2, 1) @ offset
+        place = _times(forward[:, :3, :3].swapaxes(1, 2), offset)
         for column, name in enumerate(base_point.names):
             samples.values[index[name]] = place[:, column, 0]
 
@@ -217,5 +218,10 @@ def _forward(problem: Problem, samples: Samples) -> Values:
         A = np.broadcast_to(np.eye(4), T.shape).copy()
         for row, column in product(range(3), range(4)):
             A[:, row, column] = samples.value(link.entry(row, column))
-        T = T @ A
-    return np.asarray(T)
+        T = _times(T, A)
+    return T
+
+
+def _times(first: Values, second: Values) -> Values:
+    """Products of matrices, (places, n, k), by sums whose order no machine's library chooses."""
+    return np.asarray((first[..., None] * second[:, None]).sum(axis=2))
