@@ -14,11 +14,8 @@ from tests.paul.arms import derivation
 @pytest.mark.parametrize("name", ["puma560", "scorbot_pointing", "stanford", "ur5"])
 def test_they_are_those_of_the_polynomials(name: str) -> None:
     pool = derivation(name).pool
-    witnesses, algebra = build_witnesses(pool), pool.problem.algebra
-    forward, back = (
-        turned(0, len(pool.problem.links))
-        for turned in (pool.problem.spans.product, pool.problem.spans.inverse)
-    )
+    witnesses, problem, algebra = build_witnesses(pool), pool.problem, pool.problem.algebra
+    forward, back = problem.forward, problem.spans.inverse(0, len(problem.links))
     meant = {entry: forward.entry(*POSE_PLACES[entry]) for entry in POSE_NAMES}
     seen = [(p.names, p.in_tool, forward) for p in pool.points]
     seen += [(p.names, p.in_base, back) for p in pool.base_points]

@@ -149,7 +149,6 @@ def test_a_name_does_not_say_what_a_constant_is(
 ) -> None:
     """Neither the end of a limit nor a tolerance, though the files have those under such names."""
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
-    monkeypatch.setattr("dhgen.verify.verify.COUNT", 40)
     verified(compile_file(robot_file(PLANAR, names, tmp_path)))
 
 

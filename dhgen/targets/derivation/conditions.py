@@ -89,8 +89,6 @@ def vanishing(context: StepContext, *forms: Polynomial) -> Formula | Prose | Non
             found.append(min(without_lengths(algebra, joints), single_joints, key=len))
     if any(map(algebra.is_constant, found)) or are_never_zero(algebra, *found):
         return say("none with the numbers of this arm")
-    if any(2 * len(form) > WIDEST for form in found):  # a term takes a sign and a letter at least
-        return None
     condition = equal(*dict.fromkeys(unsigned(story, form) for form in found), ZERO)
     return condition if found and width(condition) <= WIDEST else None
 

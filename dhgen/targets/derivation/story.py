@@ -156,15 +156,6 @@ class Story:
 
     def combination(self, number: int) -> Remembered:
         """Y s - X c of a step of type 2, with the sign that reads best."""
-        if number not in self._combinations:
-            self._combinations[number] = self._combination(number)
-        return self._combinations[number]
-
-    @cached_property
-    def _combinations(self) -> dict[int, Remembered]:
-        return {}
-
-    def _combination(self, number: int) -> Remembered:
         step = self.steps[number - 1]
         (angle,) = step.unknowns
         assert isinstance(angle, AngleSum)
