@@ -50,12 +50,6 @@ def screws(arm: Arm, at: tuple[float, ...] | None = None) -> Screws:
     if not all(arm.turning):
         raise AbsentError("takes revolute joints only")
     q = np.zeros(arm.dof) if at is None else np.array(at)
-    T = np.array(arm.model.base)
-    directions, points = [], []
-    for element in arm.model.elements:
-        if isinstance(element, tuple):
-            sign = arm.model.chain.joints[element[0] - 1].sign
-            directions.append(sign * T[:3, 2])
-            points.append(T[:3, 3].copy())
-        T = T @ arm.model.step(q, element)
-    return Screws(np.array(directions), np.array(points), T @ arm.model.tool)
+    directions, points = arm.model.axes(q)
+    signs = np.array([[joint.sign] for joint in arm.model.chain.joints])
+    return Screws(signs * directions, points, arm.model.pose(q))

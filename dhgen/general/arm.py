@@ -93,10 +93,10 @@ def loop_constants(chain: Chain) -> list[Link]:
     arm = numeric_arm(chain)
     links = [Link(_matrix(arm.base))]
     for element in arm.elements:
-        if not isinstance(element, tuple):
+        if not isinstance(element, int):
             links[-1] = links[-1].between(IDENTITY, _matrix(element))
             continue
-        joint = chain.joints[element[0] - 1]
+        joint = chain.joints[element - 1]
         if joint.number in chain.free:
             links[-1] = _with_held(links[-1], joint, chain.free.index(joint.number))
         else:

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.chain import Chain, Fixed, Turn
+from dhgen.kinematics.chain import Chain, Fixed
 from dhgen.kinematics.ring import terms_in_numbers
-from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,71 +26,71 @@ class NumericArm:
         chain: The arm.
         base: Z, shape (4, 4).
         tool: E, shape (4, 4).
-        elements: For every element its constant matrix, or its joint and whether it turns.
+        elements: For every element its constant matrix, or the number of its joint.
     """
 
     chain: Chain
     base: Array
     tool: Array
-    elements: tuple[Array | tuple[int, bool], ...]
+    elements: tuple[Array | int, ...]
 
     def pose(self, q: Array) -> Array:
         """T of joint values, shape (..., n) to (..., 4, 4)."""
-        q = np.asarray(q, np.float64)
-        T = np.broadcast_to(self.base, (*q.shape[:-1], 4, 4))
-        for element in self.elements:
-            T = T @ self.step(q, element)
-        return np.asarray(T @ self.tool)
+        return self._frames(q)[0]
 
     def axes(self, q: Array) -> tuple[Array, Array]:
         """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""
-        q = np.asarray(q, np.float64)
-        T = np.broadcast_to(self.base, (*q.shape[:-1], 4, 4))
-        directions, points = [], []
-        for element in self.elements:
-            if isinstance(element, tuple):
-                directions.append(T[..., :3, 2])
-                points.append(T[..., :3, 3])
-            T = T @ self.step(q, element)
-        return np.stack(directions, axis=-2), np.stack(points, axis=-2)
+        frames = self._frames(q)[1]
+        return frames[..., :3, 2], frames[..., :3, 3]
 
     def jacobian(self, q: Array) -> Array:
         """The geometric Jacobian (..., 6, n): velocity of the tool's origin, angular velocity."""
-        directions, points = self.axes(q)
-        tip = self.pose(q)[..., None, :3, 3]
-        columns = np.concatenate([np.cross(directions, tip - points), directions], axis=-1)
-        for place, joint in enumerate(self.chain.joints):
-            if joint.kind is JointKind.PRISMATIC:
-                columns[..., place, :3] = directions[..., place, :]
-                columns[..., place, 3:] = 0.0
-            columns[..., place, :] *= joint.sign
-        return np.swapaxes(columns, -1, -2)
+        return self.moved(q)[1]
 
-    def step(self, q: Array, element: Array | tuple[int, bool]) -> Array:
-        """The transform of one of `elements` for joint values (..., n)."""
-        return self._joint(q, *element) if isinstance(element, tuple) else element
+    def moved(self, q: Array) -> tuple[Array, Array]:
+        """Pose (..., 4, 4) and geometric Jacobian (..., 6, n) of joint values (..., n)."""
+        T, frames = self._frames(q)
+        directions, points = frames[..., :3, 2], frames[..., :3, 3]
+        turns = np.array(self.chain.turning)[:, None]
+        velocities = np.cross(directions, T[..., None, :3, 3] - points)
+        columns = np.concatenate(
+            [np.where(turns, velocities, directions), np.where(turns, directions, 0.0)], axis=-1
+        )
+        signs = np.array([joint.sign for joint in self.chain.joints])
+        return T, np.swapaxes(columns, -1, -2) * signs
 
-    def _joint(self, q: Array, number: int, turns: bool) -> Array:  # noqa: FBT001
-        known = self.chain.joints[number - 1]
-        value = known.sign * q[..., number - 1] + known.offset
-        step = np.zeros((*q.shape[:-1], 4, 4))
-        step[..., range(4), range(4)] = 1.0
-        if turns:
-            cosine, sine = np.cos(value), np.sin(value)
-            step[..., 0, 0] = step[..., 1, 1] = cosine
-            step[..., 1, 0], step[..., 0, 1] = sine, -sine
-        else:
-            step[..., 2, 3] = value
-        return step
+    def steps(self, q: Array) -> Array:
+        """What the joints' own transforms are for joint values (..., n), (..., n, 4, 4)."""
+        joints, turns = self.chain.joints, self.chain.turning
+        values = q * [joint.sign for joint in joints] + [joint.offset for joint in joints]
+        angles = np.where(turns, values, 0.0)
+        steps = np.zeros((*q.shape, 4, 4))
+        steps[..., 0, 0] = steps[..., 1, 1] = np.cos(angles)
+        steps[..., 1, 0] = np.sin(angles)
+        steps[..., 0, 1] = -steps[..., 1, 0]
+        steps[..., 2, 2] = steps[..., 3, 3] = 1.0
+        steps[..., 2, 3] = np.where(turns, 0.0, values)
+        return steps
+
+    def _frames(self, q: Array) -> tuple[Array, Array]:
+        """The pose (..., 4, 4), and the frames that the joints move in (..., n, 4, 4)."""
+        steps = self.steps(np.asarray(q, np.float64))
+        frames = np.empty_like(steps)
+        T = self.base
+        for element in self.elements:
+            if isinstance(element, int):
+                frames[..., element - 1, :, :] = T
+                T = T @ steps[..., element - 1, :, :]
+            else:
+                T = T @ element
+        return T @ self.tool, frames
 
 
 def numeric_arm(chain: Chain) -> NumericArm:
     """The numeric arm of a chain."""
     values = {constant.name: constant.value for constant in chain.constants}
     elements = tuple(
-        _matrix(element.transform, values)
-        if isinstance(element, Fixed)
-        else (element.joint, isinstance(element, Turn))
+        _matrix(element.transform, values) if isinstance(element, Fixed) else element.joint
         for link in chain.links
         for element in link
     )

@@ -49,7 +49,7 @@ def both_sides(
         turning: The joints, from 1, whose values add up to the root, each with its sign.
         moved: The rows (M, N, n) with all roots moved by each of some angles (M,).
     """
-    rows, exact = q.copy(), exactness(kernel, T)
+    rows, exact = q.copy(), float(exactness(kernel, T))
     doubtful = [
         row
         for row in np.flatnonzero(close)
@@ -93,7 +93,7 @@ def _ends(
 
     Those that are `known` belong to other roots: long steps may lead there.
     """
-    exact = exactness(kernel, T)
+    exact = float(exactness(kernel, T))
 
     def ends(starts: Iterable[FloatArray]) -> Iterator[FloatArray]:
         for start in starts:

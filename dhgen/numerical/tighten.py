@@ -12,7 +12,7 @@ import numpy as np
 
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.descent import descended, escaped
-from dhgen.numerical.miss import miss
+from dhgen.numerical.miss import miss, pose_miss
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 
-def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: float = 0.0) -> FloatArray:
-    """The rows of a pose where damped least squares lead; exact ones stay as they are.
+def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: FloatArray) -> FloatArray:
+    """The rows of poses where damped least squares lead; exact ones stay as they are.
 
     Those that miss the pose then are NaN: they were a little out of reach, and are by themselves.
     Where the pose may be one that the arm cannot take, rows that can't be made exact stay as they
@@ -33,18 +33,33 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: float = 
 
     Args:
         kernel: The arm.
-        T: Pose (4, 4); entries that the task does not name are ignored.
-        q: Joint values (N, n), NaN where there is no solution; given joints stay as they are.
-        psi: The arm angle, where the caller gives it.
+        T: Poses (N, 4, 4); entries that the task does not name are ignored.
+        q: Joint values (N, B, n), NaN where there is no solution; given joints stay as they are.
+        psi: The arm angles (N,), where the caller gives them.
     """
+    told = np.asarray(~np.isnan(q).any(axis=-1))
+    rows = np.where(told[..., None], q, np.nan)
+    first = np.full(told.shape, np.inf)
+    places = np.nonzero(told)
+    first[places] = _missed(kernel, T[places[0]], q[places])
     exact = exactness(kernel, T)
-    rows = q.copy()
-    misses, moved = np.full(len(q), np.inf), np.zeros(len(q), dtype=bool)
-    first = misses.copy()
-    told = np.flatnonzero(~np.isnan(q).any(axis=1))
-    first[told] = _missed(kernel, T, q[told])
-    misses[first <= exact] = first[first <= exact]
-    for place in told[first[told] > exact]:
+    inexact = told & (first > exact[:, None])
+    for k in np.flatnonzero(inexact.any(axis=1)):
+        rows[k] = _led(kernel, T[k], rows[k], first[k], float(exact[k]), float(psi[k]))
+    return rows
+
+
+def _led(
+    kernel: NumericalKernel,
+    T: FloatArray,
+    q: FloatArray,
+    first: FloatArray,
+    exact: float,
+    psi: float,
+) -> FloatArray:
+    """The same of one pose's rows (B, n), by how much each misses being known."""
+    rows, misses, moved = q.copy(), first.copy(), np.zeros(len(q), dtype=bool)
+    for place in np.flatnonzero(np.isfinite(first) & (first > exact)):
         rows[place], misses[place] = _tightened(
             kernel, T, q[place], float(first[place]), exact, psi
         )
@@ -78,15 +93,15 @@ def gaps(kernel: NumericalKernel, q: FloatArray, row: FloatArray) -> FloatArray:
     return np.asarray(np.abs(found).max(axis=1, initial=0.0))
 
 
-def exactness(kernel: NumericalKernel, T: FloatArray) -> float:
-    """What an exact row may miss [arm sizes, rad]: far away rounding is more."""
-    distance = np.abs(T[list(kernel.position), 3]).max(initial=0.0) / kernel.arm.chain.size
-    return TOLERANCES.exact * max(1.0, float(distance))
+def exactness(kernel: NumericalKernel, T: FloatArray) -> FloatArray:
+    """What exact rows of poses (..., 4, 4) may miss [arm sizes, rad]: far away rounding is more."""
+    distance = np.abs(T[..., list(kernel.position), 3]).max(axis=-1, initial=0.0)
+    return np.asarray(TOLERANCES.exact * np.maximum(1.0, distance / kernel.arm.chain.size))
 
 
 def _missed(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray:
-    """By how much rows (N, n) miss the pose [arm sizes, rad]: their arm angles are right."""
-    return np.asarray(np.linalg.norm(miss(kernel, T, q)[0][:, : kernel.entries], axis=1))
+    """By how much rows (N, n) miss their poses [arm sizes, rad]: their arm angles are right."""
+    return np.asarray(np.linalg.norm(pose_miss(kernel, T, kernel.arm.pose(q)), axis=1))
 
 
 def _tightened(

@@ -81,8 +81,7 @@ def interpret(
     for k in np.flatnonzero(rows.close.any(axis=1)):
         moved = partial(run.moved, int(k))
         q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], program.turning, moved)
-    trios = zip(poses, q, run.arm_angles(), strict=True)
-    q = np.array([tighten(kernel, *each) for each in trios]).reshape(q.shape)
+    q = tighten(kernel, poses, q, run.arm_angles())
     solved = np.asarray(~np.isnan(q).any(axis=-1))
     return replace(rows, q=q, solved=solved, free=rows.free & solved)
 
@@ -124,10 +123,10 @@ class _Run:
                 [2 if p == place + 1 else 1 for p in range(len(self._shape))]
             )
 
-    def arm_angles(self) -> list[float]:
+    def arm_angles(self) -> Array:
         """The first value that is given for each pose, zero without any."""
         values = self._given["free"]
-        return [float(each[0]) if len(each) else 0.0 for each in values]
+        return values[:, 0] if values.shape[1] else np.zeros(len(values))
 
     def outputs(self) -> list[Array]:
         with np.errstate(all="ignore"):

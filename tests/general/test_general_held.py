@@ -110,10 +110,10 @@ def test_links_with_joints_inside(tmp_path: Path) -> None:
     assert kernel.numbers == (1, 2, 5, 6, 7, 8)
     held = kernel.held([0.3, -0.4])
     q = np.array([0.0, 0.0, 0.3, -0.4, 0.0, 0.0, 0.0, 0.0])
-    moves = [e[0] if isinstance(e, tuple) else 0 for e in forward.elements]
-    T = np.eye(4)
+    moves = [element if isinstance(element, int) else 0 for element in forward.elements]
+    T, steps = np.eye(4), forward.steps(q)
     for element in forward.elements[moves.index(2) + 1 : moves.index(5)]:
-        T = T @ forward.step(q, element)
+        T = T @ (steps[element - 1] if isinstance(element, int) else element)
     link = loop_constants(arm)[2]
     np.testing.assert_allclose(link.at(held), T, atol=1e-15)
     np.testing.assert_allclose(np.array(link.inverse().at(held)) @ T, np.eye(4), atol=1e-15)
