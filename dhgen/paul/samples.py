@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import accumulate, chain
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
 
@@ -33,6 +34,7 @@ class Samples:
         self._rows: dict[Exponents, int] = {}
         self._monomials = np.empty((FEW, values.shape[1]))
         self._found: dict[Polynomial, tuple[Values, Values]] = {}
+        self._nothing = np.zeros(values.shape[1]), np.zeros(values.shape[1])
 
     def value(self, polynomial: Polynomial) -> Values:
         """The polynomial, shape (places,)."""
@@ -40,22 +42,36 @@ class Samples:
 
     def value_and_size(self, polynomial: Polynomial) -> tuple[Values, Values]:
         """The polynomial and the sum of the sizes of its terms, each of shape (places,)."""
+        if not polynomial:
+            return self._nothing
         found = self._found.get(polynomial)
         if found is None:
-            terms = self._terms(polynomial)
-            found = self._found[polynomial] = terms.sum(axis=0), np.abs(terms).sum(axis=0)
+            self.learn([polynomial])
+            found = self._found[polynomial]
         return found
 
-    def _terms(self, polynomial: Polynomial) -> Values:
+    def learn(self, polynomials: Iterable[Polynomial]) -> None:
+        """Works out many together: what one alone takes is mostly the toll of small arrays."""
+        new = [each for each in dict.fromkeys(polynomials) if each and each not in self._found]
+        if not new:
+            return
+        terms = self._terms(new)
+        starts = [0, *accumulate(map(len, new[:-1]))]
+        sums = (np.add.reduceat(each, starts) for each in (terms, np.abs(terms)))
+        self._found.update(zip(new, zip(*sums, strict=True), strict=True))
+
+    def _terms(self, polynomials: Sequence[Polynomial]) -> Values:
+        """All terms of all of them, shape (terms, places)."""
         rows = self._rows
-        new = [monomial for monomial in polynomial if monomial not in rows]
+        monomials = list(chain.from_iterable(polynomials))
+        new = [each for each in dict.fromkeys(monomials) if each not in rows]
         if new:
             first = len(rows)
             rows.update(zip(new, range(first, first + len(new)), strict=True))
             while len(rows) > len(self._monomials):
                 self._monomials = np.concatenate([self._monomials, np.empty_like(self._monomials)])
             self._monomials[first : len(rows)] = monomials_on(new, self.values)
-        return _factors(polynomial) * self._monomials[[rows[monomial] for monomial in polynomial]]
+        return _factors(*polynomials) * self._monomials[[rows[each] for each in monomials]]
 
 
 def terms_on(polynomial: Polynomial, values: Values) -> Values:
@@ -72,7 +88,7 @@ def monomials_on(monomials: Sequence[Exponents], values: Values) -> Values:
     return np.asarray(powers[exponents[:, used], np.arange(len(used))].prod(axis=1))
 
 
-def _factors(polynomial: Polynomial) -> Values:
+def _factors(*polynomials: Polynomial) -> Values:
     """The coefficients, shape (terms, 1)."""
-    numbers = [int(c.numerator) / int(c.denominator) for c in polynomial.values()]
+    numbers = [int(c.numerator) / int(c.denominator) for p in polynomials for c in p.values()]
     return np.array(numbers)[:, None]

@@ -212,11 +212,13 @@ def _column(entries: Sequence[Polynomial], samples: Samples) -> Values:
 
 def _forward(problem: Problem, samples: Samples) -> Values:
     """A_1 ... A_n as numbers, (places, 4, 4): its entries have many terms, those of links few."""
+    links = [problem.spans.product(place, place + 1) for place in range(len(problem.links))]
+    places = list(product(range(3), range(4)))
+    samples.learn(link.entry(*place) for link in links for place in places)
     T = np.broadcast_to(np.eye(4), (samples.values.shape[1], 4, 4))
-    for place in range(len(problem.links)):
-        link = problem.spans.product(place, place + 1)
+    for link in links:
         A = np.broadcast_to(np.eye(4), T.shape).copy()
-        for row, column in product(range(3), range(4)):
+        for row, column in places:
             A[:, row, column] = samples.value(link.entry(row, column))
         T = _times(T, A)
     return T
