@@ -282,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 fa7c22b0fe446c0d"
+_KEY = "adept_cobra600 87cddde9bf955324"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -559,7 +559,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(4):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -369,7 +369,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r 81314b9bd992ce11"
+_KEY = "arm_6r 726df56ee66b2d29"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -674,7 +674,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -282,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr 6593e3e6a42765bf"
+_KEY = "bartell_rprpr 497d61313ee740e5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -554,7 +554,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(5):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

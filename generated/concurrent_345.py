@@ -581,7 +581,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 043dcc42037cadb6"
+_KEY = "concurrent_345 ab1f54ff2e5b9605"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -795,7 +795,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1524,7 +1524,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

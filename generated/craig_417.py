@@ -322,7 +322,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 a37113e91680d7d6"
+_KEY = "craig_417 0b6ea63a1a9c32ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -614,7 +614,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(4):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

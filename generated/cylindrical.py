@@ -244,7 +244,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical 16521d44202fe3d4"
+_KEY = "cylindrical b072319e963a6497"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -476,7 +476,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(3):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 3b4ea01e09362b13"
+_KEY = "fanuc_crx10ia 9285155e11662655"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -483,7 +483,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1660,7 +1660,7 @@ def _fanuc_crx10ia_angles(joints, links, n, c, s):
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _fanuc_crx10ia_unit(bottom * bottom - top * top, 2.0 * top * bottom)
     G = carray(_room(12), 12)
-    G[:] = links[5]
+    _take(G, links[5])
     for i in range(3):
         _fanuc_crx10ia_move(G, joints[i], c[i], s[i])
         _fanuc_crx10ia_follow(G, links[i])
@@ -1670,7 +1670,7 @@ def _fanuc_crx10ia_angles(joints, links, n, c, s):
     value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _fanuc_crx10ia_middle(links[3], links[4], value)
     C = carray(_room(12), 12)
-    C[:] = links[3]
+    _take(C, links[3])
     _fanuc_crx10ia_turn(C, c[4], s[4])
     _fanuc_crx10ia_follow(C, links[4])
     c[3], s[3] = _fanuc_crx10ia_unit(
@@ -1780,8 +1780,8 @@ def _fanuc_crx10ia_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _fanuc_crx10ia_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -1895,7 +1895,7 @@ def _fanuc_crx10ia_wrist_at(setting, c, s, frame):
     """What a sixth angle fixes: W from S, the square of its length, and the discriminant of the
     elbow; frame takes frame 5 before its own turn."""
     loop, back = setting
-    frame[:] = loop[5]
+    _take(frame, loop[5])
     _fanuc_crx10ia_turn(frame, c, -s)
     _fanuc_crx10ia_follow(frame, back)
     x = frame[3] + -0.12873070970087527 * frame[2]
@@ -2597,7 +2597,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -2648,7 +2649,8 @@ def _lead_inside(pose, enough, most, q):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
         farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             return True
     return False
 
@@ -2674,7 +2676,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(6):
+            q[i] = x[i]
 
 
 @_jit

@@ -418,7 +418,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 45af324e10911d58"
+_KEY = "general_5r 1a444a7ba76bbce8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -546,7 +546,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1735,7 +1735,7 @@ def _general_5r_angles(joints, links, n, c, s):
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _general_5r_unit(bottom * bottom - top * top, 2.0 * top * bottom)
     G = carray(_room(12), 12)
-    G[:] = links[5]
+    _take(G, links[5])
     for i in range(3):
         _general_5r_move(G, joints[i], c[i], s[i])
         _general_5r_follow(G, links[i])
@@ -1745,7 +1745,7 @@ def _general_5r_angles(joints, links, n, c, s):
     value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _general_5r_middle(links[3], links[4], value)
     C = carray(_room(12), 12)
-    C[:] = links[3]
+    _take(C, links[3])
     _general_5r_turn(C, c[4], s[4])
     _general_5r_follow(C, links[4])
     c[3], s[3] = _general_5r_unit(
@@ -1855,8 +1855,8 @@ def _general_5r_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _general_5r_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -2465,7 +2465,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(5):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -2516,7 +2517,8 @@ def _lead_inside(pose, enough, most, q):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
         farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
-            q[:] = x
+            for i in range(5):
+                q[i] = x[i]
             return True
     return False
 
@@ -2542,7 +2544,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(5):
+            q[i] = x[i]
 
 
 @_jit

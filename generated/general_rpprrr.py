@@ -391,7 +391,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr e38717eb8534764d"
+_KEY = "general_rpprrr 31afc96fcf58f114"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -518,7 +518,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1484,8 +1484,8 @@ def _general_rpprrr_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _general_rpprrr_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -2234,7 +2234,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -2286,7 +2287,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(6):
+            q[i] = x[i]
 
 
 @_jit

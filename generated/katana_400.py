@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 db5c53ca0c5cda2d"
+_KEY = "katana_400 2762eb96d743465a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -904,7 +904,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(5):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -359,7 +359,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite 6cade8f9068f6d64"
+_KEY = "kinova_gen3_lite c278fe63e994b733"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -487,7 +487,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1652,7 +1652,7 @@ def _kinova_gen3_lite_angles(joints, links, n, c, s):
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _kinova_gen3_lite_unit(bottom * bottom - top * top, 2.0 * top * bottom)
     G = carray(_room(12), 12)
-    G[:] = links[5]
+    _take(G, links[5])
     for i in range(3):
         _kinova_gen3_lite_move(G, joints[i], c[i], s[i])
         _kinova_gen3_lite_follow(G, links[i])
@@ -1662,7 +1662,7 @@ def _kinova_gen3_lite_angles(joints, links, n, c, s):
     value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _kinova_gen3_lite_middle(links[3], links[4], value)
     C = carray(_room(12), 12)
-    C[:] = links[3]
+    _take(C, links[3])
     _kinova_gen3_lite_turn(C, c[4], s[4])
     _kinova_gen3_lite_follow(C, links[4])
     c[3], s[3] = _kinova_gen3_lite_unit(
@@ -1772,8 +1772,8 @@ def _kinova_gen3_lite_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _kinova_gen3_lite_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -2369,7 +2369,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -2421,7 +2422,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(6):
+            q[i] = x[i]
 
 
 @_jit

@@ -373,7 +373,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 64ed7247d0adfa58"
+_KEY = "kinova_jaco2 780dbe6b7b1ff6d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -501,7 +501,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1605,7 +1605,7 @@ def _kinova_jaco2_angles(joints, links, n, c, s):
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _kinova_jaco2_unit(bottom * bottom - top * top, 2.0 * top * bottom)
     G = carray(_room(12), 12)
-    G[:] = links[5]
+    _take(G, links[5])
     for i in range(3):
         _kinova_jaco2_move(G, joints[i], c[i], s[i])
         _kinova_jaco2_follow(G, links[i])
@@ -1615,7 +1615,7 @@ def _kinova_jaco2_angles(joints, links, n, c, s):
     value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _kinova_jaco2_middle(links[3], links[4], value)
     C = carray(_room(12), 12)
-    C[:] = links[3]
+    _take(C, links[3])
     _kinova_jaco2_turn(C, c[4], s[4])
     _kinova_jaco2_follow(C, links[4])
     c[3], s[3] = _kinova_jaco2_unit(
@@ -1725,8 +1725,8 @@ def _kinova_jaco2_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _kinova_jaco2_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:

@@ -421,7 +421,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 774b5658aa6c15a9"
+_KEY = "kuka_iiwa14 c7ba39eb1ceb17dd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -859,7 +859,9 @@ def _keep_limits(pose, q_free, given, row, q, status):
             own = abs(moved) >= 1e-06 or not math.isinf(start)
             if own and not math.isnan(moved):
                 _attempt(pose, q_free, seed, search, moved, trial, result)
-                q[row], status[row] = trial[row], result[row]
+                for i in range(7):
+                    q[row, i] = trial[row, i]
+                status[row] = result[row]
                 return
         seed[joint] = inside
 
@@ -987,7 +989,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(7):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -1039,7 +1042,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(7):
+            q[i] = x[i]
 
 
 @_inner

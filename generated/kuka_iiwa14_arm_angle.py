@@ -475,7 +475,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 115e341b01c9707f"
+_KEY = "kuka_iiwa14_arm_angle e7049d8272f663b8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -890,7 +890,9 @@ def _keep_limits(pose, q_free, given, row, q, status):
             own = abs(moved) >= 1e-06 or not math.isinf(start)
             if own and not math.isnan(moved):
                 _attempt(pose, q_free, seed, search, moved, trial, result)
-                q[row], status[row] = trial[row], result[row]
+                for i in range(7):
+                    q[row, i] = trial[row, i]
+                status[row] = result[row]
                 return
         seed[joint] = inside
 

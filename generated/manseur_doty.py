@@ -352,7 +352,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "manseur_doty 73f7297097741dc9"
+_KEY = "manseur_doty e4f1cbf3772d3167"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -480,7 +480,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1584,7 +1584,7 @@ def _manseur_doty_angles(joints, links, n, c, s):
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _manseur_doty_unit(bottom * bottom - top * top, 2.0 * top * bottom)
     G = carray(_room(12), 12)
-    G[:] = links[5]
+    _take(G, links[5])
     for i in range(3):
         _manseur_doty_move(G, joints[i], c[i], s[i])
         _manseur_doty_follow(G, links[i])
@@ -1594,7 +1594,7 @@ def _manseur_doty_angles(joints, links, n, c, s):
     value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _manseur_doty_middle(links[3], links[4], value)
     C = carray(_room(12), 12)
-    C[:] = links[3]
+    _take(C, links[3])
     _manseur_doty_turn(C, c[4], s[4])
     _manseur_doty_follow(C, links[4])
     c[3], s[3] = _manseur_doty_unit(
@@ -1704,8 +1704,8 @@ def _manseur_doty_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _manseur_doty_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:

@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 330c1aaa611af0df"
+_KEY = "olson_pprrrr 8996c4acfe82c67f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -814,7 +814,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

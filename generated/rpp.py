@@ -241,7 +241,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp e49d75056afdd075"
+_KEY = "rpp c98e39ea3b4eff15"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -432,7 +432,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(3):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -278,7 +278,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr 884168c359d873c7"
+_KEY = "scara_prrr e98be6de1f30036f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -551,7 +551,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(4):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -264,7 +264,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_rrp c986d62e9837536a"
+_KEY = "scara_rrp 1059f48c7406eba2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -473,7 +473,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(3):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -262,7 +262,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical 86ea495d332a0cb4"
+_KEY = "spherical 0c8c3a83c0e7ac6e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -470,7 +470,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(3):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

@@ -323,7 +323,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford c73e38e524f1dd7f"
+_KEY = "stanford 8b31f04fa8a75584"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -682,7 +682,9 @@ def _keep_limits(pose, given, row, q, status):
             own = abs(moved) >= 1e-06 or not math.isinf(start)
             if own and not math.isnan(moved):
                 _attempt(pose, seed, search, moved, trial, result)
-                q[row], status[row] = trial[row], result[row]
+                for i in range(6):
+                    q[row, i] = trial[row, i]
+                status[row] = result[row]
                 return
         seed[joint] = inside
 
@@ -811,7 +813,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -863,7 +866,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(6):
+            q[i] = x[i]
 
 
 @_inner

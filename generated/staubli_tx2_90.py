@@ -398,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 5aef11c4410befed"
+_KEY = "staubli_tx2_90 0dd28f2fd0241822"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -787,7 +787,9 @@ def _keep_limits(pose, given, row, q, status):
             own = abs(moved) >= 1e-06 or not math.isinf(start)
             if own and not math.isnan(moved):
                 _attempt(pose, seed, search, moved, trial, result)
-                q[row], status[row] = trial[row], result[row]
+                for i in range(6):
+                    q[row, i] = trial[row, i]
+                status[row] = result[row]
                 return
         seed[joint] = inside
 
@@ -945,7 +947,8 @@ def _settled(T, enough, most, q):
             x[worst] -= past
             e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:
@@ -996,7 +999,8 @@ def _lead_inside(pose, enough, most, q):
             x[i] = q[i] - farther * _past_an_end(i, q[i])
         farther *= 2.0
         if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
-            q[:] = x
+            for i in range(6):
+                q[i] = x[i]
             return True
     return False
 
@@ -1022,7 +1026,8 @@ def _stand(pose, row, rows, status):
             if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        q[:] = x
+        for i in range(6):
+            q[i] = x[i]
 
 
 @_inner

@@ -248,7 +248,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zxz 4ec021fe2f01d2eb"
+_KEY = "wrist_zxz 8747edbb4711941e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -474,7 +474,8 @@ def _settled(T, enough, most, q):
     for _ in range(20):
         e, miss = _miss(T, x)
         if miss < enough:
-            q[:] = x
+            for i in range(3):
+                q[i] = x[i]
             settled = True
             enough = 0.5 * miss
         elif settled:

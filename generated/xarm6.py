@@ -348,7 +348,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 91ceb8ddf2d0aae7"
+_KEY = "xarm6 c6b02f435ba61ec9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -476,7 +476,7 @@ def _wrap_angles(u):
 
 @_inner
 def _take(to, numbers):
-    """Numbers into an array as long."""
+    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
     for i in range(len(numbers)):
         to[i] = numbers[i]
 
@@ -1580,7 +1580,7 @@ def _xarm6_angles(joints, links, n, c, s):
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _xarm6_unit(bottom * bottom - top * top, 2.0 * top * bottom)
     G = carray(_room(12), 12)
-    G[:] = links[5]
+    _take(G, links[5])
     for i in range(3):
         _xarm6_move(G, joints[i], c[i], s[i])
         _xarm6_follow(G, links[i])
@@ -1590,7 +1590,7 @@ def _xarm6_angles(joints, links, n, c, s):
     value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
     c[4], s[4] = _xarm6_middle(links[3], links[4], value)
     C = carray(_room(12), 12)
-    C[:] = links[3]
+    _take(C, links[3])
     _xarm6_turn(C, c[4], s[4])
     _xarm6_follow(C, links[4])
     c[3], s[3] = _xarm6_unit(
@@ -1700,8 +1700,8 @@ def _xarm6_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    tc[:] = c
-    ts[:] = s
+    _take(tc, c)
+    _take(ts, s)
     least = now = _xarm6_error(links, c, s, J)
     for _ in range(40 if afar else 4):
         if least < 1e-29:
@@ -1815,7 +1815,7 @@ def _xarm6_wrist_at(setting, c, s, frame):
     """What a sixth angle fixes: W from S, the square of its length, and the discriminant of the
     elbow; frame takes frame 5 before its own turn."""
     loop, back = setting
-    frame[:] = loop[5]
+    _take(frame, loop[5])
     _xarm6_turn(frame, c, -s)
     _xarm6_follow(frame, back)
     x = frame[3] + -0.0 * frame[2]
