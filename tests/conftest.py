@@ -1,4 +1,4 @@
-"""What belongs to one robot, name or module's fixture runs in one process, which makes it once."""
+"""What belongs to one robot, name or shared fixture runs in one process, which makes it once."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         params = call.params if call else {}
         arms = [value for value in params.values() if isinstance(value, str) and value in ROBOTS]
         fixtures = item._fixtureinfo.name2fixturedefs if isinstance(item, pytest.Function) else {}
-        shared = any(each[-1].scope == "module" for each in fixtures.values())
-        group = arms[0] if arms else params.get("name", item.path.stem if shared else None)
+        scopes = {each[-1].scope for each in fixtures.values()}
+        shared = {"package": item.path.parent.name, "module": item.path.stem}
+        places = [place for scope, place in shared.items() if scope in scopes]
+        group = arms[0] if arms else params.get("name", places[0] if places else None)
         if group is not None:
             item.add_marker(pytest.mark.xdist_group(str(group)))

@@ -47,7 +47,7 @@ class Build:
     compiler: str | None = None
 
 
-PORTABLE = Build("portable", ("-O1",))
+PORTABLE = Build("portable", ("-O0",))
 NATIVE = Build("native", ("-O2", "-march=native", *FAST_FLAGS))
 
 

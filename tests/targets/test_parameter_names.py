@@ -42,6 +42,13 @@ joints:
   - {{theta: q, a: {1}}}
 task: [x, y]
 """
+MOUNTED = (
+    PLANAR
+    + """\
+base: {{xyz: [{2}, {3}, {4}]}}
+tool: {{xyz: [{5}, {6}, {7}]}}
+"""
+)
 AHEAD = """\
 name: arm
 parameters: {{{values}}}
@@ -49,6 +56,8 @@ joints:
   - {{theta: q, d: {0}, a: 0.4, limits: [-100 deg, 400 deg]}}
   - {{theta: q, a: {1}, limits: [-100 deg, 100 deg]}}
 task: [x, y]
+base: {{xyz: [{2}, {3}, {4}]}}
+tool: {{xyz: [{5}, {6}, {7}]}}
 """
 WRIST = """\
 name: arm
@@ -57,21 +66,26 @@ joints:
   - {{theta: q, d: 0.5, a: {0}, alpha: -90 deg, limits: [-170 deg, 190 deg]}}
   - {{theta: q, a: {1}, limits: [-130 deg, 60 deg]}}
   - {{theta: q, a: 0.05, alpha: -90 deg, limits: [-60 deg, 200 deg]}}
-  - {{theta: q, d: 0.6, alpha: 90 deg}}
+  - {{theta: q, d: {4}, alpha: 90 deg}}
   - {{theta: q, alpha: -90 deg}}
   - {{theta: q, d: 0.1}}
+base: {{xyz: [{5}, {6}, {7}]}}
 tool: {{xyz: [{2}, 0, {3}]}}
 """
 # What values, constants of programs, and locals are called: a letter or word, and a number.
 NUMBERED = (
-    *("v1 v2 v3 v4", "k1 k2 k3 k4", "m1 m2 h1 h2", "h1 h2 m1 m2", "f1 g1 n1 f2", "e1 e2 e3 x1"),
-    *("w1 w2 w3 wx", "low1 high1 low2 high2", "high3 low3 high2 low2", "angle1 angle2 angle3 z1"),
-    *("free_limit1 doubt_limit_squared2 free_limit_squared2 doubt_limit1", "none1 outside1 i1 z0"),
-    *("doubt_limit1 doubt_limit_squared2 free_limit doubt_limit", "outside doubt1 doubt2 y2_x"),
-    *("longest2 shortest2 longest3 longest3_reach", "half_turn turn turn1 offset1", "p1 x1 d1 z2"),
-    *("exact_slack1 pose_slack1 doubtful_slack1 near_limit", "packed1 ratio1 kind1 given1"),
-    *("boundary3 least_root1 arm_size1 boundary2", "nested farther own nearest"),
-    *("sqrt2 unit r1 w2x", "chosen1 free1 near5 held5", "inverse1 divisor1 factor1 root1"),
+    "v1 v2 v3 v4 k1 k2 k3 k4",
+    "m1 m2 h1 h2 p1 x1 d1 z2",
+    "h1 h2 m1 m2 packed1 ratio1 kind1 given1",
+    "f1 g1 n1 f2 e1 e2 e3 x1",
+    "w1 w2 w3 wx low1 high1 low2 high2",
+    "high3 low3 high2 low2 angle1 angle2 angle3 z1",
+    "free_limit1 doubt_limit_squared2 free_limit_squared2 doubt_limit1 none1 outside1 i1 z0",
+    "doubt_limit1 doubt_limit_squared2 free_limit doubt_limit outside doubt1 doubt2 y2_x",
+    "longest2 shortest2 longest3 longest3_reach half_turn turn turn1 offset1",
+    "exact_slack1 pose_slack1 doubtful_slack1 near_limit boundary3 least_root1 arm_size1 boundary2",
+    "nested farther own nearest inverse1 divisor1 factor1 root1",
+    "sqrt2 unit r1 w2x chosen1 free1 near5 held5",
 )
 NAMES = (
     ("wide", "four", "HELPER", "LANES", "kind", "solve_wide", "odd", "kind_of", "pick_four"),
@@ -104,12 +118,11 @@ def test_formulas_read_the_constants(names: tuple[str, ...], tmp_path: Path) -> 
     check_names(tmp_path)
 
 
-@pytest.mark.parametrize("arm", [PLANAR, AHEAD, WRIST], ids=["planar", "ahead", "wrist"])
+@pytest.mark.parametrize("arm", [MOUNTED, AHEAD, WRIST], ids=["planar", "ahead", "wrist"])
 @pytest.mark.parametrize("words", NUMBERED)
 def test_numbered_names(arm: str, words: str, tmp_path: Path) -> None:
     """Names that the programs of an arm give in passing, each to a number of the arm."""
-    names = tuple(words.split())
-    made = written(arm, names[: 4 if arm is WRIST else 2], tmp_path)
+    made = written(arm, tuple(words.split()), tmp_path)
     check_names(tmp_path)
     solver = regular_solver(made.module)
     assert solver is not None
@@ -155,8 +168,9 @@ def test_a_name_does_not_say_what_a_constant_is(
 def test_the_derivation_calls_parameters_as_the_file_does(tmp_path: Path) -> None:
     """Also those that the ring has another generator for, or that look like numbers it names."""
     names = ("wx", "r1", "u1x", "p3y")
-    text = compile_file(robot_file(WRIST, names, tmp_path)).files["arm.md"]
+    others = ("m1", "x0", "h2", "v3")
+    text = compile_file(robot_file(WRIST, (*names, *others), tmp_path)).files["arm.md"]
     listed = [rf"$\mathit{{{name}}} = 0.{place + 31}$ m" for place, name in enumerate(names)]
-    assert f"Parameters: {', '.join(listed[:-1])} and {listed[-1]}." in text
+    assert f"Parameters: {', '.join(listed)}, " in text
     assert all(rf"\mathit{{{name}}} " in text for name in names)
     assert not any(other in text for other in (r"wx\_", r"r1\_", "u_{1x}", "p_{3y}"))
