@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from dhgen.paul.problem import Problem
 
     Values = NDArray[np.float64]
-    Truths = NDArray[np.bool_]
 
 COUNT = 4
 LOOSE = 2
@@ -59,42 +58,44 @@ class Witnesses:
 
     def largest(self, factors: Sequence[Polynomial], among: slice, unit: float) -> float:
         """The largest that the factors of one equation are on some witnesses, lengths in a unit."""
-        values = [np.abs(self.evaluate(factor)[among]).max() for factor in factors]
-        return float(max(values)) / unit ** self.algebra.degree(*factors)
+        found = (self.samples.numbers(factor)[0][among] for factor in factors)
+        largest = max(abs(value) for values in found for value in values)
+        return largest / unit ** self.algebra.degree(*factors)
 
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial is zero on any witness."""
-        if not polynomial:
-            return True
-        value, size = self.samples.value_and_size(polynomial)
-        return bool(np.any(np.abs(value) <= VANISHING * size))
+        values, sizes = self.samples.numbers(polynomial)
+        return any(map(_is_zero, values, sizes))
 
     def surely_varies(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether the sum of n f g is surely not made of the arm's lengths alone."""
-        total, sizes = np.zeros(LOOSE), np.zeros(LOOSE)
+        totals, sizes = [0.0] * LOOSE, [0.0] * LOOSE
         for n, f, g in products:
             if f and g:
-                part = n * self.loose.value(f) * self.loose.value(g)
-                total += part
-                sizes += np.abs(part)
-        return bool(np.ptp(total) > VANISHING * np.max(sizes))
+                first, second = self.loose.numbers(f)[0], self.loose.numbers(g)[0]
+                for place in range(LOOSE):
+                    part = n * first[place] * second[place]
+                    totals[place] += part
+                    sizes[place] += abs(part)
+        return max(totals) - min(totals) > VANISHING * max(sizes)
 
     def sum_vanishes(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether the sum of n f g is zero on any witness, without multiplying it out."""
-        return bool(np.any(self._are_zero(products)))
+        return any(self._are_zero(products))
 
     def sum_vanishes_always(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether it is zero on every witness."""
-        return bool(np.all(self._are_zero(products)))
+        return all(self._are_zero(products))
 
-    def _are_zero(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> Truths:
-        total, sizes = np.zeros(COUNT), np.zeros(COUNT)
+    def _are_zero(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> list[bool]:
+        totals, sizes = [0.0] * COUNT, [0.0] * COUNT
         for n, f, g in products:
             if f and g:
-                first, second = self.samples.value_and_size(f), self.samples.value_and_size(g)
-                total += n * first[0] * second[0]
-                sizes += abs(n) * first[1] * second[1]
-        return np.asarray(np.abs(total) <= VANISHING * sizes)
+                (first, most), (second, most_too) = self.samples.numbers(f), self.samples.numbers(g)
+                for place in range(COUNT):
+                    totals[place] += n * first[place] * second[place]
+                    sizes[place] += abs(n) * most[place] * most_too[place]
+        return list(map(_is_zero, totals, sizes))
 
     def stay_apart(self, *polynomials: Polynomial) -> bool:
         """Whether polynomials in cosines, sines and lengths have no common zero at right angles.
@@ -126,6 +127,11 @@ class Witnesses:
 
     def _places(self, angle: AngleSum) -> list[int]:
         return [self.algebra.index[angle.cosine], self.algebra.index[angle.sine]]
+
+
+def _is_zero(value: float, size: float) -> bool:
+    """Whether a sum is rounding alone, its terms' sizes adding up to so much."""
+    return abs(value) <= VANISHING * size
 
 
 def build_witnesses(pool: Pool) -> Witnesses:

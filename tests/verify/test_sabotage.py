@@ -12,6 +12,7 @@ import pytest
 
 from dhgen.compiler import Compilation, verified
 from dhgen.errors import CompilerError, VerificationError
+from dhgen.verify.native import Build
 from dhgen.verify.verify import verify
 from tests.compiling import compile_file
 from tests.targets.made import ROBOTS
@@ -44,9 +45,10 @@ def refused(what: str) -> Iterator[None]:
 
 
 @pytest.fixture(autouse=True)
-def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The modules run as plain Python: what is wrong in them is wrong all the same, and sooner."""
+def as_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Plain Python, and C as it stands: what is wrong is wrong all the same, and seen sooner."""
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.verify.NATIVE", Build("native", ("-O0", "-march=native")))
     monkeypatch.setattr("dhgen.verify.verify.COUNT", 30)
 
 

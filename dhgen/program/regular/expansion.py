@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 Monomial = tuple["Node", ...]  # factors in ascending order
 Terms = dict[Monomial, Fraction]
+# Of a value its terms, whether squares of the root have been replaced, and whether terms cancelled.
+Known = tuple[Terms | None, bool, bool]
 
 MOST_TERMS = 80  # of a polynomial on the way
 CANCELLED = Fraction(1, 10**12)  # of its terms a sum that is rounding alone
@@ -53,6 +55,7 @@ class Expansion:
         self._bases: dict[Node, Node | None] = {}
         self._originals: dict[Node, Node] = {}
         self._radicands: set[Node] = set()
+        self._known: dict[Node, dict[Node, Known]] = {}  # by roots
         self._squared = False  # whether squares of the root have been replaced
         self._cancelled = False  # whether terms have cancelled
 
@@ -92,29 +95,35 @@ class Expansion:
         roots = [each for each in self._reached(node) if entries[each].operator == "sqrt"]
         if not roots:
             return None
-        self._squared = self._cancelled = False
-        terms = self._expanded(node, max(roots))
-        return None if terms is None else Polynomial(terms, self._cancelled or not self._squared)
+        terms, squared, cancelled = self._expanded(node, max(roots))
+        return None if terms is None else Polynomial(terms, cancelled or not squared)
 
     def is_positive(self, monomial: Monomial) -> bool:
         """Whether this is a square, or what a square root has been taken of."""
         return monomial[::2] == monomial[1::2] or set(monomial) <= self._radicands
 
-    def _expanded(self, node: Node, root: Node) -> Terms | None:
+    def _expanded(self, node: Node, root: Node) -> Known:
         entries = self._builder.entries
         ends = {root, self._base(entries[root].operands[0])}
-        known: dict[Node, Terms | None] = {}
+        known = self._known.setdefault(root, {})
 
         def of(each: Node) -> Terms | None:
             if each not in known:
-                known[each] = found(self.original(each))
-            return known[each]
+                before = self._squared, self._cancelled
+                self._squared = self._cancelled = False
+                terms = found(self.original(each))
+                known[each] = terms, self._squared, self._cancelled
+                self._squared, self._cancelled = before
+            terms, squared, cancelled = known[each]
+            self._squared |= squared
+            self._cancelled |= cancelled
+            return terms
 
         def found(each: Node) -> Terms | None:
             entry = entries[each]
             if entry.value is not None:
                 return {(): entry.value} if entry.value else {}
-            if each in ends or not ends & self._reached(each):
+            if each in ends or ends.isdisjoint(self._reached(each)):
                 negated = entry.operator == "neg"
                 return {(entry.operands[0],): Fraction(-1)} if negated else {(each,): Fraction(1)}
             match entry.operator, [of(operand) for operand in entry.operands]:
@@ -128,7 +137,8 @@ class Expansion:
                     return self._product(x, y, root, of)
             return None
 
-        return of(node)
+        of(node)
+        return known[node]
 
     def _product(
         self, x: Terms, y: Terms, root: Node, of: Callable[[Node], Terms | None]
