@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from sympy.polys.domains import QQ
@@ -101,9 +102,9 @@ class Algebra:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
         constants = [constant.name for constant in self.chain.constants if constant.is_length]
         names = ("t14", "t24", "t34", *POINT_NAMES, *self.slides.values(), *constants)
-        places = [self.index[name] for name in names]
+        exponents = itemgetter(*(self.index[name] for name in names))
         terms = (monomial for polynomial in polynomials for monomial in polynomial)
-        return max((sum(term[place] for place in places) for term in terms), default=0)
+        return max(map(sum, map(exponents, terms)), default=0)
 
     def lift(self, transform: Transform) -> Transform:
         """A constant transform of the chain as a transform of this ring."""

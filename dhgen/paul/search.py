@@ -77,11 +77,22 @@ class Search:
             closed.add(knowledge.state)
             if knowledge.missing < self.deepest.missing:
                 self.deepest = knowledge
-            for step in self.offers(knowledge):
-                price = cost + step.penalty + DOUBLING * (step.roots - 1)
-                price += SILENT if (knowledge.state, id(step)) in self._silent else 0
-                heapq.heappush(queue, (price, next(tie), learn(knowledge, step), (*steps, step)))
+            for price, step in self._cheapest(knowledge):
+                state = learn(knowledge, step)
+                heapq.heappush(queue, (cost + price, next(tie), state, (*steps, step)))
         return None
+
+    def _cheapest(self, knowledge: Knowledge) -> list[tuple[int, Step]]:
+        """Of the steps to each next state the first of those that cost least, with its price."""
+        found: dict[tuple[Unknown, ...], tuple[int, int, Step]] = {}
+        for place, step in enumerate(self.offers(knowledge)):
+            price = step.penalty + DOUBLING * (step.roots - 1)
+            price += SILENT if (knowledge.state, id(step)) in self._silent else 0
+            known = found.get(step.unknowns)
+            if known is None or price < known[0]:
+                found[step.unknowns] = price, place, step
+        in_order = sorted(found.values(), key=lambda each: each[1])
+        return [(price, step) for price, _, step in in_order]
 
     def avoid(self, route: Route, places: Container[int]) -> bool:
         """Makes steps of a route cost more where they stand; whether any did not before."""

@@ -65,7 +65,7 @@ class Witnesses:
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial is zero on any witness."""
         values, sizes = self.samples.numbers(polynomial)
-        return any(map(_is_zero, values, sizes))
+        return any(map(is_rounding, values, sizes))
 
     def surely_varies(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether the sum of n f g is surely not made of the arm's lengths alone."""
@@ -95,7 +95,7 @@ class Witnesses:
                 for place in range(COUNT):
                     totals[place] += n * first[place] * second[place]
                     sizes[place] += abs(n) * most[place] * most_too[place]
-        return list(map(_is_zero, totals, sizes))
+        return list(map(is_rounding, totals, sizes))
 
     def stay_apart(self, *polynomials: Polynomial) -> bool:
         """Whether polynomials in cosines, sines and lengths have no common zero at right angles.
@@ -129,8 +129,8 @@ class Witnesses:
         return [self.algebra.index[angle.cosine], self.algebra.index[angle.sine]]
 
 
-def _is_zero(value: float, size: float) -> bool:
-    """Whether a sum is rounding alone, its terms' sizes adding up to so much."""
+def is_rounding(value: float, size: float) -> bool:
+    """Whether a sum is zero but for rounding, the sizes of its terms adding up to so much."""
     return abs(value) <= VANISHING * size
 
 

@@ -23,7 +23,7 @@ import numpy as np
 
 from dhgen.paul.form import is_multiple
 from dhgen.paul.step import Kind, Step
-from dhgen.paul.witness import COUNT, VANISHING
+from dhgen.paul.witness import COUNT, is_rounding
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -204,11 +204,12 @@ def _monomials(eliminated: AngleSum, kept: AngleSum) -> Table:
 
 def _on_witnesses(form: Form, places: dict[Monomial, int], view: View) -> Values:
     """The coefficients; one that is nothing by the arm's geometry is 0 here, not its rounding."""
-    values = np.zeros((9, COUNT))
+    rows: list[Sequence[float]] = [(0.0,) * COUNT] * len(places)
     for monomial, polynomial in form.terms.items():
-        value, size = view.witnesses.samples.value_and_size(polynomial)
-        values[places[monomial]] = np.where(np.abs(value) <= VANISHING * size, 0.0, value)
-    return values.reshape(3, 3, COUNT)
+        values, sizes = view.witnesses.samples.numbers(polynomial)
+        pairs = zip(values, sizes, strict=True)
+        rows[places[monomial]] = [0.0 if is_rounding(*pair) else pair[0] for pair in pairs]
+    return np.array(rows).reshape(3, 3, COUNT)
 
 
 def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
