@@ -41,7 +41,7 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: FloatArr
     rows = np.where(told[..., None], q, np.nan)
     first = np.full(told.shape, np.inf)
     places = np.nonzero(told)
-    first[places] = _missed(kernel, T[places[0]], q[places])
+    first[places] = np.nan_to_num(_missed(kernel, T[places[0]], q[places]), nan=np.inf)
     exact = exactness(kernel, T)
     inexact = told & (first > exact[:, None])
     for k in np.flatnonzero(inexact.any(axis=1)):

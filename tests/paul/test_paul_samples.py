@@ -26,3 +26,14 @@ def test_values_may_come_later() -> None:
     samples = Samples(values)
     values[2] = samples.value(X * Y)
     assert samples.value(Z - 1).tolist() == [5.0]
+
+
+def test_together_polynomials_are_worth_the_same_as_alone() -> None:
+    values = np.array([[2.0, -1.0, 0.1], [3.0, 0.5, 0.7], [1.1, 1.2, 1.3]])
+    together = Samples(values)
+    polynomials = (X**2 * Y - X / 4, RING.zero, X * Y * Z + Y - 7, RING.one, X**2 * Y - X / 4)
+    together.learn(polynomials)
+    for polynomial in polynomials:
+        alone = Samples(values).value_and_size(polynomial)
+        np.testing.assert_array_equal(together.value_and_size(polynomial), alone)
+        np.testing.assert_array_equal(together.numbers(polynomial), alone)
