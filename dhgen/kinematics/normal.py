@@ -86,13 +86,12 @@ def _reduced(terms: Packed, below: int, square: Square) -> tuple[Packed, int]:
         power: Packed = {}
         add_product(power, 1, powers[-1], square.terms)
         powers.append(power)
-    factors = [square.below ** (most - half) for half in range(most + 1)]
-    total: Packed = {}
+    lowered: list[Packed] = [{} for _ in powers]
     for half, (monomial, number) in zip(halves, terms.items(), strict=True):
-        scaled, lowered = factors[half] * number, monomial - (2 * half << square.shift)
-        for other, coefficient in powers[half].items():
-            product = lowered + other
-            total[product] = total.get(product, 0) + scaled * coefficient
+        lowered[half][monomial - (2 * half << square.shift)] = number
+    total: Packed = {}
+    for half, (part, power) in enumerate(zip(lowered, powers, strict=True)):
+        add_product(total, square.below ** (most - half), part, power)
     return total, below * square.below**most
 
 

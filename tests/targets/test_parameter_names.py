@@ -42,13 +42,6 @@ joints:
   - {{theta: q, a: {1}}}
 task: [x, y]
 """
-MOUNTED = (
-    PLANAR
-    + """\
-base: {{xyz: [{2}, {3}, {4}]}}
-tool: {{xyz: [{5}, {6}, {7}]}}
-"""
-)
 AHEAD = """\
 name: arm
 parameters: {{{values}}}
@@ -56,6 +49,8 @@ joints:
   - {{theta: q, d: {0}, a: 0.4, limits: [-100 deg, 400 deg]}}
   - {{theta: q, a: {1}, limits: [-100 deg, 100 deg]}}
 task: [x, y]
+"""
+MOUNTING = """\
 base: {{xyz: [{2}, {3}, {4}]}}
 tool: {{xyz: [{5}, {6}, {7}]}}
 """
@@ -118,7 +113,9 @@ def test_formulas_read_the_constants(names: tuple[str, ...], tmp_path: Path) -> 
     check_names(tmp_path)
 
 
-@pytest.mark.parametrize("arm", [MOUNTED, AHEAD, WRIST], ids=["planar", "ahead", "wrist"])
+@pytest.mark.parametrize(
+    "arm", [PLANAR + MOUNTING, AHEAD + MOUNTING, WRIST], ids=["planar", "ahead", "wrist"]
+)
 @pytest.mark.parametrize("words", NUMBERED)
 def test_numbered_names(arm: str, words: str, tmp_path: Path) -> None:
     """Names that the programs of an arm give in passing, each to a number of the arm."""

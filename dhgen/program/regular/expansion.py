@@ -56,6 +56,7 @@ class Expansion:
         self._originals: dict[Node, Node] = {}
         self._radicands: set[Node] = set()
         self._known: dict[Node, dict[Node, Known]] = {}  # by roots
+        # Of the value that is being expanded, with what it is made of:
         self._squared = False  # whether squares of the root have been replaced
         self._cancelled = False  # whether terms have cancelled
 

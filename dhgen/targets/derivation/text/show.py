@@ -69,7 +69,7 @@ def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: St
             return rf"\tan{show(angle, style)}"
         case Call(function, arguments):
             inside = ", ".join(show(argument, style) for argument in arguments)
-            tall = any(is_tall(argument, style) for argument in arguments)
+            tall = not style.slanted and any(is_tall(argument) for argument in arguments)
             return style.function(function) + style.enclosed(inside, tall=tall)
         case Relation(sides, signs):
             parts = [show(sides[0], style)]
@@ -107,19 +107,20 @@ def signed_terms(terms: tuple[Formula, ...], style: Style) -> list[str]:
 
 def show_factor(factor: Formula, style: Style) -> str:
     """A formula as a factor: a sum in parentheses."""
-    text = show(factor, style)
-    if isinstance(factor, Sum | Minus):
-        return style.enclosed(text, tall=is_tall(factor, style))
-    return text
+    return _enclosed(factor, style) if isinstance(factor, Sum | Minus) else show(factor, style)
 
 
 def _base(base: Formula, style: Style) -> str:
-    text = show(base, style)
     if isinstance(base, Symbol | Size | Matrix) or (
         isinstance(base, Number) and base.value.denominator == 1
     ):
-        return text
-    return style.enclosed(text, tall=is_tall(base, style))
+        return show(base, style)
+    return _enclosed(base, style)
+
+
+def _enclosed(formula: Formula, style: Style) -> str:
+    """In parentheses, which grow with what is in them unless fractions stand in one line."""
+    return style.enclosed(show(formula, style), tall=not style.slanted and is_tall(formula))
 
 
 def _part(part: Formula, style: Style) -> str:
@@ -130,18 +131,16 @@ def _part(part: Formula, style: Style) -> str:
     return style.enclosed(text, tall=False)
 
 
-def is_tall(formula: Formula, style: Style) -> bool:
+def is_tall(formula: Formula) -> bool:
     """Whether a formula is higher than a line, so that its parentheses have to grow."""
-    if style.slanted:
-        return False
     match formula:
         case Quotient() | Matrix():
             return True
         case Number(value):
             return value.denominator != 1
         case Minus(operand) | Power(operand):
-            return is_tall(operand, style)
+            return is_tall(operand)
         case Sum(parts) | Product(parts) | Call(_, parts) | Listing(parts) | Relation(parts):
-            return any(is_tall(part, style) for part in parts)
+            return any(is_tall(part) for part in parts)
         case _:
             return False
