@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # Row and column, from 0, of the entries of a pose by their names.
 POSE_PLACES = {f"t{row + 1}{column + 1}": (row, column) for row in range(3) for column in range(4)}
 POSE_NAMES = tuple(POSE_PLACES)
-POINT_NAMES = tuple(f"w{k}{axis}" for k in ("", "2", "3", "4", "5", "6") for axis in "xyz")
+POINTS = 6  # as many as six unknown joints leave standing still, and no more than that are named
 # no parameter can be called so
 SHOULDER_NAMES = tuple(tuple(f"b__{row}{column}" for column in (1, 2, 3)) for row in (1, 2, 3))
 
@@ -72,6 +72,7 @@ class Algebra:
         normal: The normal form of this ring.
         angles: Every sum of consecutive parallel axes, single joints included.
         slides: The names of prismatic lengths by joint number.
+        points: Names of the coordinates of points, three for each.
         index: Position of every generator by name.
     """
 
@@ -80,6 +81,7 @@ class Algebra:
     normal: NormalForm
     angles: tuple[AngleSum, ...]
     slides: dict[int, str]
+    points: tuple[str, ...]
     index: dict[str, int]
 
     def generator(self, name: str) -> Polynomial:
@@ -101,7 +103,7 @@ class Algebra:
     def degree(self, *polynomials: Polynomial) -> int:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
         constants = [constant.name for constant in self.chain.constants if constant.is_length]
-        names = ("t14", "t24", "t34", *POINT_NAMES, *self.slides.values(), *constants)
+        names = ("t14", "t24", "t34", *self.points, *self.slides.values(), *constants)
         exponents = itemgetter(*(self.index[name] for name in names))
         terms = (monomial for polynomial in polynomials for monomial in polynomial)
         return max(map(sum, map(exponents, terms)), default=0)
@@ -140,7 +142,10 @@ def build_algebra(chain: Chain) -> Algebra:
     trig = [name for angle in angles for name in (angle.cosine, angle.sine)]
     constants = [symbol.name for symbol in chain.ring.symbols]
     shoulder = [name for row in SHOULDER_NAMES for name in row] if chain.arm_angle else []
-    names = [*POSE_NAMES, *POINT_NAMES, *shoulder, *trig, *slides.values(), *constants]
+    # a joint whose value the caller gives may leave one more standing still
+    numbers = ("", *range(2, POINTS + chain.given + 1))
+    points = tuple(f"w{number}{axis}" for number in numbers for axis in "xyz")
+    names = [*POSE_NAMES, *points, *shoulder, *trig, *slides.values(), *constants]
     ring = PolyRing(names, QQ)
     return Algebra(
         chain=chain,
@@ -148,5 +153,6 @@ def build_algebra(chain: Chain) -> Algebra:
         normal=normal_form(ring, chain.constants, {a.sine: a.cosine for a in angles}),
         angles=angles,
         slides=slides,
+        points=points,
         index={name: position for position, name in enumerate(names)},
     )

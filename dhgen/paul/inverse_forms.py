@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
+from dhgen.kinematics.algebra import POSE_NAMES
 from dhgen.kinematics.transform import Transform, dot
 from dhgen.paul.equation import Equation, Origin, merged
 from dhgen.paul.mixed_forms import right_inverse
@@ -109,7 +109,7 @@ class _View:
         known = next((p for p in self.points if p.in_base == (x, y, z)), None)
         if known is None:
             first = 3 * (self._taken + len(self.points))
-            a, b, c = POINT_NAMES[first : first + 3]
+            a, b, c = algebra.points[first : first + 3]
             known = BasePoint((a, b, c), (x, y, z))
             self.points.append(known)
         u, v, w = (

@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POINT_NAMES
 from dhgen.kinematics.transform import Transform, compose, dot
 from dhgen.paul.equation import Equation, Origin, merged
 from dhgen.paul.mixed_forms import mixed_forms, right_inverse
@@ -98,7 +97,7 @@ def _moved_right(problem: Problem, step: Transform, points: list[Point]) -> Tran
         if point.in_tool == in_tool:
             break
     else:
-        names = POINT_NAMES[3 * len(points) : 3 * len(points) + 3]
+        names = algebra.points[3 * len(points) : 3 * len(points) + 3]
         point = Point((names[0], names[1], names[2]), in_tool)
         points.append(point)
     origin = tuple(

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, POSE_PLACES, SHOULDER_NAMES
+from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES, SHOULDER_NAMES
 from dhgen.paul.samples import Samples, terms_on
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ def build_witnesses(pool: Pool) -> Witnesses:
 def _loose(algebra: Algebra, source: random.Random) -> Values:
     values = np.zeros((len(algebra.ring.gens), LOOSE))
     for column in range(LOOSE):
-        named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *POINT_NAMES)}
+        named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *algebra.points)}
         named |= _lengths(algebra, source, own=True) | _joints(algebra, source)
         if algebra.chain.arm_angle:
             named |= {name: source.uniform(-1.0, 1.0) for row in SHOULDER_NAMES for name in row}

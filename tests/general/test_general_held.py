@@ -12,6 +12,8 @@ from dhgen.general.arm import general_kernel, loop_constants
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.method import Method
+from dhgen.paul.derive import derive
 from dhgen.robot.load import load
 from tests.robots.cases import robot
 
@@ -32,6 +34,21 @@ SKEW = (
     "{theta: q, d: 0.1, a: 0.02, alpha: 90 deg}",
 )
 SLIDE = "{theta: 0.3, d: 0.1 - q, a: 0.15, alpha: 70 deg}"
+VEHICLE = (
+    "{theta: pi/2, d: q, alpha: pi/2}",
+    "{theta: pi/2, d: q, alpha: pi/2}",
+    "{theta: q, d: 0.3, a: 0.1}",
+    "{d: q, a: 0.1, alpha: -pi/2}",
+    "{theta: q, d: 0.2, a: 0.1, alpha: pi/2}",
+)
+OFFSET_WRIST = (
+    "{theta: q, d: 0.4, a: 0.15, alpha: -pi/2}",
+    "{theta: q, a: 0.5}",
+    "{theta: q, a: 0.1, alpha: -pi/2}",
+    "{theta: q, d: 0.5, alpha: pi/2}",
+    "{theta: q, d: 0.12, alpha: -pi/2}",
+    "{theta: q, d: 0.1}",
+)
 POSES = 4
 
 
@@ -183,3 +200,10 @@ def test_roots_that_another_formulation_tells_apart_are_simple(others: tuple[flo
     assert found.complete
     assert not found.singular
     assert len(found.q) == 8
+
+
+def test_an_arm_on_a_vehicle_with_a_lift_and_a_waist(tmp_path: Path) -> None:
+    """Each given joint leaves another point standing still, for which there once was no name."""
+    arm = chain(tmp_path, VEHICLE + OFFSET_WRIST, [1, 2, 3, 4, 5])
+    assert derive(arm).method is Method.GENERAL_6R
+    check(arm, 61)

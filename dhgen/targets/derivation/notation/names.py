@@ -7,7 +7,7 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, SHOULDER_NAMES, AngleSum
+from dhgen.kinematics.algebra import POSE_NAMES, SHOULDER_NAMES, AngleSum
 from dhgen.targets.derivation.text.formula import Power, Symbol, times
 
 if TYPE_CHECKING:
@@ -137,7 +137,7 @@ def symbols(algebra: Algebra) -> dict[str, Symbol]:
     table: dict[str, Symbol] = {}
     for name in POSE_NAMES:
         table[name] = letter("t", "t", name[1:], name)
-    for name in POINT_NAMES:
+    for name in algebra.points:
         table[name] = letter("w", "w", name[1:], name)
     for names in SHOULDER_NAMES if algebra.chain.arm_angle else ():
         table |= {name: letter("b", "b", name[-2:], name) for name in names}

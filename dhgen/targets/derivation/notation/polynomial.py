@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
+from dhgen.kinematics.algebra import POSE_NAMES
 from dhgen.kinematics.ring import (
     content,
     primitive,
@@ -69,7 +69,7 @@ def alphabet(algebra: Algebra, letters: Mapping[str, Symbol]) -> Alphabet:
             return 0
         if place < len(POSE_NAMES):
             return 4
-        if place < len(POSE_NAMES) + len(POINT_NAMES):
+        if place < len(POSE_NAMES) + len(algebra.points):
             return 3
         return 2 if place in slides else 1
 
