@@ -22,6 +22,7 @@ from dhgen.paul.redundant import redundant
 from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
 from dhgen.paul.shoulder_forms import with_arm_plane
+from dhgen.paul.too_many import demand_few_directions, demand_few_given, too_many_given
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
@@ -41,18 +42,20 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
         UnsolvedError: The arm has infinitely many solutions everywhere, or no order of steps makes
             every joint known.
     """
-    if len(chain.free) == chain.dof:
-        raise UnsolvedError("every joint is free: there is nothing to solve")
-    if chain.arm_angle:
-        demand_arm_angle(chain)
-        numerical = False  # it could hold joints, but not an arm angle
+    _demand_a_question(chain)
+    numerical = numerical and not chain.arm_angle  # it could hold joints, but not an arm angle
     spare = surplus(chain)
     if spare.count and not numerical:  # before its products, which of many joints fill the memory
-        start = open_from_the_start(chain, spare)
-        raise UnsolvedError(redundant(chain, spare, start, good_choices(*start, derive)))
+        start, whole = open_from_the_start(chain, spare)
+        hopeless = too_many_given(start.given + whole.count)
+        choices = () if hopeless else good_choices(start, whole, derive)
+        raise UnsolvedError(redundant(chain, spare, (start, whole), choices))
+    if not numerical:
+        demand_few_given(chain)
     problem = build_problem(build_algebra(chain))
-    if spare.count:
-        return Derivation(Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True))
+    if spare.count or too_many_given(chain.given):
+        kernel = numerical_kernel(chain, redundant=bool(spare.count))
+        return Derivation(Pool(problem, (), ()), (), (), kernel)
     pool = build_pool(problem)
     if chain.arm_angle:
         pool = with_arm_plane(pool)
@@ -69,6 +72,15 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     if numerical:
         return Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     raise UnsolvedError(refusal(closed, chain))
+
+
+def _demand_a_question(chain: Chain) -> None:
+    """Refuses chains of which nothing is asked that makes sense, or too much."""
+    if len(chain.free) == chain.dof:
+        raise UnsolvedError("every joint is free: there is nothing to solve")
+    if chain.arm_angle:
+        demand_arm_angle(chain)
+    demand_few_directions(chain)
 
 
 def _by_steps(search: Search, pool: Pool) -> Derivation | None:

@@ -15,6 +15,7 @@ from dhgen.paul.mobility import (
     still_coordinates,
     surplus,
 )
+from dhgen.paul.too_many import MOST_GIVEN, too_many_given
 from dhgen.robot.task import Task, TaskKind
 
 if TYPE_CHECKING:
@@ -41,16 +42,28 @@ def redundant(
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: `task` must name something that the arm moves")
         return "\n".join(lines)
-    values = "its value" if whole.count == 1 else "their values"
-    which = _which(whole, chain.free, kept=start.free == chain.free)
     lines += [
         *(_other_task(chain) if still else ()),
-        f"list {which}, to solve for the others given {values}",
-        *choices_text(choices, whole),
-        *_elbow_choice(chain),
+        *_given(chain, before, choices),
         "--numerical would give the solution near a seed, by damped least squares",
     ]
     return "\n".join(lines)
+
+
+def _given(
+    chain: Chain, before: tuple[Chain, Surplus], choices: tuple[Choice, ...]
+) -> tuple[str, ...]:
+    """Which joints may be given, to solve for the others."""
+    start, whole = before
+    if too_many_given(start.given + whole.count):
+        return (f"{whole.count} are too many to be given under `free`: {MOST_GIVEN} may be",)
+    values = "its value" if whole.count == 1 else "their values"
+    which = _which(whole, chain.free, kept=start.free == chain.free)
+    return (
+        f"list {which}, to solve for the others given {values}",
+        *choices_text(choices, whole),
+        *_elbow_choice(chain),
+    )
 
 
 def nearly_redundant(chain: Chain) -> list[str]:
