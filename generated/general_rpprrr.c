@@ -201,7 +201,7 @@ static void limited_step(
     double e[6], wish[6], fixed[6];
     int locked[6], beyond = 1;
     for (int j = 0; j < 6; j++) {
-        wish[j] = pull * (d->seed[j] - u[j]);
+        wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
         locked[j] = 0;
     }
     while (beyond) {

@@ -126,7 +126,7 @@ static void limited_step(
     double e[2], wish[4], fixed[4];
     int locked[4], beyond = 1;
     for (int j = 0; j < 4; j++) {
-        wish[j] = pull * (d->seed[j] - u[j]);
+        wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
         locked[j] = 0;
     }
     while (beyond) {

@@ -182,7 +182,7 @@ static void limited_step(
     double e[6], wish[5], fixed[5];
     int locked[5], beyond = 1;
     for (int j = 0; j < 5; j++) {
-        wish[j] = pull * (d->seed[j] - u[j]);
+        wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
         locked[j] = 0;
     }
     while (beyond) {

@@ -348,7 +348,7 @@ class Arm:
 
     def _pull(self, u: FloatArray, limits: Limits) -> tuple[FloatArray, float]:
         """A solution on the way from u to the seed: constrained Gauss-Newton, limits by locking."""
-        pull, least, best = constants.PULL, np.inf, u
+        pull, least, best, near = constants.PULL, np.inf, u, np.clip(self.seed, *limits)
         for number in range(constants.PULLED + constants.STEPS):
             e, length, A = self.miss(u[None])
             if pull == 0.0:
@@ -356,7 +356,7 @@ class Arm:
                     break
                 if length[0] < least:
                     best, least = u, float(length[0])
-            step = self._limited(u, pull * (self.seed - u), (e, length, A), limits)
+            step = self._limited(u, pull * (near - u), (e, length, A), limits)
             u = u + step
             if number + 1 >= constants.PULLED or np.abs(step).max() < constants.SETTLED:
                 pull = 0.0

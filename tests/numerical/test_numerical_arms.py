@@ -121,7 +121,9 @@ def test_limits_of_redundant_arms(folder: Path) -> None:
     """From a seed beyond what the limits allow, the solution is still inside them."""
     solver = in_c("planar", folder)
     T = solver.fk(np.array([1.9, -1.9, 1.9, 0.3]))
-    for seed in np.random.default_rng(3).uniform(-2.0, 2.0, (30, 4)):
+    random = np.random.default_rng(3)
+    near, far = random.uniform(-2.0, 2.0, (30, 4)), random.uniform(-12.0, 12.0, (60, 4))
+    for seed in np.vstack([near, far]):
         q = solver.nearest(T, seed)
         assert np.abs(q).max() <= 2.0 + 1e-9
         assert miss("planar", q[None], T, solver) < 1e-9

@@ -87,8 +87,8 @@ def _nearest() -> list[Block]:
         Paragraph(
             say(
                 "Each step also goes half of the way to the seed (joint values that the caller may "
-                "give), as far as that does not move the tool; a joint that would exceed a limit "
-                "is put on it and held. This is "
+                "give, those beyond a limit put on it), as far as that does not move the tool; a "
+                "joint that would exceed a limit is put on it and held. This is "
                 f"done from the seed and from {constants.REDUNDANT_STARTS - 1} more starts, which "
                 "fill the joint space evenly (M. Roberts, 2018). Row 0 is the solution nearest to "
                 "the seed among those inside the limits, or among all if none is inside."
