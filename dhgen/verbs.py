@@ -87,6 +87,7 @@ def write(options: argparse.Namespace) -> int:
 def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
+    from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     compilation = _compile(file, out=options.out)
     module = compilation.module
@@ -99,6 +100,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     for name, text in compilation.files.items():
         (options.out / name).write_text(text, encoding="utf-8", newline="\n")
+    keep_compiled(report.code, options.out / f"{module.name}.py")
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "

@@ -19,7 +19,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core import cgutils
+    from numba.core import cgutils, errors
     from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic, overload
 
@@ -53,11 +53,33 @@ except RuntimeError:
         "writable folder",
         stacklevel=2,
     )
-_jit = njit(**_OPTIONS)
+
+# Compiled code finds this file, and no other text of it, among the modules that Python knows.
+_KEY = "adept 8fcb044f6a986f04"
+if _COMPILED:
+    sys.modules[_KEY] = ModuleType(_KEY)
+
+
+def _owned(function):
+    """Makes a function one of this text: numba looks for its module when it comes out of the cache.
+
+    The name by which this file was imported then may be another one than now.
+    """
+    if _COMPILED:
+        function.__module__ = _KEY
+    return function
+
+
+def _njit(**options):
+    options = {**_OPTIONS, **options}
+    return lambda function: njit(**options)(_owned(function))
+
+
+_jit = _njit()
 # Only compiled code may call these: what Python would need is not made, which is much of the work.
-_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
-_inner = njit(**_INNER)
-_merged = njit(**{**_INNER, "forceinline": True})
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+_inner = _njit(**_INNER)
+_merged = _njit(forceinline=True, **_INNER)
 
 
 @intrinsic(prefer_literal=True)
@@ -71,19 +93,36 @@ def _room(_, size):
     return types.CPointer(types.float64)(size), code
 
 
-@intrinsic(prefer_literal=False)
-def _lent(_, array):
-    """The array without a hold on its memory, which its owner keeps until the call is over.
+def _lending(kind, axes):
+    """Lends arrays of a kind of number, with so many axes, and refuses others.
 
-    Counting who holds an array takes processors longer than solving a pose.
+    An array is lent without a hold on its memory, which its owner keeps until the call is over:
+    counting who holds it takes processors longer than solving a pose.
     """
+    refusal = f"something else where an array of {kind} with {axes} axes is taken"
 
-    def code(context, builder, signature, args):
-        lent = context.make_array(signature.return_type)(context, builder, args[0])
-        lent.meminfo = lent.meminfo.type(None)
-        return lent._getvalue()
+    def in_plain_python(array):
+        if not isinstance(array, np.ndarray) or (str(array.dtype), array.ndim) != (kind, axes):
+            raise ValueError(refusal)
+        return array
 
-    return array(array), code
+    @intrinsic(prefer_literal=False)
+    def lent(_, array):
+        if not isinstance(array, types.Array) or (str(array.dtype), array.ndim) != (kind, axes):
+            raise errors.TypingError(refusal)
+
+        def code(context, builder, signature, args):
+            lent = context.make_array(signature.return_type)(context, builder, args[0])
+            lent.meminfo = lent.meminfo.type(None)
+            return lent._getvalue()
+
+        return array(array), code
+
+    return lent if _COMPILED else in_plain_python
+
+
+_lent_rows, _lent_values = _lending("float64", 2), _lending("float64", 1)
+_lent_statuses = _lending("uint8", 1)
 
 
 NAME = "adept"
@@ -142,7 +181,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 
 
-@njit(fastmath={"contract"}, **_OPTIONS)
+@_njit(fastmath={"contract"})
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -198,13 +237,13 @@ def _array(values, shape, name):
 
 def _of_joints(function):
     """Compiled; Python calls it with any 3 numbers, other numba functions with an array."""
-    compiled = _jit(function)
 
     @functools.wraps(function)
     def call(q):
         return compiled(_array(q, (3,), "q"))
 
-    overload(call, strict=False)(lambda _: lambda q: compiled(q))
+    compiled = _jit(function)
+    overload(call, strict=False)(lambda _: _owned(lambda q: compiled(q)))
     return call
 
 
@@ -267,10 +306,7 @@ def _address(number):
     return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
 
 
-# Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept 6dc66848f25bd47d"
 if _COMPILED:
-    sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
 
 
@@ -375,7 +411,7 @@ def _solve(pose, seed, q, status):
     status[row] = FREE_JOINT if free1_ or free12 else OK
 
 
-@njit(**{**_OPTIONS, "forceinline": True})
+@_njit(forceinline=True)
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -673,10 +709,6 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (1, 3) or status.shape != (1,):
         raise ValueError("T, q and status must have shapes (4, 4), (1, 3), (1,)")
-    q[0, 0], status[0] = 0.5, INVALID_POSE  # integers and truth values round it
-    holds = q[0, 0] == 0.5 and status[0] == INVALID_POSE
-    if not holds or q.itemsize != 8 or status.itemsize != 1:
-        raise ValueError("q must be float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -701,7 +733,7 @@ def _zeros(seed):
 @_jit
 def _unseeded(T, q, status):
     seed = _zeros(carray(_room(3), 3))
-    return _into(_lent(T), seed, _lent(q), _lent(status))
+    return _into(_lent_rows(T), seed, _lent_rows(q), _lent_statuses(status))
 
 
 @_jit
@@ -711,14 +743,14 @@ def _seeded(T, q, status, seed):
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    return _into(_lent(T), _lent(seed), _lent(q), _lent(status))
+    return _into(_lent_rows(T), _lent_values(seed), _lent_rows(q), _lent_statuses(status))
 
 
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
     Memory is allocated only where a pose is singular or rounded. numba compiles
-    once more for arrays of another type or layout.
+    once more for arrays of another layout.
 
     Args:
         T: Pose (4, 4), float64.
@@ -730,21 +762,44 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has the wrong shape, q or status has the wrong type, or the seed is
-            not finite.
+        ValueError: An array has the wrong shape or type, or the seed is not finite.
     """
-    # From Python numba takes its time for an argument that is left out.
-    if q_seed is None:
-        return _unseeded(T, q, status)
-    return _seeded(T, q, status, q_seed)
+    try:
+        # From Python numba takes its time for an argument that is left out.
+        if q_seed is None:
+            return _unseeded(T, q, status)
+        return _seeded(T, q, status, q_seed)
+    except Exception:
+        # Types and shapes are looked at in there: only who fails is told which array it is.
+        _look_at(T, q, status, q_seed)
+        raise
+
+
+def _look_at(T, q, status, q_seed):
+    """ValueError where an array is none that `ik_into` takes."""
+    _demand_array("T", T, (4, 4), _FLOAT)
+    _demand_array("q", q, (1, 3), _FLOAT)
+    _demand_array("status", status, (1,), _BYTE)
+    if q_seed is not None:
+        _demand_array("q_seed", q_seed, (3,), _FLOAT)
+    if not (q.flags.writeable and status.flags.writeable):
+        raise ValueError("q and status are filled: they can't be read-only") from None
+
+
+def _demand_array(name, array, shape, kind):
+    got = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
+    if got != kind:
+        raise ValueError(f"{name} must be an array of {kind}, not {got}") from None
+    if array.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {array.shape}") from None
 
 
 @overload(ik_into)
 def _ik_into(T, q, status, q_seed=None):
     def solve(T, q, status, q_seed=None):
         if q_seed is None:
-            return _unseeded(_lent(T), _lent(q), _lent(status))
-        return _seeded(_lent(T), _lent(q), _lent(status), _lent(q_seed))
+            return _unseeded(_lent_rows(T), _lent_rows(q), _lent_statuses(status))
+        return _seeded(_lent_rows(T), _lent_rows(q), _lent_statuses(status), _lent_values(q_seed))
 
     return solve
 
@@ -841,7 +896,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(nogil=True, **_OPTIONS)
+@_njit(nogil=True)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
         _unseeded(T[k], q[k], status[k])
@@ -871,7 +926,7 @@ def _tile(_, size):
     return types.CPointer(types.float64)(size), code
 
 
-@njit(nogil=True, **_OPTIONS)
+@_njit(nogil=True)
 def _in_tiles(T, q, status):
     """16 poses at a time, side by side: work[place + k] is a value of pose k.
 

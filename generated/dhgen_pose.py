@@ -22,9 +22,11 @@ notations; what is taken from it stands here in full.
 from __future__ import annotations
 
 import math
+import sys
 import warnings
 from functools import wraps
 from inspect import signature
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -47,6 +49,11 @@ except ImportError:
 
     njit = overload = _plain_python
 
+# Where functions are at home that numba compiles: it looks for that module when they come out of
+# the cache, and the name by which this file was imported then may be another one than now.
+_HOME = "dhgen_pose, compiled"
+sys.modules.setdefault(_HOME, ModuleType(_HOME))
+
 _KEEPS = True
 try:
     njit(cache=True)(lambda: None)
@@ -60,6 +67,12 @@ except RuntimeError:
     )
 
 
+def _jit(function: Any) -> Any:  # noqa: ANN401  as numba types it
+    """Compile a function, once and for all names by which this file may be imported."""
+    function.__module__ = _HOME
+    return njit(cache=_KEEPS)(function)
+
+
 def _shape(name: str) -> tuple[int, ...]:
     """What an argument of this name holds."""
     if name.startswith("quaternion"):
@@ -69,7 +82,7 @@ def _shape(name: str) -> tuple[int, ...]:
 
 def _of_numbers(function: Any) -> Any:  # noqa: ANN401  as numba types it
     """Compile a function that takes arrays, and make arrays of what Python calls it with."""
-    compiled, arguments = njit(cache=_KEEPS)(function), signature(function)
+    arguments = signature(function)
     shapes = {name: _shape(name) for name in arguments.parameters}
 
     @wraps(function)
@@ -82,6 +95,7 @@ def _of_numbers(function: Any) -> Any:  # noqa: ANN401  as numba types it
                 raise ValueError(f"{name} must have shape {shape}, not {array.shape}")
         return compiled(*arrays)
 
+    compiled = _jit(function)
     overload(call, strict=False)(lambda *_numbers: function)
     return call
 
@@ -390,7 +404,7 @@ def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
     return P[:3, 3].copy(), np.array([a, _angle(sb, P[2, 2]), c])
 
 
-@njit(cache=_KEEPS)
+@_jit
 def _angle(sine: float, cosine: float) -> float:
     """The angle of a sine and a cosine with any common factor; -0.0 counts as 0.0.
 
@@ -399,7 +413,7 @@ def _angle(sine: float, cosine: float) -> float:
     return math.atan2(sine + 0.0, cosine)
 
 
-@njit(cache=_KEEPS)
+@_jit
 def _vector(numbers: Array, length: int) -> Array:
     """A float64 copy of `length` finite numbers: numba checks no index and computes in float32."""
     if numbers.shape != (length,):
@@ -412,7 +426,7 @@ def _vector(numbers: Array, length: int) -> Array:
     return copy
 
 
-@njit(cache=_KEEPS)
+@_jit
 def _pose_at(xyz: Array) -> Array:
     """The pose without rotation at a position."""
     T = np.eye(4)
@@ -420,7 +434,7 @@ def _pose_at(xyz: Array) -> Array:
     return T
 
 
-@njit(cache=_KEEPS)
+@_jit
 def _rigid(T: Array) -> Array:
     """A float64 copy of T, which must be a rotation and a translation.
 
@@ -450,7 +464,7 @@ def _rigid(T: Array) -> Array:
     return P
 
 
-@njit(cache=_KEEPS)
+@_jit
 def _quaternion_xyzw(P: Array) -> Array:
     """The unit quaternion x, y, z, w of a pose (Shepperd 1978): w >= 0.
 

@@ -50,7 +50,7 @@ OUT_OF_LIMITS UNREACHABLE Unreachable carray cgutils intrinsic math njit np room
 # What else Python needs at file level beside the arm's constants, or has as locals where their
 # formulas are.
 _BESIDE_CONSTANTS = """
-ImportError METHOD ModuleType ThreadPoolExecutor ValueError config first hasattr
+ImportError METHOD ModuleType ThreadPoolExecutor ValueError config errors first hasattr
 normalize_signature os rest sys u v w work x0 x1 x2 y2 z0 z1 z2
 """
 _NUMBERED = r"(given|kind|none|outside|packed|ratio)\d+|x\w+_roots"

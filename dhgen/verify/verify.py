@@ -7,7 +7,7 @@ made a pose are among the rows, and the nearest to themselves; poses that cannot
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,12 +18,14 @@ from dhgen.paul.redundant import nearly_redundant
 from dhgen.program.interpret import interpret
 from dhgen.robot.task import TaskKind
 from dhgen.tolerances import TOLERANCES
+from dhgen.verify.compiled import compiled_code, import_passing
 from dhgen.verify.demands import FIXED, FOUND, FOUND_SINGULAR, Demands
 from dhgen.verify.languages import Languages
-from dhgen.verify.native import NATIVE, PORTABLE, compile_solver, import_module
+from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
 from dhgen.verify.samples import samples, spoiled_poses
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -47,6 +49,7 @@ class Report:
         residual: The largest miss of a row, in arm sizes.
         compiled: Whether a C compiler was there.
         single: The largest miss of a row in single precision; None if it was not asked for.
+        code: What numba compiled, by the names that its files have.
     """
 
     poses: int
@@ -54,6 +57,7 @@ class Report:
     residual: float
     compiled: bool
     single: float | None = None
+    code: Mapping[str, bytes] = field(default_factory=dict, repr=False)
 
 
 def verify(module: SolverModule, folder: Path) -> Report:
@@ -69,7 +73,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
 
 
 def _verify(module: SolverModule, folder: Path) -> Report:
-    python = import_module(folder / f"{module.name}.py")
+    python = import_passing(folder / f"{module.name}.py")
     source = folder / f"{module.name}.c"
     shape = module.chain.dof, module.solver.rows, module.chain.given
     made = (compile_solver(source, folder, module.name, *shape, b) for b in (PORTABLE, NATIVE))
@@ -79,7 +83,8 @@ def _verify(module: SolverModule, folder: Path) -> Report:
     for sample in samples(module.chain, COUNT):
         checker.sample(sample)
     checker.impossible()
-    return Report(checker.poses, checker.solutions, demands.residual, bool(builds))
+    seen = checker.poses, checker.solutions, demands.residual, bool(builds)
+    return Report(*seen, code=compiled_code(python))
 
 
 class _Checker:

@@ -38,7 +38,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("written")
     (folder / "robots").mkdir()
     shutil.copy(PLANAR, folder / "robots")
-    done = dhgen("robots/planar_rr.yaml", folder=folder)
+    done = dhgen("robots/planar_rr.yaml", folder=folder, NUMBA_CACHE_DIR="")
     assert (done.returncode, done.stderr) == (0, "")
     # five sorts of 150, and 15 each at the stretched arm and beside it
     assert "verified on 780 poses" in done.stdout

@@ -142,22 +142,6 @@ def test_a_branch_may_be_a_number_of_numpy() -> None:
     np.testing.assert_allclose(found, rows[row], atol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("rows", "kinds"),
-    [
-        (np.int64, np.uint8),
-        (np.float32, np.uint8),
-        (np.float64, np.bool_),
-        (np.float64, np.int32),
-        (np.float64, np.float64),
-    ],
-)
-def test_arrays_of_other_types_are_refused(rows: type, kinds: type) -> None:
-    module = in_python("scara")
-    with pytest.raises(ValueError, match="q must be float64, status uint8"):
-        module.ik_into(np.eye(4), np.empty((2, 4), rows), np.empty(2, kinds))
-
-
 def test_a_batch_takes_a_value_a_pose_of_one_free_joint() -> None:
     module = in_python("planar_4r")
     T, q_free = np.array([module.fk([0.1 * k] * 4) for k in range(1, 4)]), [0.1, 0.2, 0.3]

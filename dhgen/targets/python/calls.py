@@ -41,7 +41,7 @@ def python_calls(module: SolverModule, common: Common) -> PythonCalls:
     return PythonCalls(
         free_parameter=", q_free" if given else "",
         free_argument=", q_free" if given else "",
-        free_lent=", _lent(q_free)" if given else "",
+        free_lent=", _lent_values(q_free)" if given else "",
         free_batch=", q_free[k]" if given else "",
         compiles_apart=rare or common.programs.solves_whole,
     )

@@ -1,0 +1,82 @@
+"""What numba compiled for the verification serves whoever imports the written files."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numba
+
+from dhgen.verify.compiled import compiled_code, import_passing, keep_compiled
+from dhgen.verify.native import import_module
+from tests.cli.commands import ROOT, copy
+
+if TYPE_CHECKING:
+    import pytest
+
+BY_NAME = "import planar_rr as robot, dhgen_pose as pose"
+IN_A_PACKAGE = "from generated import planar_rr as robot, dhgen_pose as pose"
+FROM_A_FILE = """
+import importlib.util
+
+def module(name):
+    spec = importlib.util.spec_from_file_location(f"made up {name}", f"generated/{name}.py")
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    return made
+
+robot, pose = module("planar_rr"), module("dhgen_pose")
+"""
+CALL = """
+import numpy as np
+from numba import njit
+from numba.core import event
+
+@njit
+def call(q):
+    return robot.fk(q)
+
+T = pose.from_xyz_rpy((0.4, 0.3, 0.0), (0.0, 0.0, 0.5))
+with event.install_recorder("numba:compile") as compiled:
+    robot.warm_up()
+    q, status = robot.ik_all(T)
+    q = robot.ik(T, q[0])
+    robot.ik_batch(T[np.newaxis])
+    robot.jacobian(q)
+assert np.allclose(robot.fk(q)[:2, 3], T[:2, 3])
+assert np.allclose(call(q)[:2, 3], T[:2, 3])
+assert np.allclose(pose.to_xyz_rpy(T)[1], (0.0, 0.0, 0.5))
+print(sorted({each.data["dispatcher"].py_func.__name__ for _, each in compiled.buffer}))
+"""
+
+
+def test_nothing_is_left_to_compile_whatever_the_name(written: Path, tmp_path: Path) -> None:
+    """numba looks for functions in the module in which they were compiled."""
+    folder = copy(written, tmp_path)
+    places = {"PYTHONPATH": f"{folder}:{folder / 'generated'}", "NUMBA_CACHE_DIR": ""}
+    for how in (FROM_A_FILE, BY_NAME, IN_A_PACKAGE):
+        done = subprocess.run(
+            [sys.executable, "-c", how + CALL],
+            cwd=folder,
+            env=os.environ | places,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert (done.stdout, done.stderr) == ("[]\n", ""), how
+
+
+def test_it_goes_where_numba_was_told_to_keep_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "told"))
+    keep_compiled({"planar_rr.made-1.nbi": b"made"}, module)
+    (kept,) = tmp_path.rglob("*.nbi")
+    assert kept.is_relative_to(tmp_path / "told")
+    assert compiled_code(import_module(module)) == {"planar_rr.made-1.nbi": b"made"}
+    assert compiled_code(import_passing(module)) == {}
