@@ -171,3 +171,15 @@ def test_the_derivation_calls_parameters_as_the_file_does(tmp_path: Path) -> Non
     assert f"Parameters: {', '.join(listed)}, " in text
     assert all(rf"\mathit{{{name}}} " in text for name in names)
     assert not any(other in text for other in (r"wx\_", r"r1\_", "u_{1x}", "p_{3y}"))
+
+
+def test_a_prime_tells_parameters_from_letters_of_the_formulas(tmp_path: Path) -> None:
+    names = ("X", "Y", "Z", "K", "POS", "E", "J", "D")
+    text = compile_file(robot_file(WRIST, names, tmp_path)).files["arm.md"]
+    listed = [rf"$\mathit{{{name}}}' = 0.{place + 31}$ m" for place, name in enumerate(names)]
+    assert f"Parameters: {', '.join(listed[:2])}, " in text
+    assert "A prime tells a parameter from what else its name means here." in text
+    assert r"X = -w_x" in text
+    plain = compile_file(robot_file(WRIST, ("X1", *"abgmnop"), tmp_path)).files["arm.md"]
+    assert "A prime" not in plain
+    assert r"\mathit{X1}" in plain

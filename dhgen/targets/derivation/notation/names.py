@@ -29,6 +29,7 @@ _PARTS = re.compile(r"([A-Za-z]+)_?(\d*)")
 
 
 _TAKEN = frozenset("ABCEJKPQRTUVWXYZcqrstw")  # letters that formulas use for other things
+_BARE = _TAKEN | {"D", "POS"}  # those of them that stand without an index, too
 
 
 def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:
@@ -41,8 +42,18 @@ def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:
     return Symbol(f"{latex}_{below}", plain, name)
 
 
+def is_primed(name: str) -> bool:
+    """Whether a parameter has the name of something else in the formulas."""
+    return name in _BARE
+
+
 def parameter(name: str) -> Symbol:
-    """A parameter of the robot file: L1 and L_1 with an index, a word as a word."""
+    """A parameter of the robot file: L1 and L_1 with an index, a word as a word.
+
+    A prime tells it from what formulas call so themselves.
+    """
+    if is_primed(name):
+        return Symbol(rf"\mathit{{{name}}}'", f"{name}′", name)
     match = _PARTS.fullmatch(name)
     if match is not None:
         base, index = match.groups()

@@ -11,7 +11,7 @@ from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.ring import used_places
 from dhgen.robot.expression import Negate, Number
 from dhgen.targets.derivation.notation.expressions import expression_symbol, number_symbol
-from dhgen.targets.derivation.notation.names import parameter
+from dhgen.targets.derivation.notation.names import is_primed, parameter
 from dhgen.targets.derivation.sections.reference_angles import reference_angles
 from dhgen.targets.derivation.text.blocks import Given, joined, paragraph, say
 from dhgen.targets.derivation.text.formula import equal
@@ -33,9 +33,11 @@ def constant_blocks(story: Story) -> list[Block]:
     blocks: list[Block] = []
     constants = _written(story.algebra.chain)
     used = {each.parameter: each for each in constants}
+    primed = any(is_primed(each.name) for each in story.robot.parameters)
     shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
     if shown:
-        blocks.append(paragraph("Parameters: {}.", joined(shown)))
+        prime = " A prime tells a parameter from what else its name means here." if primed else ""
+        blocks.append(paragraph("Parameters: {}." + prime, joined(shown)))
     made = [each for each in constants if each.parameter is None and each.square is None]
     if made:
         numbers = joined([_constant(story, each) for each in made])
