@@ -170,6 +170,7 @@ class _Solver:
             "jacobian": self.jacobian,
             "_unseeded": lambda *arguments: self.into(*arguments, None),
             "_seeded": self.into,
+            "_look_at": lambda *_: None,  # other types of numbers are converted
             "_in_tiles": self.batch,
             "_one_by_one": self.batch,
             "warm_up": self.warm_up,
