@@ -98,9 +98,11 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     _refuse_occupied([options.out / name for name in compilation.files])
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
+    solver = options.out / f"{module.name}.py"
+    before = solver.read_bytes() if solver.exists() else b""
     for name, text in compilation.files.items():
         (options.out / name).write_text(text, encoding="utf-8", newline="\n")
-    keep_compiled(report.code, options.out / f"{module.name}.py")
+    keep_compiled(report.code, solver, rewritten=before != solver.read_bytes())
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "

@@ -204,7 +204,7 @@ class _Solver:
             first = "T, q_free" if self._given else "T"
             raise ValueError(f"{first}, q and status must have shapes {wanted}")
         if q.dtype.kind != "f" or status.dtype.kind not in "iuf":
-            raise ValueError("q must be float64, status uint8")
+            raise ValueError("q must hold floats, status whole numbers or floats")
         values = None if seed is None else self._seed(seed)
         results = _place(q, np.float64), _place(status, np.uint8)
         count = self._ik(

@@ -49,10 +49,10 @@ except ImportError:
 
     njit = overload = _plain_python
 
-# Where functions are at home that numba compiles: it looks for that module when they come out of
-# the cache, and the name by which this file was imported then may be another one than now.
-_HOME = "dhgen_pose, compiled"
-sys.modules.setdefault(_HOME, ModuleType(_HOME))
+# Compiled code finds this file, and no other text of it, among the modules that Python knows: the
+# name by which it was imported when that was made may be another one than now.
+_KEY = "dhgen_pose 1042cd6385643478"
+sys.modules[_KEY] = ModuleType(_KEY)
 
 _KEEPS = True
 try:
@@ -69,7 +69,7 @@ except RuntimeError:
 
 def _jit(function: Any) -> Any:  # noqa: ANN401  as numba types it
     """Compile a function, once and for all names by which this file may be imported."""
-    function.__module__ = _HOME
+    function.__module__ = _KEY
     return njit(cache=_KEEPS)(function)
 
 

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset 679fcba6099c88e4"
+_KEY = "spherical_offset 5f2e70a8178735f6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -234,8 +234,13 @@ def _of_joints(function):
     def call(q):
         return compiled(_array(q, (3,), "q"))
 
+    def inner(q):
+        return compiled(q)
+
+    # Of functions of one name in one module numba takes one for the other when both are cached.
+    inner.__qualname__ = f"{function.__name__} of an array"
     compiled = _jit(function)
-    overload(call, strict=False)(lambda _: _owned(lambda q: compiled(q)))
+    overload(call, strict=False)(lambda _: _owned(inner))
     return call
 
 
@@ -753,7 +758,8 @@ def _look_at(T, q, status, q_seed):
 
 
 def _demand_array(name, array, shape, kind):
-    got = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
+    plain = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
+    got = array.dtype if plain else type(array).__name__
     if got != kind:
         raise ValueError(f"{name} must be an array of {kind}, not {got}") from None
     if array.shape != shape:

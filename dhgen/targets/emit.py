@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.targets.c.files import c_files
 from dhgen.targets.derivation import derivation_document
-from dhgen.targets.python.files import python_files
+from dhgen.targets.python.files import digested, python_files
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
@@ -34,11 +35,19 @@ def emit(
         single: The same for single precision, if it is asked for: C only.
     """
     document = derivation_document(robot, derivation, module.solver, module.source)
-    helpers = {name: render(template) for name, template in HELPERS.items()}
     return {
         **python_files(module),
         **c_files(module),
         **({} if single is None else c_files(single)),
         f"{module.name}.md": document,
-        **helpers,
+        **helpers(),
     }
+
+
+def helpers() -> dict[str, str]:
+    """The files that all robots share, by their names."""
+    return {name: digested(partial(_helper, template)) for name, template in HELPERS.items()}
+
+
+def _helper(template: str, digest: str) -> str:
+    return render(template, digest=digest)

@@ -1,11 +1,14 @@
 """What numba compiled of a written module, kept for whoever imports it next.
 
-Compiling takes longer than all the rest. Verification does it anyway, of files in a passing folder;
-what it made fits the same text wherever that lies (`_KEY` in the module).
+Compiling takes longer than all the rest. Verification does it anyway, of files in a temporary
+folder; what it made fits the same text wherever that lies (`_KEY` in the module), though tracebacks
+out of it name that folder. Older numbas than 0.68 tell texts by their times, and compile again.
 """
 
 from __future__ import annotations
 
+import os
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,11 +25,11 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 
-def import_passing(path: Path) -> ModuleType:
-    """Imports a module from a passing folder, where what numba compiles of it stays, too."""
+def import_temporary(path: Path) -> ModuleType:
+    """Imports a module from a temporary folder, where what numba compiles of it stays, too."""
     if config is None:
         return import_module(path)
-    kept, config.CACHE_DIR = config.CACHE_DIR, ""  # which other place was asked for
+    kept, config.CACHE_DIR = config.CACHE_DIR, ""  # NUMBA_CACHE_DIR would keep it for good
     try:
         return import_module(path)
     finally:
@@ -42,7 +45,7 @@ def compiled_code(module: ModuleType) -> Mapping[str, bytes]:
     return {path.name: path.read_bytes() for path in found}
 
 
-def keep_compiled(code: Mapping[str, bytes], path: Path) -> None:
+def keep_compiled(code: Mapping[str, bytes], path: Path, *, rewritten: bool) -> None:
     """Puts compiled code where numba looks for that of a module.
 
     Where nothing can be written, whoever imports the module compiles it anew.
@@ -50,15 +53,38 @@ def keep_compiled(code: Mapping[str, bytes], path: Path) -> None:
     Args:
         code: What `compiled_code` gave for the same text.
         path: The module.
+        rewritten: Whether it held another text before. If not, functions that numba knows there
+            are left alone: its index may have other numbers for the code of other arguments.
     """
     folder = _cache_folder(import_module(path)) if code else None
     if folder is None:
         return
     try:
-        for name in sorted(code):  # .nbc before the .nbi that tells of it
-            (folder / name).write_bytes(code[name])
+        for index in sorted(name for name in code if name.endswith(".nbi")):
+            if rewritten or not (folder / index).exists():
+                _keep_function(code, folder, index)
     except OSError:
         return
+
+
+def _keep_function(code: Mapping[str, bytes], folder: Path, index: str) -> None:
+    """One function's code; without an index numba takes none of it for anything."""
+    (folder / index).unlink(missing_ok=True)
+    parts = sorted(name for name in code if name.startswith(index[:-3]) and name != index)
+    for name in (*parts, index):
+        _replace(folder / name, code[name])
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Writes a file that nobody finds half written."""
+    handle, name = tempfile.mkstemp(dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        Path(name).replace(path)
+    except OSError:
+        Path(name).unlink(missing_ok=True)
+        raise
 
 
 def _cache_folder(module: ModuleType) -> Path | None:

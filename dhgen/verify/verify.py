@@ -18,7 +18,7 @@ from dhgen.paul.redundant import nearly_redundant
 from dhgen.program.interpret import interpret
 from dhgen.robot.task import TaskKind
 from dhgen.tolerances import TOLERANCES
-from dhgen.verify.compiled import compiled_code, import_passing
+from dhgen.verify.compiled import compiled_code, import_temporary
 from dhgen.verify.demands import FIXED, FOUND, FOUND_SINGULAR, Demands
 from dhgen.verify.languages import Languages
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
@@ -73,7 +73,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
 
 
 def _verify(module: SolverModule, folder: Path) -> Report:
-    python = import_passing(folder / f"{module.name}.py")
+    python = import_temporary(folder / f"{module.name}.py")
     source = folder / f"{module.name}.c"
     shape = module.chain.dof, module.solver.rows, module.chain.given
     made = (compile_solver(source, folder, module.name, *shape, b) for b in (PORTABLE, NATIVE))

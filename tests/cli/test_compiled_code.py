@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numba
 
-from dhgen.verify.compiled import compiled_code, import_passing, keep_compiled
+from dhgen.verify.compiled import compiled_code, import_temporary, keep_compiled
 from dhgen.verify.native import import_module
 from tests.cli.commands import ROOT, copy
 
@@ -75,8 +75,40 @@ def test_it_goes_where_numba_was_told_to_keep_it(
 ) -> None:
     module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "told"))
-    keep_compiled({"planar_rr.made-1.nbi": b"made"}, module)
+    keep_compiled({"planar_rr.made-1.nbi": b"made"}, module, rewritten=True)
     (kept,) = tmp_path.rglob("*.nbi")
     assert kept.is_relative_to(tmp_path / "told")
     assert compiled_code(import_module(module)) == {"planar_rr.made-1.nbi": b"made"}
-    assert compiled_code(import_passing(module)) == {}
+    assert compiled_code(import_temporary(module)) == {}
+
+
+def test_what_numba_knows_of_the_same_text_stays(tmp_path: Path) -> None:
+    """Its index numbers the code of other arguments in an order of its own."""
+    module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
+    first = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
+    keep_compiled(first, module, rewritten=True)
+    (folder,) = {path.parent for path in tmp_path.rglob("*.nbi")}
+    (folder / "planar_rr.one-1.1.nbc").write_bytes(b"a user's")
+    second = {"planar_rr.two-2.1.nbc": b"2", "planar_rr.two-2.nbi": b"two"}
+    keep_compiled(first | second, module, rewritten=False)
+    kept = {path.name: path.read_bytes() for path in folder.iterdir() if "nb" in path.suffix}
+    assert kept == first | second | {"planar_rr.one-1.1.nbc": b"a user's"}
+    keep_compiled(first, module, rewritten=True)
+    assert (folder / "planar_rr.one-1.1.nbc").read_bytes() == b"1"
+    assert {path.name for path in folder.iterdir() if path.suffix != ".pyc"} == set(kept)
+
+
+def test_an_index_is_gone_while_its_code_is_replaced(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A full disk in between: there is nothing then, instead of other code than the index says."""
+    module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
+    code = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
+    keep_compiled(code, module, rewritten=True)
+
+    def full(path: Path, content: bytes) -> None:
+        raise OSError(28, "No space left on device", f"{path}: {len(content)} bytes")
+
+    monkeypatch.setattr("dhgen.verify.compiled._replace", full)
+    keep_compiled(code, module, rewritten=True)
+    assert not list(tmp_path.rglob("*.nbi"))

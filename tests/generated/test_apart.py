@@ -148,6 +148,31 @@ def test_two_texts_of_one_name_in_a_process(folder: Path, tmp_path: Path) -> Non
     assert answer.stdout == "done\n", answer.stderr
 
 
+CACHED = """
+import chain
+from numba import njit
+
+@njit(cache=True)
+def call(q):
+    return chain.{name}(q)
+"""
+CALL_BOTH = """
+import numpy as np
+import calls_fk, calls_jacobian
+
+print(calls_fk.call(np.zeros(3)).shape, calls_jacobian.call(np.zeros(3)).shape)
+"""
+
+
+def test_callers_out_of_the_cache_call_what_they_were_made_for(folder: Path) -> None:
+    """Code of one name, made in two processes, numba takes for the same."""
+    for name in ("fk", "jacobian"):
+        (folder / f"calls_{name}.py").write_text(CACHED.format(name=name), encoding="utf-8")
+        made = run(f"import numpy, calls_{name}\ncalls_{name}.call(numpy.zeros(3))", folder)
+        assert not made.returncode, made.stderr
+    assert run(CALL_BOTH, folder).stdout == "(4, 4) (6, 3)\n"
+
+
 def test_callers_that_hold_an_old_text_say_so(folder: Path) -> None:
     """numba does not see that what a cached function calls has changed."""
     write(folder, 0.6)

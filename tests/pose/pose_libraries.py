@@ -22,7 +22,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from dhgen.targets.templates import render
+from dhgen.targets.emit import helpers
 
 LIBRARIES = ("numba", "plain", "c")
 
@@ -53,8 +53,8 @@ def emitted() -> Path:
     """A folder with the three files, as a user has them."""
     folder = Path(tempfile.mkdtemp(prefix="dhgen_pose_"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    for name, template in FILES.items():
-        (folder / name).write_text(render(template), encoding="utf-8")
+    for name in FILES:
+        (folder / name).write_text(helpers()[name], encoding="utf-8")
     return folder
 
 

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+from hashlib import sha256
 from pathlib import Path
 
 import jinja2
@@ -41,6 +42,13 @@ def test_the_python_file_is_formatted_and_without_lint() -> None:
     # INP001: the output folder is no package.
     run(sys.executable, "-m", "ruff", "check", *config, "--extend-ignore=INP001", path)
     run(sys.executable, "-m", "ruff", "format", "--check", *config, path)
+
+
+def test_the_python_file_names_its_digest() -> None:
+    """Two texts in a process would run each other's code out of numba's cache without it."""
+    text = (emitted() / "dhgen_pose.py").read_text(encoding="utf-8")
+    (digest,) = re.findall(r'"dhgen_pose (\w{16})"', text)
+    assert sha256(text.replace(digest, "").encode()).hexdigest()[:16] == digest
 
 
 def test_c_needs_nothing_but_math() -> None:

@@ -29,7 +29,7 @@ _PARTS = re.compile(r"([A-Za-z]+)_?(\d*)")
 
 
 _TAKEN = frozenset("ABCEJKPQRTUVWXYZcqrstw")  # letters that formulas use for other things
-_BARE = _TAKEN | {"D", "POS"}  # those of them that stand without an index, too
+_BARE = _TAKEN | {"D", "POS"}  # and what else stands without an index
 
 
 def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:
