@@ -82,8 +82,11 @@ def test_it_goes_where_numba_was_told_to_keep_it(
     assert compiled_code(import_temporary(module)) == {}
 
 
-def test_what_numba_knows_of_the_same_text_stays(tmp_path: Path) -> None:
+def test_what_numba_knows_of_the_same_text_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Its index numbers the code of other arguments in an order of its own."""
+    monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
     first = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
     keep_compiled(first, module, rewritten=True)
@@ -102,9 +105,11 @@ def test_an_index_is_gone_while_its_code_is_replaced(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A full disk in between: there is nothing then, instead of other code than the index says."""
+    monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
     code = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
     keep_compiled(code, module, rewritten=True)
+    assert list(tmp_path.rglob("*.nbi"))
 
     def full(path: Path, content: bytes) -> None:
         raise OSError(28, "No space left on device", f"{path}: {len(content)} bytes")
