@@ -102,7 +102,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     before = solver.read_bytes() if solver.exists() else b""
     for name, text in compilation.files.items():
         (options.out / name).write_text(text, encoding="utf-8", newline="\n")
-    keep_compiled(report.code, solver, rewritten=before != solver.read_bytes())
+    keep_compiled(report.code, solver, rewritten=before != compilation.files[solver.name].encode())
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "

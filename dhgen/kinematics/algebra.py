@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # Row and column, from 0, of the entries of a pose by their names.
 POSE_PLACES = {f"t{row + 1}{column + 1}": (row, column) for row in range(3) for column in range(4)}
 POSE_NAMES = tuple(POSE_PLACES)
-POINTS = 6  # as many as six unknown joints leave standing still, and no more than that are named
+POINTS = 6  # so many, at most, six unknown joints leave standing still
 # no parameter can be called so
 SHOULDER_NAMES = tuple(tuple(f"b__{row}{column}" for column in (1, 2, 3)) for row in (1, 2, 3))
 

@@ -16,6 +16,7 @@ from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.paul.mobility import surplus, units
+from dhgen.paul.too_many import too_many_given
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ class Choice:
 def good_choices(
     chain: Chain, spare: Surplus, derive: Callable[[Chain], Derivation]
 ) -> tuple[Choice, ...]:
-    """The free joints for which the remaining arm is solved, best first.
+    """The free joints for which the remaining arm is solved, best first; none if they are too many.
 
     Of very many sets some are tried, evenly spread.
 
@@ -67,6 +68,8 @@ def good_choices(
         spare: What its task leaves open.
         derive: Solves an arm, or raises UnsolvedError.
     """
+    if too_many_given(chain.given + spare.count):
+        return ()
     sets = list(combinations(spare.joints, spare.count))
     found: list[Choice] = []
     for chosen in sets[:: -(-len(sets) // MOST_CHOICES)]:

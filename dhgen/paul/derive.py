@@ -46,10 +46,8 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     numerical = numerical and not chain.arm_angle  # it could hold joints, but not an arm angle
     spare = surplus(chain)
     if spare.count and not numerical:  # before its products, which of many joints fill the memory
-        start, whole = open_from_the_start(chain, spare)
-        hopeless = too_many_given(start.given + whole.count)
-        choices = () if hopeless else good_choices(start, whole, derive)
-        raise UnsolvedError(redundant(chain, spare, (start, whole), choices))
+        start = open_from_the_start(chain, spare)
+        raise UnsolvedError(redundant(chain, spare, start, good_choices(*start, derive)))
     if not numerical:
         demand_few_given(chain)
     problem = build_problem(build_algebra(chain))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import cache, partial
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.targets.c.files import c_files
@@ -11,6 +12,8 @@ from dhgen.targets.python.files import digested, python_files
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from dhgen.paul.derivation import Derivation
     from dhgen.robot.robot import Robot
     from dhgen.targets.module import SolverModule
@@ -44,9 +47,11 @@ def emit(
     }
 
 
-def helpers() -> dict[str, str]:
+@cache
+def helpers() -> Mapping[str, str]:
     """The files that all robots share, by their names."""
-    return {name: digested(partial(_helper, template)) for name, template in HELPERS.items()}
+    texts = {name: digested(partial(_helper, template)) for name, template in HELPERS.items()}
+    return MappingProxyType(texts)
 
 
 def _helper(template: str, digest: str) -> str:

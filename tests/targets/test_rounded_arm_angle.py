@@ -64,8 +64,6 @@ def asked() -> FloatArray:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_rows_at_right_angles_are_exact_and_have_the_arm_angle(language: str) -> None:
     robot, q = compiled().robot, asked()
-    if language == "Python":
-        q = q[::4]  # without numba it takes its time
     for joints, T, psi in zip(q, forward(robot, q), given_values(robot, q), strict=True):
         rows, status = solver(language)(T, psi, joints)
         held = rows[np.isin(status, HELD)]
