@@ -63,8 +63,9 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
 
 
 BEHIND_THE_CONSTANTS = (
-    *("solver", "regular", "search", "choose_again", "keep_limits", "both_sides", "seek"),
-    *("beyond_limits", "settle", "stay", "told_once", "other_values"),
+    *("solver", "regular/solve", "numerical/both_sides", "numerical/seek"),
+    *("rows/search", "rows/choose_again", "rows/keep_limits", "rows/beyond_limits"),
+    *("rows/settle", "rows/stay", "rows/told_once", "rows/other_values"),
 )
 
 
@@ -80,7 +81,7 @@ def test_what_the_templates_use_is_reserved() -> None:
 
 def test_what_stands_before_the_constants_is_reserved() -> None:
     """Functions, types and macros: what is inside of them can't meet a constant."""
-    tools = _templates("regular_tools", "lanes")
+    tools = _templates("regular/tools", "regular/lanes")
     functions = re.findall(r"^HELPER [\w ]*?\*?(\w+)\(", tools, re.MULTILINE)
     macros = re.findall(r"#define (\w+)", tools)
     assert {"store_4", "pick_four", "kind_of"} <= {*functions, *macros}

@@ -19,20 +19,20 @@ if TYPE_CHECKING:
 def c_source(kernel: GeneralKernel, name: str) -> str:
     """The static functions of `<name>_general` in C99; they need <math.h>."""
     common, own = algorithm(kernel, name), c_algorithm(kernel, name)
-    return render("c/general6r.c.jinja", **named(common), **named(own))
+    return render("c/general/kernel.c.jinja", **named(common), **named(own))
 
 
 def python_source(kernel: GeneralKernel, name: str) -> str:
     """The function `<name>_general` in Python; it needs numba and numpy."""
     common, own = algorithm(kernel, name), python_algorithm(kernel)
-    return render("python/general6r.py.jinja", **named(common), **named(own))
+    return render("python/general/kernel.py.jinja", **named(common), **named(own))
 
 
 def c_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
     """The static function `all_joints` in C99; it calls `<name>_general` and the descent."""
     facing, zero = _behind(chain)
     return render(
-        "c/general6r_rows.c.jinja",
+        "c/general/rows.c.jinja",
         p=name,
         rows=rows(kernel, chain),
         facing=indent(c_array(f"static const double facing[{len(facing)}]", facing), "    "),
@@ -45,7 +45,7 @@ def python_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
     """The function `_all_joints` in Python; it calls `<name>_general` and the descent."""
     facing, zero = _behind(chain)
     return render(
-        "python/general6r_rows.py.jinja",
+        "python/general/rows.py.jinja",
         p=name,
         rows=rows(kernel, chain),
         facing=python_array("_FACING = np.array", facing),

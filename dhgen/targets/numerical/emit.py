@@ -24,41 +24,43 @@ ONCE, INSIDE = f'@_apart("{APART}")', "@_inner"
 
 def c_tools(kernel: NumericalKernel, module: Module) -> str:
     """The static functions in C99 that descend, follow a continuum, keep and sort solutions."""
-    return _filled("c/numerical.c.jinja", kernel, module, arrays=c_arrays(kernel))
+    return _filled("c/numerical/kernel.c.jinja", kernel, module, arrays=c_arrays(kernel))
 
 
 def python_tools(kernel: NumericalKernel, module: Module) -> str:
     """The same functions in Python."""
     arrays = python_arrays(kernel)
-    return _filled("python/numerical.py.jinja", kernel, module, arrays=arrays, looked=ONCE)
+    return _filled("python/numerical/kernel.py.jinja", kernel, module, arrays=arrays, looked=ONCE)
 
 
 def c_search(kernel: NumericalKernel, module: Module) -> str:
     """The static function `all_joints` in C99; it needs the tools."""
-    return _filled("c/numerical_search.c.jinja", kernel, module)
+    return _filled("c/numerical/search.c.jinja", kernel, module)
 
 
 def python_search(kernel: NumericalKernel, module: Module) -> str:
     """The function `_all_joints` in Python; it needs the tools."""
-    return _filled("python/numerical_search.py.jinja", kernel, module)
+    return _filled("python/numerical/search.py.jinja", kernel, module)
 
 
 def c_tightening(kernel: NumericalKernel, module: Module) -> str:
     """The static function `tighten` in C99, with all that it needs."""
-    return _filled("c/tighten.c.jinja", kernel, module, arrays=c_arrays(kernel))
+    return _filled("c/numerical/tighten.c.jinja", kernel, module, arrays=c_arrays(kernel))
 
 
 def python_tightening(kernel: NumericalKernel, module: Module) -> str:
     """The function `_tighten` in Python, with all that it needs."""
     arrays = python_arrays(kernel)
-    return _filled("python/tighten.py.jinja", kernel, module, arrays=arrays, looked=INSIDE)
+    return _filled(
+        "python/numerical/tighten.py.jinja", kernel, module, arrays=arrays, looked=INSIDE
+    )
 
 
 def c_both_sides(kernel: NumericalKernel, turning: Turning, common: Common, calls: Calls) -> str:
     """The static function `both_sides` in C99; it needs `solve` and what tightens."""
     places = turning_places(turning)
     return _filled(
-        "c/both_sides.c.jinja",
+        "c/numerical/both_sides.c.jinja",
         kernel,
         common.module,
         searches=common.searches,
@@ -73,7 +75,7 @@ def python_both_sides(
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
     places = turning_places(turning)
     return _filled(
-        "python/both_sides.py.jinja",
+        "python/numerical/both_sides.py.jinja",
         kernel,
         common.module,
         searches=common.searches,
@@ -85,7 +87,7 @@ def python_both_sides(
 def c_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:
     """The static function `seek` in C99; it needs what tightens and, with limits, searches."""
     return _filled(
-        "c/seek.c.jinja",
+        "c/numerical/seek.c.jinja",
         kernel,
         common.module,
         searches=common.searches,
@@ -98,7 +100,7 @@ def c_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:
 def python_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:
     """The function `_seek` in Python; it needs what tightens and, with limits, searches."""
     return _filled(
-        "python/seek.py.jinja",
+        "python/numerical/seek.py.jinja",
         kernel,
         common.module,
         searches=common.searches,
