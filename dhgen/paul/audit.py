@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.knowledge import initial_knowledge
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Unknown
@@ -115,7 +115,7 @@ def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowled
 def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> Values:
     """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
     q = _wordless_at(pool, step)
-    return np.asarray(q[_are_fixed(knowledge, step.unknowns[0], q)]) if len(q) else q
+    return np.asarray(q[_are_fixed(knowledge, step.angle, q)]) if len(q) else q
 
 
 def _wordless_at(pool: Pool, step: Step) -> Values:
@@ -173,7 +173,7 @@ def _joint_values(chain: Chain, q: Values) -> Values:
     return np.stack(found, axis=1)
 
 
-def _are_fixed(knowledge: Knowledge, unknown: Unknown, q: Values) -> Values:
+def _are_fixed(knowledge: Knowledge, angle: AngleSum, q: Values) -> Values:
     """Whether an angle can't be turned while the pose and what is known are held, (n,)."""
     chain = knowledge.runs.algebra.chain
     arm = numeric_arm(chain)
@@ -190,8 +190,7 @@ def _are_fixed(knowledge: Knowledge, unknown: Unknown, q: Values) -> Values:
     _, sizes, directions = np.linalg.svd(np.concatenate(rows, axis=1))
     null = np.ones(directions.shape[:2], dtype=bool)
     null[:, : sizes.shape[1]] = sizes < NULL * sizes[:, :1]
-    assert isinstance(unknown, AngleSum)
-    moves = np.abs(directions @ _rates(chain, unknown))
+    moves = np.abs(directions @ _rates(chain, angle))
     return np.asarray(~np.any(null & (moves > FREE), axis=1))
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.ring import substitute
 from dhgen.kinematics.transform import compose
 from dhgen.paul.equation import MOMENT, Equation, Origin, merged
@@ -60,8 +60,7 @@ def with_second_equations(pool: Pool, steps: tuple[Step, ...]) -> tuple[Step, ..
 
 def across(pool: Pool, step: Step) -> Polynomial:
     """Y s - X c in joint angles: with X s + Y c = 0 it vanishes where X and Y do."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     algebra = pool.problem.algebra
     s, c = algebra.generator(angle.sine), algebra.generator(angle.cosine)
     return _in_joints(pool, step.coefficient("Y") * s - step.coefficient("X") * c)

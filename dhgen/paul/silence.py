@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
 from dhgen.paul.witness import OWN_LENGTHS, VANISHING
 
@@ -66,8 +65,7 @@ def _is_multiple(place: Values, square: Values, places: Values, squares: Values)
 
 def _place(step: Step, view: View) -> tuple[Values, Values]:
     """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     algebra, on = view.knowledge.runs.algebra, view.witnesses.evaluate
     x, y = map(on, _factors(step))
     c, s = (on(algebra.generator(name)) for name in (angle.cosine, angle.sine))

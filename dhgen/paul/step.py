@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.equation import common_origins
+from dhgen.paul.form import Length
 from dhgen.paul.witness import OWN_LENGTHS, RANDOM_LENGTHS
 
 if TYPE_CHECKING:
@@ -98,6 +99,22 @@ class Step:
         """Where a reader finds the forms, one place each: in one line of one matrix if possible."""
         equations = [form.equation for form in self.forms]
         return common_origins(equations) or tuple(each.origin for each in equations)
+
+    @property
+    def angle(self) -> AngleSum:
+        """The angle that becomes known, of types that give one."""
+        return next(unknown for unknown in self.unknowns if isinstance(unknown, AngleSum))
+
+    @property
+    def lengths(self) -> tuple[Length, ...]:
+        """The lengths that become known."""
+        return tuple(unknown for unknown in self.unknowns if isinstance(unknown, Length))
+
+    @property
+    def length(self) -> Length:
+        """The length that becomes known, of types that give one."""
+        (length,) = self.lengths
+        return length
 
     @property
     def coefficients(self) -> tuple[tuple[str, Polynomial], ...]:

@@ -69,15 +69,13 @@ class Split:
 
     Attributes:
         forms: The equations.
-        eliminated: The first angle.
-        kept: The second one.
+        kept: The angle that stays.
         monomials: Rows 1, c_i, s_i and columns 1, c_j, s_j.
         values: The coefficients of each equation on every witness: those of 1, c_i and s_i, and
             each by 1, c_j and s_j; shape (3, 3, COUNT).
     """
 
     forms: tuple[Form, Form]
-    eliminated: AngleSum
     kept: AngleSum
     monomials: Table
     values: tuple[Values, Values]
@@ -190,8 +188,8 @@ def _splits(forms: Sequence[Form], view: View) -> list[Split] | str:
     turned = tuple(zip(*table, strict=True))
     swapped = one.swapaxes(0, 1), other.swapaxes(0, 1)
     return [
-        Split((first, second), angles[0], angles[1], table, (one, other)),
-        Split((first, second), angles[1], angles[0], turned, swapped),
+        Split((first, second), angles[1], table, (one, other)),
+        Split((first, second), angles[0], turned, swapped),
     ]
 
 

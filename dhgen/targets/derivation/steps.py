@@ -11,7 +11,7 @@ from dhgen.targets.derivation.known_functions import with_functions
 from dhgen.targets.derivation.notation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.origins import where_from
 from dhgen.targets.derivation.step_context import StepContext
-from dhgen.targets.derivation.text.blocks import Given, Paragraph, display, joined, paragraph, say
+from dhgen.targets.derivation.text.blocks import Paragraph, display, joined, paragraph, say
 from dhgen.targets.derivation.text.formula import Formula, Listing, equal
 from dhgen.targets.derivation.text.words import numeral
 from dhgen.targets.derivation.types import PRINTERS
@@ -68,7 +68,7 @@ def _lead(context: StepContext) -> Prose:
     count = numeral(step.roots)
     values = f"{'up to ' * (step.roots > 2)}{count} value{'' if step.roots == 1 else 's'}"
     names = joined([say("{}", unknown_symbol(unknown)) for unknown in step.unknowns])
-    other = document_002_number(context)
+    other = _document_002_number(context)
     also = f" (document 002: type {other})" if other else ""
     return say(f"{context.number}. {{}}, {values} — type {step.kind.value}{also}.", names)
 
@@ -76,10 +76,10 @@ def _lead(context: StepContext) -> Prose:
 def has_number_in_002(story: Story, number: int) -> bool:
     """Whether a step's equations have a number in document 002 too."""
     context = StepContext(story, number, story.steps[number - 1])
-    return document_002_number(context) is not None
+    return _document_002_number(context) is not None
 
 
-def document_002_number(context: StepContext) -> int | None:
+def _document_002_number(context: StepContext) -> int | None:
     """The number of the step's equations in document 002, which has four types."""
     step = context.step
     match step.kind:
@@ -147,6 +147,3 @@ def _changed(story: Story, form: Form, angle: AngleSum) -> bool:
     kept = any(angle.cosine in key or angle.sine in key for key in form.terms)
     inside = any(m[place] for p in form.terms.values() for m in p for place in places)
     return not kept and not inside
-
-
-__all__ = ["Given", "document_002_number", "has_number_in_002", "step_blocks"]

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.knowledge import initial_knowledge
@@ -157,8 +156,7 @@ class Story:
     def combination(self, number: int) -> Remembered:
         """Y s - X c of a step of type 2, with the sign that reads best."""
         step = self.steps[number - 1]
-        (angle,) = step.unknowns
-        assert isinstance(angle, AngleSum)
+        angle = step.angle
         s, c = self.algebra.generator(angle.sine), self.algebra.generator(angle.cosine)
         form = step.coefficient("Y") * s - step.coefficient("X") * c
         form *= self.quotes[number - 1][0].facing

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.lowering.distances import Distance, extremes_of, reached, squared_distance
 from dhgen.program.lowering.finish import NearlyFree, finish, finish_direction, finish_nearly_free
 from dhgen.program.lowering.letters import named, remember
@@ -22,8 +21,7 @@ if TYPE_CHECKING:
 
 def lower_angle(context: Lowering, step: Step) -> None:
     """Type 2: X s + Y c = Z."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     factors = step.coefficient("X"), step.coefficient("Y")
     x = builder.name(context.lower(factors[0]), f"X{angle.suffix}")
@@ -68,8 +66,7 @@ def lower_angle(context: Lowering, step: Step) -> None:
 
 def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple[Node, Reach]:
     """Z, and D = X^2 + Y^2 - Z^2."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
     discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
@@ -83,8 +80,7 @@ def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple
 
 def _by_distance(context: Lowering, step: Step, distance: Distance) -> tuple[Node, Reach]:
     """The same for Z = k |v|^2 + C: D = k^2 (H - |v|^2) (|v|^2 - L)."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     square = builder.name(distance.square, f"V{angle.suffix}")
     factor = _ratio(context, distance.factor)
@@ -105,8 +101,7 @@ def _lower_homogeneous(
     context: Lowering, step: Step, vector: tuple[Node, Node], degree: int
 ) -> None:
     """Type 2 with Z = 0: the angle of a vector or its opposite, always solvable."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     x, y = vector if step.second is None else _lengthened(context, vector, step.second, degree)
     square = builder.add(builder.square(x), builder.square(y))
@@ -132,8 +127,7 @@ def _lengthened(
 ) -> tuple[Node, Node]:
     """(X, Y) and the same of a second equation, turned to the same side: short only with both."""
     builder = context.builder
-    (angle,) = second.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = second.angle
     x, y = vector
     u, v = (
         builder.hint(context.lower(second.coefficient(name)), named(f"{name}2", angle.suffix))

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.form import Length
 from dhgen.program.lowering.finish import finish
 from dhgen.program.lowering.letters import letters, named
 from dhgen.program.lowering.roots import reach_of, signed_root
@@ -20,9 +18,7 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
 
     Its discriminant b^2 - a c is written a - (V x W)^2, which loses nothing where it is small.
     """
-    angle, unknown = step.unknowns
-    assert isinstance(angle, AngleSum)
-    assert isinstance(unknown, Length)
+    angle, unknown = step.angle, step.length
     builder = context.builder
     x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
     quotients = builder.div(y1, x1), builder.div(z1, x1), builder.div(y2, x2), builder.div(z2, x2)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value
 from dhgen.paul.types.angle_pair import stretch
 from dhgen.program.lowering.finish import finish
@@ -20,8 +19,7 @@ if TYPE_CHECKING:
 
 def lower_angle_pair(context: Lowering, step: Step) -> None:
     """Type 3: Cramer's rule, made a unit vector where rounding or the pose may spoil it."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
     determinant = builder.sub(builder.mul(x1, y2), builder.mul(x2, y1))

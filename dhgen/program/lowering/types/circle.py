@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import partial, reduce
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
 from dhgen.program.lowering.letters import letters
 from dhgen.program.lowering.short import is_short
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import AngleSum
     from dhgen.paul.step import Step
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
@@ -27,8 +27,7 @@ def lower_circle(context: Lowering, step: Step) -> None:
     with (P1 + i Q1) V2 = (P2 + i Q2) V1,
     |V1|^2 |R1 V2 - R2 V1|^2 = Im(V1 conj V2)^2 (P1^2 + Q1^2).
     """
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     left, right = _sides(context, step)
     polynomial = tuple(builder.sub(a, b) for a, b in zip(left, right, strict=True))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.form import Length
 from dhgen.program.ir import Failure
 from dhgen.program.lowering.letters import letters
 from dhgen.program.lowering.short import is_short, is_within_reach, vanishes
@@ -16,8 +15,7 @@ if TYPE_CHECKING:
 
 def lower_length(context: Lowering, step: Step) -> None:
     """Type 1: r = Y / X; where X may vanish, the seed's r if Y vanishes too."""
-    (unknown,) = step.unknowns
-    assert isinstance(unknown, Length)
+    unknown = step.length
     builder = context.builder
     y, x = letters(context, step, "Y X")
     if context.are_constant(step.coefficient("X")):

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.form import Length
 from dhgen.program.lowering.finish import finish
 from dhgen.program.lowering.letters import letters
 from dhgen.program.lowering.roots import keep_one, over
@@ -18,9 +16,7 @@ if TYPE_CHECKING:
 
 def lower_polar(context: Lowering, step: Step) -> None:
     """Type 4: r and its angle are polar coordinates, or the opposite ones."""
-    angle, unknown = step.unknowns
-    assert isinstance(angle, AngleSum)
-    assert isinstance(unknown, Length)
+    angle, unknown = step.angle, step.length
     builder = context.builder
     x1, y1, x2, y2 = letters(context, step, "X1 Y1 X2 Y2")
     u, v = builder.div(y1, x1), builder.div(y2, x2)

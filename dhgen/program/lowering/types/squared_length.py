@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.form import Length
 from dhgen.program.lowering.letters import letters
 from dhgen.program.lowering.roots import reach_of, signed_root
 
@@ -19,8 +18,7 @@ def lower_squared_length(context: Lowering, step: Step) -> None:
     Rounding of Z moves a root by itself over the distance of both. A length that may be nothing
     else is zero: what it gives a direction to is free then, and not anywhere.
     """
-    (unknown,) = step.unknowns
-    assert isinstance(unknown, Length)
+    unknown = step.length
     builder, suffix = context.builder, str(unknown.joint)
     x, y, z = letters(context, step, "X Y Z")
     half = builder.hint(builder.div(y, builder.mul(builder.integer(2), x)), f"H{suffix}")

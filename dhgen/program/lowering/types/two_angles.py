@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value
 from dhgen.program.lowering.distances import reached
 from dhgen.program.lowering.finish import finish
@@ -29,8 +28,7 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     if step.has("Z"):
         lower_angle(context, step)
         return
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
+    angle = step.angle
     builder = context.builder
     z1, z2 = letters(context, step, "Z1 Z2")
     reach = builder.name(builder.add(builder.square(z1), builder.square(z2)), f"N{angle.suffix}")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from dhgen.paul.form import Length
 from dhgen.paul.types.two_lengths import determinant
 from dhgen.program.ir import Failure
 from dhgen.program.lowering.letters import letters
@@ -25,7 +24,6 @@ def lower_two_lengths(context: Lowering, step: Step) -> None:
     Where the determinant may vanish both equations are one and the same line there, or none: then
     the lengths on it that are nearest to the seed's.
     """
-    unknowns = _lengths(step)
     builder = context.builder
     x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
     divisor = builder.sub(builder.mul(x1, y2), builder.mul(x2, y1))
@@ -38,15 +36,8 @@ def lower_two_lengths(context: Lowering, step: Step) -> None:
     else:
         rows = (x1, y1, z1), (x2, y2, z2)
         found = _where_it_may_vanish(context, step, rows, divisor, over)
-    for unknown, length in zip(unknowns, found, strict=True):
+    for unknown, length in zip(step.lengths, found, strict=True):
         context.angles.solved_slide(unknown.name, length)
-
-
-def _lengths(step: Step) -> tuple[Length, Length]:
-    first, second = step.unknowns
-    assert isinstance(first, Length)
-    assert isinstance(second, Length)
-    return first, second
 
 
 def _where_it_may_vanish(
@@ -57,7 +48,7 @@ def _where_it_may_vanish(
     over: tuple[Node, Node],
 ) -> list[Node]:
     """Both lengths, by the determinant or, where that is nothing, by the seed."""
-    builder, unknowns = context.builder, _lengths(step)
+    builder, unknowns = context.builder, step.lengths
     suffix = str(unknowns[0].joint)
     builder.hint(divisor, f"D{suffix}")
     degree = context.scales.degree(determinant(step, context.algebra))
