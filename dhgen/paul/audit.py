@@ -15,8 +15,8 @@ import numpy as np
 
 from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.task_rates import task_jacobian
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.mobility import task_jacobian
 from dhgen.paul.samples import Samples
 from dhgen.paul.second import with_second_equations
 from dhgen.paul.step import Kind, learn

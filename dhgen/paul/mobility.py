@@ -16,6 +16,7 @@ import numpy as np
 
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.task_rates import task_jacobian, units
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.chain import Chain
-    from dhgen.kinematics.numeric import NumericArm
 
     Array = NDArray[np.float64]
 
@@ -100,33 +100,6 @@ def moving_coordinates(chain: Chain) -> tuple[str, ...]:
     rates = numeric_arm(chain).jacobian(q)[..., :3, :] * units(chain)
     most = np.abs(rates).max(axis=(0, 2))
     return tuple(n for n, rate in zip("xyz", most, strict=True) if rate > NULL * chain.size)
-
-
-def task_jacobian(arm: NumericArm, q: Array) -> Array:
-    """How the numbers that the task names change with the joints, all lengths in arm sizes.
-
-    Args:
-        arm: The arm.
-        q: Joint values (..., n), lengths in the file's unit.
-
-    Returns:
-        Shape (..., m, n).
-    """
-    chain = arm.chain
-    full = arm.jacobian(q) * units(chain)
-    full[..., :3, :] /= chain.size
-    named = [full[..., list(chain.task.position_rows), :]]
-    rotation = full[..., 3:, :]
-    if chain.task.names_rotation:
-        named.append(rotation)
-    elif chain.task.names_direction:  # of the rotations those about the tool's x and y
-        named.append(np.swapaxes(arm.pose(q)[..., :3, :2], -1, -2) @ rotation)
-    return np.concatenate(named, axis=-2)
-
-
-def units(chain: Chain) -> Array:
-    """What joint values are measured in (n,): rad, or the size of the arm."""
-    return np.where(chain.turning, 1.0, chain.size)
 
 
 def crowded_axes(chain: Chain) -> list[str]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import Spans
+from dhgen.kinematics.task_entries import task_entries
 from dhgen.kinematics.transform import Transform, identity
 from dhgen.robot.task import TaskKind
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.robot.task import Task
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,36 +57,6 @@ class Problem:
     def forward(self) -> Transform:
         """A_1 ... A_n, what U_0 equals."""
         return self.spans.product(0, len(self.links))
-
-
-_COORDINATES = {"x": "t14", "y": "t24", "z": "t34"}
-_ROTATION = frozenset(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
-_POSITION = frozenset(_COORDINATES.values())
-_APPROACH = frozenset({"t13", "t23", "t33"})
-_SECOND = frozenset({"t12", "t22", "t32"})
-
-
-def task_entries(task: Task) -> frozenset[str]:
-    """Names of the entries of U_0 that a task gives."""
-    match task.kind:
-        case TaskKind.POSE:
-            return _ROTATION | _POSITION
-        case TaskKind.POSITION:
-            return _POSITION
-        case TaskKind.ORIENTATION:
-            return _ROTATION
-        case TaskKind.POINTING:
-            return _POSITION | _APPROACH
-        case TaskKind.COORDINATES:
-            return frozenset(_COORDINATES[name] for name in task.coordinates)
-
-
-def telling_entries(task: Task) -> frozenset[str]:
-    """Those of them that have to be compared: two columns of a rotation leave none for the third.
-
-    With those two off by no more than a small d each, the second is off by less than 3 d.
-    """
-    return task_entries(task) - _SECOND
 
 
 def build_problem(algebra: Algebra) -> Problem:
@@ -138,7 +108,7 @@ def _target(
         else:
             independent[name] = value
             symbols[name] = algebra.generator(name)
-    full = {name: symbols.get(name, algebra.generator(name)) for name in _ROTATION | _POSITION}
+    full = {name: symbols.get(name, algebra.generator(name)) for name in POSE_NAMES}
     rows = tuple(tuple(full[f"t{i}{j}"] for j in (1, 2, 3)) for i in (1, 2, 3))
     origin = tuple(full[f"t{i}4"] for i in (1, 2, 3))
     return Transform(rows, origin), frozenset(independent)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
+from dhgen.kinematics.task_entries import telling_entries
 from dhgen.paul.branches import branch_labels
-from dhgen.paul.problem import telling_entries
 from dhgen.program.regular.limits import Limits
 from dhgen.program.regular.regular import regular
 from dhgen.robot.robot import JointKind

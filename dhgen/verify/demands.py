@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
-from dhgen.program.given import given_values
+from dhgen.kinematics.given import given_values
 from dhgen.targets.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.measures import Measures

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
-from dhgen.paul.mobility import task_jacobian
-from dhgen.paul.problem import task_entries
+from dhgen.kinematics.task_entries import task_entries
+from dhgen.kinematics.task_rates import task_rates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -89,20 +88,3 @@ class Measures:
         spins = rates[..., :3, :3] @ np.swapaxes(T, 1, 2)[:, None, :3, :3]
         turns = np.stack([spins[..., 2, 1], spins[..., 0, 2], spins[..., 1, 0]], axis=-1)
         return np.swapaxes(np.concatenate([rates[..., :3, 3], turns], axis=-1), 1, 2)
-
-
-def task_rates(arm: NumericArm, q: Array) -> Array:
-    """How what is asked for changes with the joints that are solved for, lengths in arm sizes.
-
-    Args:
-        arm: The arm.
-        q: Joint values (..., n).
-
-    Returns:
-        Shape (..., m, k); where an arm angle is given its row is the last.
-    """
-    chain = arm.chain
-    J = task_jacobian(arm, q)
-    if chain.arm_angle:
-        J = np.concatenate([J, elbow_rates(arm, q)[..., None, :]], axis=-2)
-    return np.asarray(J[..., [joint.number - 1 for joint in chain.solved]])

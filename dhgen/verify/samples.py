@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.mobility import units
+from dhgen.kinematics.task_rates import task_rates, units
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
-from dhgen.verify.measures import task_rates
 from dhgen.verify.singular import TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
-from dhgen.program.given import given_values
+from dhgen.kinematics.given import given_values
 from dhgen.robot.task import TaskKind
 from dhgen.status import HELD, Status
 from dhgen.tolerances import SINGLE

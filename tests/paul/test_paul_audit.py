@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.audit import audited, silent_places
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.derive import derive
 from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED, QUARTIC
-from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
 from tests.kinematics.values import table

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.given import given_values
 from dhgen.program.interpret import outputs
 from dhgen.program.regular.regular import regular
 from tests.derivation.stories import story

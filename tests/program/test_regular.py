@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.task_entries import task_entries
 from dhgen.paul.derive import derive
-from dhgen.paul.problem import task_entries
 from dhgen.program.count import count_operations
-from dhgen.program.given import given_values
 from dhgen.program.interpret import Rows, interpret, outputs
 from dhgen.program.ir import Let
 from dhgen.program.lowering.lower import lower

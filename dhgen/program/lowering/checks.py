@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
+from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.task_entries import task_entries
+from dhgen.kinematics.task_rates import units
 from dhgen.paul.audit import places_without_a_word, silent_places
-from dhgen.paul.mobility import units
-from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
 from dhgen.paul.types.two_lengths import determinant
-from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Roots
 from dhgen.tolerances import TOLERANCES

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
+from dhgen.kinematics.task_entries import task_entries
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
-from dhgen.paul.problem import task_entries
 from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.notation.names import inverse as inverse_name
 from dhgen.targets.derivation.notation.names import letter, link, target
