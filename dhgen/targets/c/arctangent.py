@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 
-from dhgen.program.arctangent import STEEP, arctangent_coefficients
+from dhgen.targets.arctangent import STEEP, arctangent_coefficients
 from dhgen.targets.layout import INDENT, listed
 
 
@@ -36,12 +35,8 @@ class CArctangent:
         odd: The definition of its coefficients.
         lines: Values that lead to that of the polynomial.
         tangent: Up to which ratio the polynomial serves as it is.
-        quarter: A quarter of pi.
-        half: Half of it.
     """
 
     odd: str = field(default_factory=_coefficients)
     lines: tuple[str, ...] = field(default_factory=_polynomial)
     tangent: str = repr(STEEP)
-    quarter: str = repr(math.pi / 4)
-    half: str = repr(math.pi / 2)

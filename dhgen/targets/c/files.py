@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
+from dhgen.targets.angles import Angles
 from dhgen.targets.c.arctangent import CArctangent
 from dhgen.targets.c.calls import CCalls, Prototypes, c_calls, c_prototypes
 from dhgen.targets.c.entries import entry_lines, entry_texts
@@ -49,6 +50,7 @@ class CSolver:
         bodies: The programs.
         parts: Functions that have templates of their own.
         regular: What serves regular poses, where there is a program for them.
+        angles: Parts of a turn.
         arctangent: What it is made of where regular poses need it.
     """
 
@@ -61,6 +63,7 @@ class CSolver:
     bodies: Bodies
     parts: Parts
     regular: CRegular | None
+    angles: Angles
     arctangent: CArctangent
 
 
@@ -114,6 +117,7 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
         parts=parts_of(module, common, _writers(calls)),
         regular=regular_values(module, flats) if flats else None,
+        angles=Angles(),
         arctangent=CArctangent(),
     )
 

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.general.loop import LINKS
-from dhgen.targets.general.angles import Angles, Arctangent
+from dhgen.targets.angles import Angles
+from dhgen.targets.general.arctangent import GeneralArctangent
 from dhgen.targets.general.arm import Arm, arm
 from dhgen.targets.general.elimination import Elimination, Kinds
 from dhgen.targets.general.equations import Equations, equations
@@ -60,7 +61,7 @@ class CAlgorithm:
 
     links: Links
     spelling: CSpelling
-    arctangent: Arctangent
+    arctangent: GeneralArctangent
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +102,7 @@ def c_algorithm(kernel: GeneralKernel, name: str) -> CAlgorithm:
     return CAlgorithm(
         links=links(kernel, [*places, "P", "right"], "free_joints"),
         spelling=c_spelling(kernel, name),
-        arctangent=Arctangent(),
+        arctangent=GeneralArctangent(),
     )
 
 

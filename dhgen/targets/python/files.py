@@ -8,6 +8,7 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.program.regular.flatten import flatten
+from dhgen.targets.angles import Angles
 from dhgen.targets.general.emit import python_rows, python_source
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
@@ -57,6 +58,7 @@ class PythonSolver:
         bodies: The programs.
         parts: Functions that have templates of their own.
         regular: What serves regular poses, where there is a program for them.
+        angles: Parts of a turn.
         arctangent: What it is made of, where the solver takes arctangents.
         digest: Of the text without it.
     """
@@ -68,6 +70,7 @@ class PythonSolver:
     bodies: Bodies
     parts: Parts
     regular: PythonRegular | None
+    angles: Angles
     arctangent: PythonArctangent | None
     digest: str = ""
 
@@ -98,6 +101,7 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
         bodies=bodies_of(module, Python(), _assignments, _entries),
         parts=parts_of(module, common, _writers(calls)),
         regular=None if flat is None else regular_values(module, flat),
+        angles=Angles(),
         arctangent=python_arctangent(module.solver),
     )
 

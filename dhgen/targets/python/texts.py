@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.robot.task import TaskKind
+from dhgen.targets.arctangent import STEEP, arctangent_coefficients
 from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
@@ -97,18 +96,12 @@ class PythonArctangent:
     """What the arctangent is made of.
 
     Attributes:
-        steep: Up to which ratio the polynomial serves as it is.
+        tangent: Up to which ratio the polynomial serves as it is.
         polynomial: Its value, as lines.
-        eighth: Of a turn [rad].
-        quarter: Of it.
-        half: Of it.
     """
 
-    steep: str
+    tangent: str
     polynomial: Sequence[str]
-    eighth: str = repr(math.pi / 4)
-    quarter: str = repr(math.pi / 2)
-    half: str = repr(math.pi)
 
 
 def python_comments(module: SolverModule, common: Common, flat: Flat | None) -> PythonComments:
