@@ -109,6 +109,11 @@ class Chain:
         return tuple(joint.kind is JointKind.REVOLUTE for joint in self.joints)
 
     @property
+    def joint_types(self) -> str:
+        """R or P for every joint."""
+        return "".join("R" if turns else "P" for turns in self.turning)
+
+    @property
     def given(self) -> int:
         """How many values the caller gives besides the pose."""
         return len(self.free) + self.arm_angle

@@ -9,7 +9,6 @@ import numpy as np
 
 from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
@@ -30,10 +29,9 @@ TASKS = {
 
 def joint_letters(chain: Chain) -> str:
     """R or P for every joint; a free joint's letter is small."""
-    letters = ("R" if joint.kind is JointKind.REVOLUTE else "P" for joint in chain.joints)
     return "".join(
         letter.lower() if number in chain.free else letter
-        for number, letter in enumerate(letters, start=1)
+        for number, letter in enumerate(chain.joint_types, start=1)
     )
 
 
@@ -80,7 +78,7 @@ def _named(triple: Triple) -> str:
 
 def _is_ortho_parallel(chain: Chain, directions: list[Array], meeting: list[Triple]) -> bool:
     """Six turns: axis 2 across axis 1, axis 3 parallel to axis 2, axis 4 across it, a wrist."""
-    if joint_letters(chain) != "RRRRRR" or (4, 5, 6) not in {t.joints for t in meeting}:
+    if chain.free or chain.joint_types != "RRRRRR" or (4, 5, 6) not in {t.joints for t in meeting}:
         return False
     one, two, three, four = directions[:4]
     return _across(one, two) and _parallel(two, three) and _across(three, four)

@@ -11,7 +11,6 @@ from dhgen.kinematics.task_entries import telling_entries
 from dhgen.paul.branches import branch_labels
 from dhgen.program.regular.limits import Limits
 from dhgen.program.regular.regular import regular
-from dhgen.robot.robot import JointKind
 from dhgen.targets.comments import plain_path
 from dhgen.targets.layout import paragraph
 from dhgen.tolerances import DOUBLE, Precision
@@ -71,12 +70,6 @@ class SolverModule:
         return branch_labels(tuple(axis.meaning for axis in self.solver.axes))
 
     @property
-    def joint_types(self) -> str:
-        """R or P for every joint."""
-        turning = JointKind.REVOLUTE
-        return "".join("R" if joint.kind is turning else "P" for joint in self.chain.joints)
-
-    @property
     def programs(self) -> tuple[Program, ...]:
         """All programs."""
         others = (each for each in (self.arm_angle, self.plane_miss) if each is not None)
@@ -86,7 +79,7 @@ class SolverModule:
     def weights(self) -> tuple[float, ...]:
         """What squared differences of joint values count: lengths in arm sizes."""
         slide = 1.0 / self.chain.size**2
-        return tuple(1.0 if kind == "R" else slide for kind in self.joint_types)
+        return tuple(1.0 if turns else slide for turns in self.chain.turning)
 
 
 def has_to_be_finite(module: SolverModule, entries: Iterable[str]) -> list[str]:
@@ -95,8 +88,8 @@ def has_to_be_finite(module: SolverModule, entries: Iterable[str]) -> list[str]:
     A slide follows the pose wherever it is; then sums of squares have to be finite, too, and are
     where cubes are.
     """
-    slides = "P" in module.joint_types
-    return [" * ".join([each] * 3) if slides else each for each in entries]
+    turns = all(module.chain.turning)
+    return [each if turns else " * ".join([each] * 3) for each in entries]
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,8 +133,6 @@ def regular_solver(module: SolverModule) -> Regular | None:
 def _limits(module: SolverModule) -> list[Limits | None]:
     slack = module.precision.tolerances.limit
     return [
-        Limits(joint.limits[0] - slack, joint.limits[1] + slack, kind == "R")
-        if joint.limits
-        else None
-        for joint, kind in zip(module.chain.joints, module.joint_types, strict=True)
+        Limits(joint.limits[0] - slack, joint.limits[1] + slack, turns) if joint.limits else None
+        for joint, turns in zip(module.chain.joints, module.chain.turning, strict=True)
     ]

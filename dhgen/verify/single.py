@@ -90,7 +90,7 @@ class _Checker:
         """Poses that are none, and poses out of reach."""
         name = self._module.name
         q = samples(self._chain, 8)[0].q
-        endless = "P" in self._module.joint_types or self._chain.task.kind is TaskKind.ORIENTATION
+        endless = not all(self._chain.turning) or self._chain.task.kind is TaskKind.ORIENTATION
         for joints, T in zip(q, self._measures.arm.pose(q), strict=True):
             for spoiled in spoiled_poses(self._chain.task, T):
                 _, status = self._ik(spoiled, joints)

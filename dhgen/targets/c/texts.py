@@ -127,7 +127,7 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     limits = [joint.limits for joint in module.chain.joints]
     low = [repr(pair[0]) if pair else "-INFINITY" for pair in limits]
     high = [repr(pair[1]) if pair else "INFINITY" for pair in limits]
-    flags = ["1" if kind == "R" else "0" for kind in module.joint_types]
+    flags = ["1" if turns else "0" for turns in module.chain.turning]
     dof = module.chain.dof
     common, only = _constants(module, regular)
     return CTables(

@@ -20,6 +20,7 @@ class Sizes:
 
     Attributes:
         samples: Angles at which the determinant is sampled.
+        harmonics: Coefficients of a polynomial of its degree; others are noise.
         cells: Parts of the circle.
         half_cells: Of half the circle.
         edges: Of the cells, the first one again at the end.
@@ -45,6 +46,7 @@ class Sizes:
     """
 
     samples: int = circle.SAMPLES
+    harmonics: int = 2 * circle.DEGREE + 1
     cells: int = circle.CELLS
     half_cells: int = HALF_CELLS
     edges: int = circle.CELLS + 1

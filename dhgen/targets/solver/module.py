@@ -46,8 +46,8 @@ def module_of(module: SolverModule) -> Module:
         dof=dof,
         rows=module.solver.rows,
         jacobian_size=6 * dof,
-        joint_types=module.joint_types,
-        has_slides="P" in module.joint_types,
-        has_turns="R" in module.joint_types,
+        joint_types=module.chain.joint_types,
+        has_slides=not all(module.chain.turning),
+        has_turns=any(module.chain.turning),
         method=module.method,
     )

@@ -27,6 +27,7 @@ LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 TURNS = 12  # of joints that may have to be chosen together
+GOLDEN = 0.3819660112501051  # (3 - root of 5) / 2
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
 ELSEWHERE = 0.1  # how far a joint is moved to see which others move with it [rad or length]
 
@@ -57,6 +58,7 @@ class Searches:
         most_move: The same at most [rad].
         halvings: Of an interval.
         cuts: Of an interval in which the least miss is looked for.
+        golden: Where an interval is cut, in parts of it.
         rounding: What it does to joint values [rad or length]: how near branches that meet end a
             search, and what has not moved.
         met: Two distances from the seed that differ by less are told apart by it alone.
@@ -88,6 +90,7 @@ class Searches:
     least_move: float = LEAST_MOVE
     most_move: float = MOST_MOVE
     halvings: int = HALVINGS
+    golden: float = GOLDEN
     turns: int = TURNS
     together: str = repr(TOGETHER)
     steps: int = TIGHTENINGS
@@ -110,7 +113,7 @@ def searches_of(module: SolverModule) -> Searches:
         both=again and within,
         others=tightens and checks_again(module.solver) and module.solver.rows > 1,
         ascend=finds_roots(module.solver) and len(module.solver.axes) == 1,
-        slides=(again or within) and "P" in module.joint_types,
+        slides=(again or within) and not all(module.chain.turning),
         measures_limits=within or stands_on_limits(module),
         sums_limits=within or not winds(module) or tightens or tolerances.blur_limits,
         choosable=", ".join(str(joint - 1) for joint in joints),
@@ -140,6 +143,6 @@ def fan_steps(module: SolverModule) -> tuple[float, ...]:
         for joint in module.chain.joints
     )
     return tuple(
-        2.0 * (math.pi if kind == "R" else length) / FAN
-        for kind, length in zip(module.joint_types, lengths, strict=True)
+        2.0 * (math.pi if turns else length) / FAN
+        for turns, length in zip(module.chain.turning, lengths, strict=True)
     )

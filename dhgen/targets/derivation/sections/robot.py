@@ -31,7 +31,7 @@ _TASKS = {
 def opening(story: Story) -> list[Block]:
     """The title and what the arm is."""
     kinds = [joint.kind for joint in story.robot.joints]
-    letters = "".join("R" if kind is JointKind.REVOLUTE else "P" for kind in kinds)
+    letters = story.algebra.chain.joint_types
     blocks: list[Block] = [
         Heading(1, say("{}: inverse kinematics", Given(story.robot.title))),
         Paragraph(say(f"{letters}: {_kinds(kinds)}. {_task(story)} {_solutions(story)}")),
