@@ -11,6 +11,141 @@
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+static double horner(const double p[5], double t)
+{
+    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
+}
+
+/* The root between two points with values of unlike sign. */
+static double bracketed(const double p[5], double low, double high, double at_low)
+{
+    double t = 0.5 * (low + high);
+    for (int k = 0; k < 100; k++) {
+        const double value = horner(p, t);
+        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
+        if ((value < 0.0) == (at_low < 0.0))
+            low = t;
+        else
+            high = t;
+        double following = slope != 0.0 ? t - value / slope : low;
+        if (!(low < following && following < high))
+            following = 0.5 * (low + high);
+        if (fabs(following - t) <= 2e-16 * fabs(t))
+            return following;
+        t = following;
+    }
+    return t;
+}
+
+/* Roots of a polynomial that is monotone between neighbouring edges. */
+static int between(const double p[5], const double *edges, int count, double tolerance, double
+    *found)
+{
+    int roots = 0;
+    double before = edges[0], at_before = horner(p, edges[0]);
+    for (int k = 1; k < count; k++) {
+        const double edge = edges[k], size = 1.0 + edge * edge;
+        double value = horner(p, edge);
+        if (k < count - 1 && fabs(value) <= tolerance * size * size)
+            value = 0.0;
+        if (at_before * value < 0.0)
+            found[roots++] = bracketed(p, before, edge, at_before);
+        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
+            found[roots++] = edge;
+        before = edge;
+        at_before = value;
+    }
+    return roots;
+}
+
+/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+ * leading coefficient; its roots lie between those of its derivative, those between the roots of
+ * the second. They are `close` where the slope is small: one may stand for two, or has another
+ * beside it. Rounding may add so much to values. All roots are `moved` by an angle in the end. */
+static void circle_roots(
+    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
+        x[4],
+    int close[4])
+{
+    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
+    double best = -1.0, apart = 0.0, edges[5], extrema[4];
+    int count = 0;
+    x[0] = x[1] = x[2] = x[3] = NAN;
+    close[0] = close[1] = close[2] = close[3] = 0;
+    if (!(size > 0.0 && isfinite(size)))
+        return;
+    for (int k = 0; k < 16; k++) {
+        const double at = turn * k / 16, c = cos(at), s = sin(at);
+        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
+        if (value > best) {
+            best = value;
+            apart = at;
+        }
+    }
+    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
+    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
+    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
+    const double lead = a0 - u1 + u2;
+    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
+        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
+    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
+    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
+    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
+    edges[0] = -bound;
+    if (square > 0.0) {
+        edges[1] = -half - sqrt(square);
+        edges[2] = -half + sqrt(square);
+        count = 2;
+    }
+    edges[count + 1] = bound;
+    count = between(slope, edges, count + 2, 0.0, extrema);
+    for (int k = 0; k < count; k++)
+        edges[k + 1] = extrema[k];
+    edges[count + 1] = bound;
+    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
+    count = between(p, edges, count + 2, tolerance, x);
+    for (int k = 0; k < count; k++) {
+        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
+        const double ca = cos(at), sa = sin(at);
+        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
+        const int flat = fabs(rate) <= 0.0001 * size;
+        if (!flat)
+            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
+        at -= turn * ceil(at / turn - 0.5);
+        int place = k;
+        for (; place > 0 && x[place - 1] > at; place--) {
+            x[place] = x[place - 1];
+            close[place] = close[place - 1];
+        }
+        x[place] = at;
+        close[place] = flat;
+    }
+    for (int k = 0; k < 4; k++)
+        x[k] += moved;
+}
+
+
+/* By how much joint values miss the entries that count: the root of the sum of squares. */
+static double missed_by(const double *pose, const double *q)
+{
+    static const int named[6] = { 2, 3, 6, 7, 10, 11 };
+    double reached[16], sum = 0.0;
+    welding_5r_fk(q, reached);
+    for (int k = 0; k < 6; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.625 : 1.0);
+        sum += off * off;
+    }
+    return sqrt(sum);
+}
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and the same over the arm's size. */
 static const int solved[5] = { 0, 1, 2, 3, 4 };
@@ -139,28 +274,31 @@ static void damped_step(
         step[j] = sum[j];
 }
 
-
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
- * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right may be long, and what it leaves, half of its square, far more than was missed. */
-static double descend(struct descent *d, double u[5])
+/* Takes a row as far as steps help, and tells how long another one would be; returns by how much
+ * the row misses the pose then. Beside a singular place a step that is right may be long, and what
+ * it leaves, half of its square, far more than was missed. */
+static double descended(struct descent *d, int steps, double exact, double q[5], double *ahead)
 {
-    double least = HUGE_VAL, little = 1e-13, best[5], step[5];
+    double u[5], best[5], step[5], least = HUGE_VAL;
     double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 0; k <= 40; k++) {
+    for (int i = 0; i < 5; i++)
+        d->q[i] = q[i];
+    for (int j = 0; j < 5; j++)
+        best[j] = u[j] = q[solved[j]] / unit[j];
+    *ahead = HUGE_VAL;
+    for (int k = 0; k <= steps; k++) {
         look(d, u);
-        const int slow = d->length >= fmax(0.5 * last, left);
-        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
-        if (slow && least <= 1e-06)
-            little = 1e-26;
+        damped_step(d, d->e, d->length, 1e-26, step);
+        const int slow = !(d->length <= fmax(0.5 * last, left));
         if (d->length < least) {
             least = d->length;
+            *ahead = 0.0;
             copy(u, best);
+            for (int j = 0; j < 5; j++)
+                *ahead = fmax(*ahead, fabs(step[j]));
         }
-        if (stalled)
+        if (slow || (least <= 0.001 * exact && *ahead <= 0.0001))
             break;
-        damped_step(d, d->e, d->length, little, step);
         shorten(step);
         double way = 0.0;
         for (int j = 0; j < 5; j++) {
@@ -168,110 +306,12 @@ static double descend(struct descent *d, double u[5])
             way += fabs(step[j]);
         }
         last = d->length;
-        left = little < 1e-13 ? 0.5 * way * way : 0.0;
+        left = 0.5 * way * way;
     }
-    copy(best, u);
-    return least;
-}
-
-/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
-static void limited_step(
-    struct descent *d, const double u[5], double pull, const double low[5],
-    const double high[5], double step[5])
-{
-    double e[6], wish[5], fixed[5];
-    int locked[5], beyond = 1;
-    for (int j = 0; j < 5; j++) {
-        wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
-        locked[j] = 0;
-    }
-    while (beyond) {
-        beyond = 0;
-        for (int i = 0; i < 6; i++) {
-            e[i] = d->e[i];
-            for (int j = 0; j < 5; j++)
-                e[i] -= d->A[i][j] * wish[j];
-        }
-        damped_step(d, e, d->length, 1e-13, step);
-        for (int j = 0; j < 5; j++)
-            step[j] += wish[j];
-        shorten(step);
-        for (int j = 0; j < 5; j++) {
-            const double end = u[j] + step[j];
-            if (locked[j]) {
-                step[j] = fixed[j];
-            } else if (end < low[j] || end > high[j]) {
-                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
-                beyond = locked[j] = 1;
-                wish[j] = 0.0;
-                for (int i = 0; i < 6; i++) {
-                    d->e[i] -= d->A[i][j] * fixed[j];
-                    d->A[i][j] = 0.0;
-                }
-            }
-        }
-    }
-}
-
-/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
-static double pulled(
-    struct descent *d, double u[5], const double low[5],
-    const double high[5])
-{
-    double least = HUGE_VAL, pull = 0.5, best[5], step[5];
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 1; k <= 60 + 40; k++) {
-        look(d, u);
-        if (pull == 0.0) {
-            if (d->length >= 0.5 * least && least <= 1e-10)
-                break;
-            if (d->length < least) {
-                least = d->length;
-                copy(u, best);
-            }
-        }
-        limited_step(d, u, pull, low, high, step);
-        double longest = 0.0;
-        for (int j = 0; j < 5; j++) {
-            longest = fmax(longest, fabs(step[j]));
-            u[j] += step[j];
-        }
-        if (k >= 60 || longest < 1e-09)
-            pull = 0.0;
-    }
-    copy(best, u);
-    return least;
-}
-
-/* Between which values starts lie. */
-static const double span_low[5] = {
-    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[5] = {
-    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-};
-
-/* Start number k; number 0 is the seed. */
-static void start_of(const struct descent *d, int k, double u[5])
-{
+    wrap_angles(best);
     for (int j = 0; j < 5; j++)
-        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-static const double no_lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double no_highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-static const double least_u[5] = {
-    -2.9670597283903604, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
-};
-static const double most_u[5] = { 2.9670597283903604, INFINITY, INFINITY, INFINITY, INFINITY };
-
-static double distance_between(const double a[5], const double b[5])
-{
-    double most = 0.0;
-    for (int j = 0; j < 5; j++)
-        most = fmax(most, fabs(a[j] - b[j]));
-    return most;
+        q[solved[j]] = unit[j] * best[j];
+    return least;
 }
 
 /* The part of a generic direction that leaves the tool where it is, to first order, one long;
@@ -295,3328 +335,112 @@ static double sideways(const struct descent *d, double along[5])
     return length;
 }
 
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
- * regular one. */
-static int continuum(struct descent *d, const double u[5], double enough)
+/* Takes a row as far as steps help, also from both sides of where they get slow: where many
+ * solutions meet, joint values between them are singular. A root of four is missed by the fourth
+ * power of the way to it. */
+static double escaped(struct descent *d, double exact, double q[5])
 {
-    double along[5], end[2][5];
-    look(d, u);
-    if (sideways(d, along) <= 0.0001)
-        return -1;
-    for (int side = 0; side < 2; side++) {
+    double ahead, least = descended(d, 72, exact, q, &ahead);
+    for (int k = 0; k < 8 && least > exact; k++) {
+        double u[5], along[5], end[2][5], miss[2];
         for (int j = 0; j < 5; j++)
-            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j];
-        if (descend(d, end[side]) > enough || distance_between(end[side], u) <= 0.01)
-            return 0;
-    }
-    return distance_between(end[0], end[1]) > 0.01;
-}
-
-/* The solutions kept so far. */
-struct kept {
-    double u[16][5];
-    int count, singular[16], chosen[16];
-};
-
-/* Whether solutions lie all along the way from one to another: where many roots meet, joint values
- * beside the solution miss the pose by next to nothing. */
-static int solves_between(
-    struct descent *d, const double u[5], const double way[5], double length)
-{
-    static const double part[] = { 0.25, 0.5, 0.75 };
-    for (int i = 0; i < 3; i++) {
-        double start[5], end[5], step[5];
-        for (int j = 0; j < 5; j++)
-            start[j] = end[j] = u[j] + part[i] * way[j];
-        look(d, end);
-        for (int k = 0; k < 4 && d->length > 1e-10; k++) {
-            damped_step(d, d->e, d->length, 1e-13, step);
-            for (int j = 0; j < 5; j++)
-                end[j] += step[j];
-            look(d, end);
-        }
-        if (d->length > 1e-10 || distance_between(start, end) > 0.0625 * length)
-            return 0;
-    }
-    return 1;
-}
-
-/* Whether a solution is taken for one that is known; loosely where both are singular. */
-static int taken_for(
-    struct descent *d, const double known[5], const double u[5], int loose)
-{
-    static const double none[5] = { 0.0 };
-    double gap[5];
-    for (int j = 0; j < 5; j++)
-        gap[j] = u[j] - known[j];
-    wrap_angles(gap);
-    const double length = distance_between(gap, none);
-    if (length < (loose ? 0.001 : 1e-06))
-        return 1;
-    return loose && length < 0.1 && solves_between(d, known, gap, length);
-}
-
-/* Which of those kept a solution is; -1 for none. */
-static int known_as(
-    struct descent *d, const struct kept *kept, const double u[5], int singular)
-{
-    for (int k = 0; k < kept->count; k++)
-        if (taken_for(d, kept->u[k], u, singular && kept->singular[k]))
-            return k;
-    return -1;
-}
-
-/* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
- * just beyond an end there; returns how far one was beyond. */
-static double clamped(const struct descent *d, const double u[5], double inside[5])
-{
-    double most = 0.0;
-    for (int j = 0; j < 5; j++) {
-        const double middle = 0.5 * (least_u[j] + most_u[j]), seen = d->seed[j];
-        double near = u[j];
-        if (turning[j] && isfinite(middle)) {
-            near -= 6.283185307179586 * floor((near - seen) / 6.283185307179586 + 0.5);
-            const double past = fmax(least_u[j] - near, near - most_u[j]);
-            if (past >= 0.01 || fabs(near - seen) >= 0.15)
-                near -= 6.283185307179586 * ceil((near - middle) / 6.283185307179586 - 0.5);
-        }
-        inside[j] = fmin(fmax(near, least_u[j]), most_u[j]);
-        most = fmax(most, fabs(inside[j] - near));
-    }
-    return most;
-}
-
-/* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
- * has to be, farther on if steps lead back; returns if it can. */
-static int leads_inside(struct descent *d, const double u[5], double end[5])
-{
-    double way[5], start[5], inside[5];
-    copy(end, start);
-    for (int j = 0; j < 5; j++)
-        way[j] = start[j] - u[j];
-    wrap_angles(way);
-    for (int k = 0; k < 5; k++) {
-        static const double farther_on[] = { 0.0, 1.0, 3.0, 7.0, 15.0 };
-        for (int j = 0; j < 5; j++)
-            end[j] = start[j] + farther_on[k] * way[j];
-        if (descend(d, end) <= 1e-11 && clamped(d, end, inside) <= 1e-09)
-            return 1;
-    }
-    return 0;
-}
-
-/* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
- * inside the limits leads to one, from there or from the seed; where it stands alone to one that is
- * taken for it and as exact as a row has to be. */
-static void move_inside(
-    struct descent *d, const struct kept *kept, int alone, double enough, double u[5])
-{
-    double end[5];
-    if (clamped(d, u, end) <= 1e-09)
-        return;
-    for (int from_seed = 0; from_seed < 2; from_seed++) {
-        (void)clamped(d, from_seed ? d->seed : u, end);
-        if (pulled(d, end, least_u, most_u) > enough)
-            continue;
-        if (alone && !leads_inside(d, u, end))
-            continue;
-        if (known_as(d, kept, end, 1) < 0 && (!alone || taken_for(d, u, end, 1))) {
-            copy(end, u);
-            return;
-        }
-    }
-}
-
-/* Of two solutions that are taken for one that inside the limits is kept if it is as exact
- * as a row has to be. */
-static int takes_place(struct descent *d, const double u[5], const double known[5])
-{
-    double end[5];
-    if (clamped(d, known, end) <= 1e-09 || clamped(d, u, end) > 1e-09)
-        return 0;
-    look(d, u);
-    return d->length <= 1e-11;
-}
-
-/* A solution joins those found before, unless it is one of them. */
-static void keep(struct descent *d, struct kept *kept, double u[5])
-{
-    if (kept->count == 16 || known_as(d, kept, u, 0) >= 0)
-        return;
-    const double enough = 1e-10;
-    const int kind = continuum(d, u, enough);
-    if (kind == 1) {
-        double end[5];
-        copy(u, end);
-        (void)pulled(d, end, no_lowest, no_highest);
-        if (descend(d, end) <= enough)
-            copy(end, u);
-    }
-    if (kind >= 0)
-        move_inside(d, kept, !kind, enough, u);
-    wrap_angles(u);
-    int k = known_as(d, kept, u, kind >= 0);
-    if (k >= 0 && !takes_place(d, u, kept->u[k]))
-        return;
-    k = k < 0 ? kept->count++ : k;
-    kept->singular[k] = kind >= 0;
-    kept->chosen[k] = kind == 1;
-    copy(u, kept->u[k]);
-}
-
-/* Whether a row of joint values stands before another. */
-static int stands_before(const double a[5], const double b[5])
-{
-    for (int i = 0; i < 5; i++)
-        if (fabs(a[i] - b[i]) > 1e-09)
-            return a[i] < b[i];
-    return 0;
-}
-
-/* Rows by the first joint, then by the second and so on. */
-static void sorted_rows(
-    struct descent *d, const struct kept *kept, double q[16][5], int found[16],
-    int chosen[16])
-{
-    for (int row = 0; row < 16; row++)
-        found[row] = chosen[row] = 0;
-    for (int k = 0; k < kept->count; k++) {
-        int row = k;
-        for (int j = 0; j < 5; j++)
-            d->q[solved[j]] = unit[j] * kept->u[k][j];
-        for (; row > 0 && stands_before(d->q, q[row - 1]); row--) {
-            chosen[row] = chosen[row - 1];
+            u[j] = q[solved[j]] / unit[j];
+        look(d, u);
+        if (sideways(d, along) <= 0.0001)
+            break;
+        double pace = sqrt(sqrt(least));
+        for (int side = 0; side < 2; side++) {
             for (int i = 0; i < 5; i++)
-                q[row][i] = q[row - 1][i];
+                end[side][i] = q[i];
+            for (int j = 0; j < 5; j++)
+                end[side][solved[j]] += pace * unit[j] * along[j];
+            pace = -pace;
+            miss[side] = descended(d, 72, exact, end[side], &ahead);
         }
-        found[k] = 1;
-        chosen[row] = kept->chosen[k];
+        const int other = miss[1] < miss[0];
+        if (!(miss[other] < 0.9 * least))
+            break;
+        least = miss[other];
         for (int i = 0; i < 5; i++)
-            q[row][i] = d->q[i];
-    }
-}
-
-/* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
- * parallel axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two
- * partners, a determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
- *
- * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
- * below that has the type welding_5r_lane does WELDING_5R_LANES angles or candidates at once.
- */
-/* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
- * machine's are slow: compile for the machine, or set WELDING_5R_LANES to 1, 2, 4 or 8. */
-#ifndef WELDING_5R_LANES
-#if defined(__GNUC__) && defined(__AVX512F__)
-#define WELDING_5R_LANES 8
-#elif defined(__GNUC__) && defined(__AVX__)
-#define WELDING_5R_LANES 4
-#elif defined(__GNUC__) && defined(__SSE2__)
-#define WELDING_5R_LANES 2
-#else
-#define WELDING_5R_LANES 1
-#endif
-#endif
-
-#define WELDING_5R_ROOTS 24
-#define WELDING_5R_CANDIDATES 96
-
-#if WELDING_5R_LANES > 1
-typedef double welding_5r_lane __attribute__((vector_size(8 * WELDING_5R_LANES)));
-typedef long long welding_5r_mask __attribute__((vector_size(8 * WELDING_5R_LANES)));
-/* the same where it lies between other doubles */
-typedef double welding_5r_packed
-    __attribute__((vector_size(8 * WELDING_5R_LANES), aligned(8), may_alias));
-/* arrays that begin where a lane may, so that no lane crosses the border of two cache lines */
-#define WELDING_5R_ALIGNED __attribute__((aligned(8 * WELDING_5R_LANES)))
-#define WELDING_5R_LOAD(from) \
-    (welding_5r_lane)(*(const welding_5r_packed *)(from))
-#define WELDING_5R_STORE(to, x) \
-    (*(welding_5r_packed *)(to) = (welding_5r_packed)(x))
-
-static inline welding_5r_lane welding_5r_select(welding_5r_mask m, welding_5r_lane a,
-    welding_5r_lane b)
-{
-    return (welding_5r_lane)((m & (welding_5r_mask)a) | (~m & (welding_5r_mask)b));
-}
-
-static inline welding_5r_lane welding_5r_abs(welding_5r_lane x)
-{
-    return (welding_5r_lane)((welding_5r_mask)x & 0x7fffffffffffffffLL);
-}
-
-/* the magnitude of the first with the sign of the second */
-static inline welding_5r_lane welding_5r_with_sign(welding_5r_lane x, welding_5r_lane y)
-{
-    const welding_5r_mask sign = (welding_5r_mask)y & (-0x7fffffffffffffffLL - 1);
-    return (welding_5r_lane)(((welding_5r_mask)x & 0x7fffffffffffffffLL) | sign);
-}
-
-/* the first, turned round where the second is negative */
-static inline welding_5r_lane welding_5r_facing(welding_5r_lane x, welding_5r_lane y)
-{
-    const welding_5r_mask sign = (welding_5r_mask)y & (-0x7fffffffffffffffLL - 1);
-    return (welding_5r_lane)((welding_5r_mask)x ^ sign);
-}
-
-static inline welding_5r_lane welding_5r_sqrt(welding_5r_lane x)
-{
-    welding_5r_lane r = x;
-    for (int k = 0; k < WELDING_5R_LANES; k++) {
-        r[k] = sqrt(x[k]);
-    }
-    return r;
-}
-#else
-typedef double welding_5r_lane;
-typedef int welding_5r_mask;
-#define WELDING_5R_ALIGNED
-#define WELDING_5R_LOAD(from) (*(from))
-#define WELDING_5R_STORE(to, x) (*(to) = (x))
-
-static inline welding_5r_lane welding_5r_select(welding_5r_mask m, welding_5r_lane a,
-    welding_5r_lane b)
-{
-    return m ? a : b;
-}
-
-static inline welding_5r_lane welding_5r_abs(welding_5r_lane x)
-{
-    return fabs(x);
-}
-
-static inline welding_5r_lane welding_5r_with_sign(welding_5r_lane x, welding_5r_lane y)
-{
-    return copysign(x, y);
-}
-
-static inline welding_5r_lane welding_5r_facing(welding_5r_lane x, welding_5r_lane y)
-{
-    return y < 0.0 ? -x : x;
-}
-
-static inline welding_5r_lane welding_5r_sqrt(welding_5r_lane x)
-{
-    return sqrt(x);
-}
-#endif
-
-static inline welding_5r_lane welding_5r_all(double x)
-{
-    const welding_5r_lane zero = {0};
-    return zero + x;
-}
-
-static inline welding_5r_lane welding_5r_max(welding_5r_lane a, welding_5r_lane b)
-{
-    return welding_5r_select(a > b, a, b);
-}
-
-static inline welding_5r_lane welding_5r_min(welding_5r_lane a, welding_5r_lane b)
-{
-    return welding_5r_select(a < b, a, b);
-}
-
-/* the largest of all lanes */
-static inline double welding_5r_largest(welding_5r_lane x)
-{
-    double each[WELDING_5R_LANES], most;
-    WELDING_5R_STORE(each, x);
-    most = each[0];
-    for (int k = 1; k < WELDING_5R_LANES; k++) {
-        most = each[k] > most ? each[k] : most;
-    }
-    return most;
-}
-
-/* The angle of a sine and a cosine with any positive common factor, in (-pi, pi], within 3 ulp:
- * atan of a ratio below tan(pi/8) by a polynomial. */
-static inline welding_5r_lane welding_5r_angle(welding_5r_lane y, welding_5r_lane x)
-{
-    static const double odd[] = { -0.3333333333333333, 0.19999999999995513, -0.14285714284665177,
-        0.11111111015146682, -0.0909090457366891, 0.07692183087347286, -0.0666450998991572,
-        0.05858136252639731, -0.050853834915688644, 0.039229744582632814, -0.01917454359469326 };
-    const welding_5r_lane ax = welding_5r_abs(x), ay = welding_5r_abs(y), zero = {0};
-    const welding_5r_mask steep = ay > ax;
-    const welding_5r_lane high = welding_5r_select(steep, ay, ax), low = welding_5r_select(steep,
-        ax, ay);
-    const welding_5r_mask turned = low > high * 0.41421356237309515;
-    const welding_5r_lane up = welding_5r_select(turned, low - high, low);
-    const welding_5r_lane down = welding_5r_select(turned, low + high, high);
-    const welding_5r_lane r = up / (down + 1e-300), u = r * r;
-    welding_5r_lane a = welding_5r_all(odd[10]);
-    for (int k = 9; k >= 0; k--) {
-        a = a * u + odd[k];
-    }
-    a = r + r * u * a + welding_5r_select(turned, zero + 0.7853981633974483, zero);
-    a = welding_5r_select(steep, 1.5707963267948966 - a, a);
-    a = welding_5r_select(x < 0.0, 3.141592653589793 - a, a);
-    return welding_5r_with_sign(a, y + 0.0);
-}
-
-/* The loop: K0 ... K4 and the pose, three rows of four. */
-typedef struct {
-    double link[6][12];
-} welding_5r_loop;
-
-/* A formulation: the joints phi_1 (hidden) ... phi_6 are, from 0; phi = sign q, -1 reads the loop
- * backwards. */
-typedef struct {
-    int joint[6];
-    double sign;
-    const double (*left)[32]; /* the features of the left side if they are constant */
-} welding_5r_formulation;
-
-/* the features of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4 */
-static const double welding_5r_left_0[15][32] WELDING_5R_ALIGNED = {
-    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.26999531908254015, -1.26921516617257,
-        0.26999531908254015, -1.26921516617257, 1.0799812763301606, 1.26921516617257,
-        0.26999531908254015, 1.26921516617257, -0.26999531908254015, 0.634607583086285,
-        -0.5399906381650803, -0.634607583086285, -0.5399906381650803, -2.53843033234514,
-        0.5399906381650803, -0.634607583086285, 0.5399906381650803, 0.634607583086285 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.28349508503666715, 1.3326759244811983,
-        -0.28349508503666715, 1.3326759244811983, -1.1339803401466686, -1.3326759244811983,
-        -0.28349508503666715, -1.3326759244811983, 0.28349508503666715, -0.6663379622405992,
-        0.5669901700733343, 0.6663379622405992, 0.5669901700733343, 2.6653518489623966,
-        -0.5669901700733343, 0.6663379622405992, -0.5669901700733343, -0.6663379622405992 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9201809954751131, -0.7829864253393664,
-        -0.9201809954751131, -0.7829864253393664, -3.6807239819004525, 0.7829864253393664,
-        -0.9201809954751131, 0.7829864253393664, 0.9201809954751131, 0.3914932126696832,
-        1.8403619909502262, -0.3914932126696832, 1.8403619909502262, -1.5659728506787327,
-        -1.8403619909502262, -0.3914932126696832, -1.8403619909502262, 0.3914932126696832 },
-    { -0.0376442147130227, 0.0, -0.0376442147130227, 0.0, 0.0, 0.0, -0.0376442147130227, 0.0,
-        -0.0376442147130227, -0.4900112522467611, -0.07485691137285341, -0.6659578733198969,
-        -0.9099890697121806, -0.3518932421462714, -0.7602752469664739, 0.18885753454257945,
-        0.07485691137285341, 0.3648041556157152, -0.06126898120822103, 0.1759466210731357,
-        -0.13612589258107438, -0.6788687867893406, -0.14971382274570683, -1.030762028935612,
-        -0.9712580509204016, -0.1759466210731357, -0.8964011395475483 },
-    { -0.03585163306002162, 0.0, -0.03585163306002162, 0.0, 0.0, 0.0, -0.03585163306002162, 0.0,
-        -0.03585163306002162, 0.5145118148590991, 0.07859975694149607, 0.6992557669858916,
-        0.9554885231977895, 0.36948790425358496, 0.7982890093147975, -0.19830041126970843,
-        -0.07859975694149607, -0.383044363396501, 0.06433243026863208, -0.18474395212679248,
-        0.1429321872101281, 0.7128122261288076, 0.15719951388299214, 1.0823001303823927,
-        1.0198209534664215, 0.18474395212679248, 0.9412211965249256 },
-    { -0.10396973582207782, 0.0, -0.10396973582207782, 0.0, 0.0, 0.0, -0.10396973582207782, 0.0,
-        -0.10396973582207782, -0.08884002275192049, 0.25512260055604674, -0.19738254424255786,
-        -0.9843597408445438, -0.21708504298127487, -1.4946049419566374, -1.4083241738345822,
-        -0.25512260055604674, -1.299781652343945, 0.7105163157578036, 0.10854252149063744,
-        0.9656389163138503, 1.3194841510826618, 0.5102452011120935, 1.102399108101387,
-        -0.2738434250867402, -0.10854252149063744, -0.528966025642787 },
-    { 0.5262381170619481, 0.10891226966932332, 0.9849305179327961, 2.0499311190015397,
-        0.5478222008866628, 2.7190568123465604, 2.0718793325314397, 0.7780379630143439,
-        1.9827495325156248, 0.018473347391889113, -0.05305005876410732, 0.041043621961576654,
-        0.20468724441899241, 0.04514054913937511, 0.3107873619472071, 0.292846184610855,
-        0.05305005876410732, 0.27027591004116747, -0.14774438729322972, -0.022570274569687555,
-        -0.20079444605733707, -0.27437283721896594, -0.10610011752821465, -0.22923228807959084,
-        0.05694285712576267, 0.022570274569687555, 0.10999291588987002 },
-    { 0.19641341453635575, 1.6544203823097459, -0.19641341557605319, 0.9879477164503695,
-        2.413415135900188, -0.9879477164503695, 1.40312098248645, -0.3214750505909931,
-        -1.4031209835261471, -0.0956709750080441, 0.08140689179480698, 0.0956709750080441,
-        0.08140689179480698, 0.3826839000321764, -0.08140689179480698, 0.0956709750080441,
-        -0.08140689179480698, -0.0956709750080441, -0.04070344589740349, -0.1913419500160882,
-        0.04070344589740349, -0.1913419500160882, 0.16281378358961396, 0.1913419500160882,
-        0.04070344589740349, 0.1913419500160882, -0.04070344589740349 },
-    { 0.4986297037854681, -0.28446080801243406, -0.6993988489215892, 0.8738227216190336,
-        -1.430820830721225, -0.8738227216190336, -0.21678071157514428, -2.0321062512505015,
-        0.016011566439023163, -0.0035150823004593997, 0.16662930581699847, 0.0035150823004593997,
-        0.16662930581699847, 0.014060329201837599, -0.16662930581699847, 0.0035150823004593997,
-        -0.16662930581699847, -0.0035150823004593997, -0.08331465290849924, -0.007030164600918799,
-        0.08331465290849924, -0.007030164600918799, 0.33325861163399695, 0.007030164600918799,
-        0.08331465290849924, 0.007030164600918799, -0.08331465290849924 },
-    { 0.4748854321766363, -0.2709150552499372, -0.666094141830085, 0.8322121158276511,
-        -1.3626865054487856, -0.8322121158276511, -0.20645782054775647, -1.9353392869052395,
-        0.015249110894307775, 0.06271083296671744, 0.10248505641547948, -0.06271083296671744,
-        0.10248505641547948, -0.25084333186686975, -0.10248505641547948, -0.06271083296671744,
-        -0.10248505641547948, 0.06271083296671744, -0.05124252820773974, 0.12542166593343487,
-        0.05124252820773974, 0.12542166593343487, 0.20497011283095895, -0.12542166593343487,
-        0.05124252820773974, -0.12542166593343487, -0.05124252820773974 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.020351722958877605, -0.0956709750558796,
-        0.020351722958877605, -0.0956709750558796, 0.08140689183551042, 0.0956709750558796,
-        0.020351722958877605, 0.0956709750558796, -0.020351722958877605, 0.0478354875279398,
-        -0.04070344591775521, -0.0478354875279398, -0.04070344591775521, -0.1913419501117592,
-        0.04070344591775521, -0.0478354875279398, 0.04070344591775521, 0.0478354875279398 },
-    { -0.08395976835966724, 0.1808926456436575, 0.12371960634048892, -0.09866871573447028,
-        0.46505854709461236, 0.09866871573447028, 0.14856950518763895, 0.37823007711259804,
-        -0.10880966720681726, 0.04320482065049371, 0.9595888045182969, 0.011523425856359976,
-        0.11042690739272673, 3.371545393773283, 0.36357272914558825, 0.036620700102654974,
-        2.744957647263478, 0.4811927211015685, 0.354958300691258, -0.09584018994955915,
-        -0.6754537799997866, 1.3900713143825312, 0.11149926940736536, -1.853156489079901,
-        1.4138192641602578, 0.5087308161543392, -1.2603151069304717 },
-    { 0.11776828048327875, 0.059476714825604224, -0.1595161105198823, 0.2525413130694498,
-        -0.12447437981003184, -0.2525413130694498, 0.05553109057826286, -0.4456059113132954,
-        -0.09727892061486637, -0.05978804638649897, -0.9952956578387716, 0.002323387554302603,
-        -0.10367566585692306, -3.482430724648025, -0.39402395250830763, -0.02402875040430715,
-        -2.8944781165320914, -0.5196753418601274, -0.37884250917854095, 0.07178623004007595,
-        0.7153627624524959, -1.4884208495086186, -0.09252905906685363, 1.9746602829408568,
-        -1.4783739339155508, -0.505321387555095, 1.3171945688242752 },
-    { 0.04084210164251433, 0.3440193001748105, -0.040842101858708464, 0.20543332617073992,
-        0.5018442682170932, -0.20543332617073992, 0.2917642357510609, -0.06684735216666932,
-        -0.29176423596725504, 0.49923928685254326, -0.1011521087538148, -0.9639577318499098,
-        2.053419572527716, 0.22347493723980305, -2.724893075838902, 2.0654881821821545,
-        0.6998435167507459, -1.8429071541989648, -0.08155507327973885, -1.4223042648510917,
-        0.0021991158448010093, -0.1910195140190154, -4.813108487625168, -0.4962799589615413,
-        -0.03419193181232674, -3.9492880902324807, -0.7166375289337974 },
-};
-
-/* the features of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0 */
-static const double welding_5r_left_1[15][32] WELDING_5R_ALIGNED = {
-    { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.39149321266968334, 1.8403619909502262,
-        0.39149321266968334, 1.8403619909502262, 1.5659728506787334, -1.8403619909502262,
-        0.39149321266968334, -1.8403619909502262, -0.39149321266968334, -0.9201809954751131,
-        -0.7829864253393667, 0.9201809954751131, -0.7829864253393667, 3.6807239819004525,
-        0.7829864253393667, 0.9201809954751131, 0.7829864253393667, -0.9201809954751131 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, -0.0, 0.0 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9201809954751131, 0.7829864253393667,
-        -0.9201809954751131, 0.7829864253393667, -3.6807239819004525, -0.7829864253393667,
-        -0.9201809954751131, -0.7829864253393667, 0.9201809954751131, -0.39149321266968334,
-        1.8403619909502262, 0.39149321266968334, 1.8403619909502262, 1.5659728506787334,
-        -1.8403619909502262, 0.39149321266968334, -1.8403619909502262, -0.39149321266968334 },
-    { 0.13862631449875026, 0.0, 0.13862631449875026, 0.0, 0.0, 0.0, 0.13862631449875026, 0.0,
-        0.13862631449875026, 0.7865067452574694, 0.1913419500160882, 0.8679136370522765,
-        -1.015365617934006, 0.16281378358961396, -1.3980495179661825, -0.12003407939809307,
-        -0.1913419500160882, -0.20144097119290028, -0.2920843900642487, -0.08140689179480698,
-        -0.1007424400481603, 0.9065408246555624, 0.3826839000321764, 1.0693546082451768,
-        -1.3074500079982545, 0.08140689179480698, -1.4987919580143427 },
-    { -0.051984867937031345, 0.0, -0.051984867937031345, 0.0, 0.0, 0.0, -0.051984867937031345, 0.0,
-        -0.051984867937031345, 0.0, 0.0, 0.0, 0.0, -0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.0,
-        0.0, -0.0, 0.0, -0.0, 0.0 },
-    { 5.198487223827861e-10, 0.0, 5.198487223827861e-10, 0.0, 0.0, 0.0, 5.198487223827861e-10, 0.0,
-        5.198487223827861e-10, 0.2920843900642487, 0.08140689179480698, 0.1007424400481603,
-        -0.9065408246555624, -0.3826839000321764, -1.0693546082451768, 1.3074500079982545,
-        -0.08140689179480698, 1.4987919580143427, 0.7865067452574694, 0.1913419500160882,
-        0.8679136370522765, -1.015365617934006, 0.16281378358961396, -1.3980495179661825,
-        -0.12003407939809307, -0.1913419500160882, -0.20144097119290028 },
-    { 0.7258258328206392, 0.3485388333505668, 0.7853428021741048, -2.12675666249095,
-        -0.5036051252985567, -2.64223126885715, 1.7457533851975209, -0.16693577301563267,
-        2.308875479849543, 0.21806106315058021, 0.05305005876410733, 0.24063133772026782,
-        -0.281512787908403, 0.045140549139375104, -0.3876129054366177, -0.03327976272306359,
-        -0.05305005876410733, -0.0558500372927512, -0.08098116421671532, -0.022570274569687552,
-        -0.027931105452607935, 0.25134082587364376, 0.10610011752821466, 0.296481375013019,
-        -0.36249395212511826, 0.022570274569687552, -0.41554401088922566 },
-    { -0.03914154767516154, 1.676155232071654, 0.24708101931931714, 1.2394823414005907,
-        -2.4218832591840482, -1.2394823414005907, -1.2500831772671857, -0.8028094507295273,
-        1.4580226489113413, -0.054271260745318725, 0.25512260055604674, 0.054271260745318725,
-        0.25512260055604674, 0.2170850429812749, -0.25512260055604674, 0.054271260745318725,
-        -0.25512260055604674, -0.054271260745318725, -0.12756130027802337, -0.10854252149063745,
-        0.12756130027802337, -0.10854252149063745, 0.5102452011120935, 0.10854252149063745,
-        0.12756130027802337, 0.10854252149063745, -0.12756130027802337 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.04783548752793979, -0.04070344591775523,
-        0.04783548752793979, -0.04070344591775523, 0.19134195011175917, 0.04070344591775523,
-        0.04783548752793979, 0.04070344591775523, -0.04783548752793979, 0.020351722958877615,
-        -0.09567097505587958, -0.020351722958877615, -0.09567097505587958, -0.08140689183551046,
-        0.09567097505587958, -0.020351722958877615, 0.09567097505587958, 0.020351722958877615 },
-    { -0.838077616035827, -0.2862225669944787, 0.838077616035827, 1.2109416295920241,
-        2.4789646828011813, -1.2109416295920241, 0.4014047253647636, -2.708105826178527,
-        -0.4014047253647636, -0.12756130027802337, -0.10854252149063745, 0.12756130027802337,
-        -0.10854252149063745, 0.5102452011120935, 0.10854252149063745, 0.12756130027802337,
-        0.10854252149063745, -0.12756130027802337, 0.054271260745318725, -0.25512260055604674,
-        -0.054271260745318725, -0.25512260055604674, -0.2170850429812749, 0.25512260055604674,
-        -0.054271260745318725, 0.25512260055604674, 0.054271260745318725 },
-    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.020351722958877615, 0.09567097505587958,
-        0.020351722958877615, 0.09567097505587958, 0.08140689183551046, -0.09567097505587958,
-        0.020351722958877615, -0.09567097505587958, -0.020351722958877615, -0.04783548752793979,
-        -0.04070344591775523, 0.04783548752793979, -0.04070344591775523, 0.19134195011175917,
-        0.04070344591775523, 0.04783548752793979, 0.04070344591775523, -0.04783548752793979 },
-    { 0.010852096124622386, -0.46471844499736653, -0.06850386131031573, -0.34364973649027836,
-        0.6714735033111855, 0.34364973649027836, 0.34658884778021515, 0.22258102798319007,
-        -0.4042406129659085, -0.20753885487628937, -1.4930376766847862, -0.13648044529852119,
-        0.06845125365494989, 4.752921089273076, 0.4333930145621435, 0.3682985848706843,
-        -3.8785546783987863, -0.30145123270401464, -0.6553897016837678, 0.11384788830058665,
-        0.7370739051849904, 2.213816697188616, 0.1637936212751368, -2.624683349530096,
-        -1.6978001382482497, -0.7125392962975173, 2.2813286099665655 },
-    { -0.004069536373488575, 0.17426941676241814, 0.025688948318123586, 0.1288686516559842,
-        -0.25180256277517965, -0.1288686516559842, -0.12997081776107838, -0.08346788654955029,
-        0.1515902297057134, -0.005642568645243175, 0.026525029395316178, 0.005642568645243175,
-        0.026525029395316178, 0.0225702745809727, -0.026525029395316178, 0.005642568645243175,
-        -0.026525029395316178, -0.005642568645243175, -0.013262514697658089, -0.01128513729048635,
-        0.013262514697658089, -0.01128513729048635, 0.053050058790632355, 0.01128513729048635,
-        0.013262514697658089, 0.01128513729048635, -0.013262514697658089 },
-    { 0.2323592223905862, 0.07935595743493813, -0.23235922260678035, -0.33573675165559275,
-        -0.6872994729805567, 0.33573675165559275, -0.11129051409969211, 0.7508294607461237,
-        0.11129051388349798, 0.6907564076006151, -0.08375418912454004, -0.7724406111018377,
-        -2.18372299801257, -0.30526044494252585, 2.5945896503540498, 1.6624334323314025,
-        0.6824455971214707, -2.2459619040497185, -0.22258570446431267, -1.4223042648510915,
-        -0.12143359571049787, 0.13918466548864442, 4.813108487625168, 0.362659602728449,
-        0.3833454344587076, -3.9492880902324807, -0.31649808229203796 },
-};
-
-static const welding_5r_formulation welding_5r_formulations[2] = {
-    { { 3, 2, 1, 0, 5, 4 }, -1.0, welding_5r_left_0 },
-    { { 1, 2, 3, 4, 5, 0 }, 1.0, welding_5r_left_1 },
-};
-
-/* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
- * whose values are given, what stands before, between and behind these. */
-static const double welding_5r_constant[7][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.13862631449875026, 0.0, 0.0, -1.0,
-        -0.01299621695176729, 0.9230769230769231, 0.38461538461538464, 0.0, 5.198487223827861e-10 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.8664144656171892, 0.8823529411764706,
-        0.47058823529411764, 0.0, 0.0, 0.0, 0.0, 1.0, 0.012996216964763508 },
-    { 0.28, -0.96, 0.0, 0.7797730190554703, 0.96, 0.28, 0.0, 0.0, 0.0, 0.0, 1.0,
-        0.012996216990755942 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.0, 0.0, 0.0, -1.0, -0.10396973582207782,
-        0.7241379310344828, 0.6896551724137931, 0.0, 0.012996217029744605 },
-    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.034656578624687566, 0.0, 0.0, -1.0,
-        -1.732829074609287e-10, 0.9459459459459459, 0.32432432432432434, 0.0, 0.10396973592604757 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.29999999969999996 },
-    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.0999999999 },
-};
-
-/* cosine and sine of what is to be added to each joint's angle in the loop */
-static const double welding_5r_advance[2][6] = {
-    { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
-        },
-    { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459 },
-};
-
-/* poses close by, for those at which the formulations fail */
-static const double welding_5r_nudge[10][12] = {
-    { 0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001,
-        0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071,
-        0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047 },
-    { 0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001,
-        -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071,
-        -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047 },
-    { 0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183,
-        0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087,
-        -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201 },
-    { 0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183,
-        -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087,
-        0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201 },
-    { 0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714,
-        0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754,
-        0.007769939863287338, 0.9999478024193579, 0.0031 },
-    { 0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059,
-        0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787,
-        -0.007829337110224942, 0.9999478024193579, -0.0031 },
-    { 0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999,
-        -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183,
-        -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997 },
-    { 0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999,
-        0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183,
-        0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997 },
-    { 0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287,
-        0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453,
-        0.019995627381619797, 0.9993720271440617, 0.012299999999999998 },
-    { 0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867,
-        0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323,
-        -0.01959005408153817, 0.9993720271440617, -0.012299999999999998 },
-};
-
-/* cosines and sines of the 24 angles at which the determinant is sampled */
-static const double welding_5r_sample_c[24] WELDING_5R_ALIGNED = {
-    1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
-        -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
-        -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
-        -0.2588190451025207, 0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386,
-        0.9659258262890682
-};
-
-static const double welding_5r_sample_s[24] WELDING_5R_ALIGNED = {
-    0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
-        0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
-        -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
-        -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
-        -0.2588190451025207
-};
-
-/* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
- * rounding: one row for each sample */
-static const double welding_5r_harmonics[24][24] WELDING_5R_ALIGNED = {
-    { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
-        0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
-        0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
-        0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.0, 0.0, 0.0 },
-    { 0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897,
-        0.041666666666666664, 0.02156825375854339, -0.0, -0.02156825375854339,
-        -0.041666666666666664, 0.02156825375854339, 0.041666666666666664, 0.05892556509887897,
-        0.07216878364870322, 0.08049381885742235, 0.08333333333333333, 0.08049381885742235,
-        0.07216878364870322, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235,
-        -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339 },
-    { 0.041666666666666664, 0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664,
-        -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664,
-        0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.07216878364870322,
-        0.041666666666666664, -0.0, -0.041666666666666664, -0.07216878364870322, 0.0,
-        0.041666666666666664, 0.07216878364870322, 0.08333333333333333, -0.08333333333333333,
-        -0.07216878364870322, -0.041666666666666664 },
-    { 0.041666666666666664, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333,
-        -0.05892556509887897, 0.0, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897,
-        0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333,
-        -0.05892556509887897, 0.0, 0.05892556509887897, -0.0, -0.05892556509887897,
-        -0.08333333333333333, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897 },
-    { 0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333,
-        -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664,
-        -0.041666666666666664, 0.07216878364870322, 0.07216878364870322, -0.0, -0.07216878364870322,
-        -0.07216878364870322, 0.0, 0.07216878364870322, 0.07216878364870322, -0.08333333333333333,
-        -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, -0.0,
-        -0.07216878364870322, -0.07216878364870322 },
-    { 0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897,
-        0.041666666666666664, 0.08049381885742235, -0.0, -0.08049381885742235,
-        -0.041666666666666664, 0.08049381885742235, 0.041666666666666664, -0.05892556509887897,
-        -0.07216878364870322, 0.02156825375854339, 0.08333333333333333, 0.02156825375854339,
-        -0.07216878364870322, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339,
-        -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235 },
-    { 0.041666666666666664, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, -0.0,
-        -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0,
-        -0.08333333333333333, 0.0, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, -0.0,
-        -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0,
-        -0.08333333333333333 },
-    { 0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897,
-        0.041666666666666664, -0.08049381885742235, 0.0, 0.08049381885742235, -0.041666666666666664,
-        0.08049381885742235, -0.041666666666666664, -0.05892556509887897, 0.07216878364870322,
-        0.02156825375854339, -0.08333333333333333, 0.02156825375854339, 0.07216878364870322,
-        -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333,
-        -0.05892556509887897, -0.041666666666666664, 0.08049381885742235 },
-    { 0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333,
-        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664,
-        -0.041666666666666664, 0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322,
-        -0.07216878364870322, 0.0, 0.07216878364870322, -0.07216878364870322, 0.08333333333333333,
-        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0, 0.07216878364870322,
-        -0.07216878364870322 },
-    { 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333,
-        0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333, 0.05892556509887897,
-        -0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333,
-        -0.05892556509887897, 0.0, -0.05892556509887897, 0.0, 0.05892556509887897,
-        -0.08333333333333333, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897 },
-    { 0.041666666666666664, -0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664,
-        0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664,
-        0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.07216878364870322,
-        0.041666666666666664, -0.0, -0.041666666666666664, 0.07216878364870322, 0.0,
-        0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.08333333333333333,
-        0.07216878364870322, -0.041666666666666664 },
-    { 0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897,
-        0.041666666666666664, -0.02156825375854339, 0.0, 0.02156825375854339, -0.041666666666666664,
-        0.02156825375854339, -0.041666666666666664, 0.05892556509887897, -0.07216878364870322,
-        0.08049381885742235, -0.08333333333333333, 0.08049381885742235, -0.07216878364870322,
-        0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333,
-        0.05892556509887897, -0.041666666666666664, 0.02156825375854339 },
-    { 0.041666666666666664, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333,
-        0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333,
-        0.08333333333333333, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.08333333333333333,
-        0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.0, 0.0, -0.0 },
-    { 0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897,
-        0.041666666666666664, -0.02156825375854339, -0.0, 0.02156825375854339,
-        -0.041666666666666664, -0.02156825375854339, 0.041666666666666664, -0.05892556509887897,
-        0.07216878364870322, -0.08049381885742235, 0.08333333333333333, -0.08049381885742235,
-        0.07216878364870322, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235,
-        -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339 },
-    { 0.041666666666666664, -0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664,
-        0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664,
-        -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322,
-        -0.041666666666666664, -0.0, 0.041666666666666664, -0.07216878364870322, -0.0,
-        0.041666666666666664, -0.07216878364870322, 0.08333333333333333, 0.08333333333333333,
-        -0.07216878364870322, 0.041666666666666664 },
-    { 0.041666666666666664, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333,
-        0.05892556509887897, 0.0, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897,
-        0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333,
-        0.05892556509887897, 0.0, -0.05892556509887897, -0.0, 0.05892556509887897,
-        -0.08333333333333333, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897 },
-    { 0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333,
-        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664,
-        -0.041666666666666664, -0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322,
-        0.07216878364870322, 0.0, -0.07216878364870322, 0.07216878364870322, 0.08333333333333333,
-        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0,
-        -0.07216878364870322, 0.07216878364870322 },
-    { 0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897,
-        0.041666666666666664, -0.08049381885742235, -0.0, 0.08049381885742235,
-        -0.041666666666666664, -0.08049381885742235, 0.041666666666666664, 0.05892556509887897,
-        -0.07216878364870322, -0.02156825375854339, 0.08333333333333333, -0.02156825375854339,
-        -0.07216878364870322, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339,
-        -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235 },
-    { 0.041666666666666664, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0,
-        -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0,
-        0.08333333333333333, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, 0.0,
-        -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0,
-        0.08333333333333333 },
-    { 0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897,
-        0.041666666666666664, 0.08049381885742235, 0.0, -0.08049381885742235, -0.041666666666666664,
-        -0.08049381885742235, -0.041666666666666664, 0.05892556509887897, 0.07216878364870322,
-        -0.02156825375854339, -0.08333333333333333, -0.02156825375854339, 0.07216878364870322,
-        0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333,
-        0.05892556509887897, -0.041666666666666664, -0.08049381885742235 },
-    { 0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333,
-        -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664,
-        -0.041666666666666664, -0.07216878364870322, -0.07216878364870322, -0.0,
-        0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, -0.07216878364870322,
-        -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333,
-        -0.0, 0.07216878364870322, 0.07216878364870322 },
-    { 0.041666666666666664, 0.05892556509887897, 0.0, -0.05892556509887897, -0.08333333333333333,
-        -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333, -0.05892556509887897,
-        -0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333,
-        0.05892556509887897, 0.0, 0.05892556509887897, 0.0, -0.05892556509887897,
-        -0.08333333333333333, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897 },
-    { 0.041666666666666664, 0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664,
-        -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664,
-        -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322,
-        -0.041666666666666664, -0.0, 0.041666666666666664, 0.07216878364870322, -0.0,
-        0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.08333333333333333,
-        0.07216878364870322, 0.041666666666666664 },
-    { 0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897,
-        0.041666666666666664, 0.02156825375854339, 0.0, -0.02156825375854339, -0.041666666666666664,
-        -0.02156825375854339, -0.041666666666666664, -0.05892556509887897, -0.07216878364870322,
-        -0.08049381885742235, -0.08333333333333333, -0.08049381885742235, -0.07216878364870322,
-        -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333,
-        -0.05892556509887897, -0.041666666666666664, -0.02156825375854339 },
-};
-
-/* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
-static const double welding_5r_grid_c[8][128] WELDING_5R_ALIGNED = {
-    { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
-        0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
-        0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
-        0.9495281805930367, 0.9415440651830208, 0.9329927988347388, 0.9238795325112867,
-        0.9142097557035307, 0.9039892931234433, 0.8932243011955153, 0.881921264348355,
-        0.8700869911087115, 0.8577286100002721, 0.8448535652497071, 0.8314696123025452,
-        0.8175848131515837, 0.8032075314806449, 0.7883464276266062, 0.773010453362737,
-        0.7572088465064846, 0.7409511253549591, 0.7242470829514669, 0.7071067811865476,
-        0.6895405447370669, 0.6715589548470184, 0.6531728429537768, 0.6343932841636455,
-        0.6152315905806268, 0.5956993044924334, 0.5758081914178453, 0.5555702330196022,
-        0.5349976198870973, 0.5141027441932218, 0.49289819222978404, 0.47139673682599764,
-        0.4496113296546066, 0.4275550934302821, 0.40524131400498986, 0.3826834323650898,
-        0.35989503653498817, 0.33688985339222005, 0.31368174039889146, 0.2902846772544624,
-        0.26671275747489837, 0.2429801799032639, 0.2191012401568698, 0.19509032201612828,
-        0.17096188876030122, 0.14673047445536175, 0.1224106751992162, 0.0980171403295606,
-        0.07356456359966743, 0.049067674327418015, 0.024541228522912288, 0.0, -0.024541228522912288,
-        -0.049067674327418015, -0.07356456359966743, -0.0980171403295606, -0.1224106751992162,
-        -0.14673047445536175, -0.17096188876030122, -0.19509032201612828, -0.2191012401568698,
-        -0.2429801799032639, -0.26671275747489837, -0.2902846772544624, -0.31368174039889146,
-        -0.33688985339222005, -0.35989503653498817, -0.3826834323650898, -0.40524131400498986,
-        -0.4275550934302821, -0.4496113296546066, -0.47139673682599764, -0.49289819222978404,
-        -0.5141027441932218, -0.5349976198870973, -0.5555702330196022, -0.5758081914178453,
-        -0.5956993044924334, -0.6152315905806268, -0.6343932841636455, -0.6531728429537768,
-        -0.6715589548470184, -0.6895405447370669, -0.7071067811865476, -0.7242470829514669,
-        -0.7409511253549591, -0.7572088465064846, -0.773010453362737, -0.7883464276266062,
-        -0.8032075314806449, -0.8175848131515837, -0.8314696123025452, -0.8448535652497071,
-        -0.8577286100002721, -0.8700869911087115, -0.881921264348355, -0.8932243011955153,
-        -0.9039892931234433, -0.9142097557035307, -0.9238795325112867, -0.9329927988347388,
-        -0.9415440651830208, -0.9495281805930367, -0.9569403357322088, -0.9637760657954398,
-        -0.970031253194544, -0.9757021300385286, -0.9807852804032304, -0.9852776423889412,
-        -0.989176509964781, -0.99247953459871, -0.9951847266721969, -0.9972904566786902,
-        -0.9987954562051724, -0.9996988186962042 },
-    { 1.0, 0.9987954562051724, 0.9951847266721969, 0.989176509964781, 0.9807852804032304,
-        0.970031253194544, 0.9569403357322088, 0.9415440651830208, 0.9238795325112867,
-        0.9039892931234433, 0.881921264348355, 0.8577286100002721, 0.8314696123025452,
-        0.8032075314806449, 0.773010453362737, 0.7409511253549591, 0.7071067811865476,
-        0.6715589548470184, 0.6343932841636455, 0.5956993044924334, 0.5555702330196022,
-        0.5141027441932218, 0.47139673682599764, 0.4275550934302821, 0.3826834323650898,
-        0.33688985339222005, 0.2902846772544624, 0.2429801799032639, 0.19509032201612828,
-        0.14673047445536175, 0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015,
-        -0.0980171403295606, -0.14673047445536175, -0.19509032201612828, -0.2429801799032639,
-        -0.2902846772544624, -0.33688985339222005, -0.3826834323650898, -0.4275550934302821,
-        -0.47139673682599764, -0.5141027441932218, -0.5555702330196022, -0.5956993044924334,
-        -0.6343932841636455, -0.6715589548470184, -0.7071067811865476, -0.7409511253549591,
-        -0.773010453362737, -0.8032075314806449, -0.8314696123025452, -0.8577286100002721,
-        -0.881921264348355, -0.9039892931234433, -0.9238795325112867, -0.9415440651830208,
-        -0.9569403357322088, -0.970031253194544, -0.9807852804032304, -0.989176509964781,
-        -0.9951847266721969, -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969,
-        -0.989176509964781, -0.9807852804032304, -0.970031253194544, -0.9569403357322088,
-        -0.9415440651830208, -0.9238795325112867, -0.9039892931234433, -0.881921264348355,
-        -0.8577286100002721, -0.8314696123025452, -0.8032075314806449, -0.773010453362737,
-        -0.7409511253549591, -0.7071067811865476, -0.6715589548470184, -0.6343932841636455,
-        -0.5956993044924334, -0.5555702330196022, -0.5141027441932218, -0.47139673682599764,
-        -0.4275550934302821, -0.3826834323650898, -0.33688985339222005, -0.2902846772544624,
-        -0.2429801799032639, -0.19509032201612828, -0.14673047445536175, -0.0980171403295606,
-        -0.049067674327418015, 0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175,
-        0.19509032201612828, 0.2429801799032639, 0.2902846772544624, 0.33688985339222005,
-        0.3826834323650898, 0.4275550934302821, 0.47139673682599764, 0.5141027441932218,
-        0.5555702330196022, 0.5956993044924334, 0.6343932841636455, 0.6715589548470184,
-        0.7071067811865476, 0.7409511253549591, 0.773010453362737, 0.8032075314806449,
-        0.8314696123025452, 0.8577286100002721, 0.881921264348355, 0.9039892931234433,
-        0.9238795325112867, 0.9415440651830208, 0.9569403357322088, 0.970031253194544,
-        0.9807852804032304, 0.989176509964781, 0.9951847266721969, 0.9987954562051724 },
-    { 1.0, 0.9972904566786902, 0.989176509964781, 0.9757021300385286, 0.9569403357322088,
-        0.9329927988347388, 0.9039892931234433, 0.8700869911087115, 0.8314696123025452,
-        0.7883464276266062, 0.7409511253549591, 0.6895405447370669, 0.6343932841636455,
-        0.5758081914178453, 0.5141027441932218, 0.4496113296546066, 0.3826834323650898,
-        0.31368174039889146, 0.2429801799032639, 0.17096188876030122, 0.0980171403295606,
-        0.024541228522912288, -0.049067674327418015, -0.1224106751992162, -0.19509032201612828,
-        -0.26671275747489837, -0.33688985339222005, -0.40524131400498986, -0.47139673682599764,
-        -0.5349976198870973, -0.5956993044924334, -0.6531728429537768, -0.7071067811865476,
-        -0.7572088465064846, -0.8032075314806449, -0.8448535652497071, -0.881921264348355,
-        -0.9142097557035307, -0.9415440651830208, -0.9637760657954398, -0.9807852804032304,
-        -0.99247953459871, -0.9987954562051724, -0.9996988186962042, -0.9951847266721969,
-        -0.9852776423889412, -0.970031253194544, -0.9495281805930367, -0.9238795325112867,
-        -0.8932243011955153, -0.8577286100002721, -0.8175848131515837, -0.773010453362737,
-        -0.7242470829514669, -0.6715589548470184, -0.6152315905806268, -0.5555702330196022,
-        -0.49289819222978404, -0.4275550934302821, -0.35989503653498817, -0.2902846772544624,
-        -0.2191012401568698, -0.14673047445536175, -0.07356456359966743, 0.0, 0.07356456359966743,
-        0.14673047445536175, 0.2191012401568698, 0.2902846772544624, 0.35989503653498817,
-        0.4275550934302821, 0.49289819222978404, 0.5555702330196022, 0.6152315905806268,
-        0.6715589548470184, 0.7242470829514669, 0.773010453362737, 0.8175848131515837,
-        0.8577286100002721, 0.8932243011955153, 0.9238795325112867, 0.9495281805930367,
-        0.970031253194544, 0.9852776423889412, 0.9951847266721969, 0.9996988186962042,
-        0.9987954562051724, 0.99247953459871, 0.9807852804032304, 0.9637760657954398,
-        0.9415440651830208, 0.9142097557035307, 0.881921264348355, 0.8448535652497071,
-        0.8032075314806449, 0.7572088465064846, 0.7071067811865476, 0.6531728429537768,
-        0.5956993044924334, 0.5349976198870973, 0.47139673682599764, 0.40524131400498986,
-        0.33688985339222005, 0.26671275747489837, 0.19509032201612828, 0.1224106751992162,
-        0.049067674327418015, -0.024541228522912288, -0.0980171403295606, -0.17096188876030122,
-        -0.2429801799032639, -0.31368174039889146, -0.3826834323650898, -0.4496113296546066,
-        -0.5141027441932218, -0.5758081914178453, -0.6343932841636455, -0.6895405447370669,
-        -0.7409511253549591, -0.7883464276266062, -0.8314696123025452, -0.8700869911087115,
-        -0.9039892931234433, -0.9329927988347388, -0.9569403357322088, -0.9757021300385286,
-        -0.989176509964781, -0.9972904566786902 },
-    { 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867,
-        0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476,
-        0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898,
-        0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606,
-        -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764,
-        -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737,
-        -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088,
-        -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304,
-        -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452,
-        -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022,
-        -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828,
-        -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624,
-        0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455,
-        0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355,
-        0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0,
-        0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867,
-        0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476,
-        0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898,
-        0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606,
-        -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764,
-        -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737,
-        -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088,
-        -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304,
-        -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452,
-        -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022,
-        -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828,
-        -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624,
-        0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455,
-        0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355,
-        0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969 },
-    { 1.0, 0.99247953459871, 0.970031253194544, 0.9329927988347388, 0.881921264348355,
-        0.8175848131515837, 0.7409511253549591, 0.6531728429537768, 0.5555702330196022,
-        0.4496113296546066, 0.33688985339222005, 0.2191012401568698, 0.0980171403295606,
-        -0.024541228522912288, -0.14673047445536175, -0.26671275747489837, -0.3826834323650898,
-        -0.49289819222978404, -0.5956993044924334, -0.6895405447370669, -0.773010453362737,
-        -0.8448535652497071, -0.9039892931234433, -0.9495281805930367, -0.9807852804032304,
-        -0.9972904566786902, -0.9987954562051724, -0.9852776423889412, -0.9569403357322088,
-        -0.9142097557035307, -0.8577286100002721, -0.7883464276266062, -0.7071067811865476,
-        -0.6152315905806268, -0.5141027441932218, -0.40524131400498986, -0.2902846772544624,
-        -0.17096188876030122, -0.049067674327418015, 0.07356456359966743, 0.19509032201612828,
-        0.31368174039889146, 0.4275550934302821, 0.5349976198870973, 0.6343932841636455,
-        0.7242470829514669, 0.8032075314806449, 0.8700869911087115, 0.9238795325112867,
-        0.9637760657954398, 0.989176509964781, 0.9996988186962042, 0.9951847266721969,
-        0.9757021300385286, 0.9415440651830208, 0.8932243011955153, 0.8314696123025452,
-        0.7572088465064846, 0.6715589548470184, 0.5758081914178453, 0.47139673682599764,
-        0.35989503653498817, 0.2429801799032639, 0.1224106751992162, 0.0, -0.1224106751992162,
-        -0.2429801799032639, -0.35989503653498817, -0.47139673682599764, -0.5758081914178453,
-        -0.6715589548470184, -0.7572088465064846, -0.8314696123025452, -0.8932243011955153,
-        -0.9415440651830208, -0.9757021300385286, -0.9951847266721969, -0.9996988186962042,
-        -0.989176509964781, -0.9637760657954398, -0.9238795325112867, -0.8700869911087115,
-        -0.8032075314806449, -0.7242470829514669, -0.6343932841636455, -0.5349976198870973,
-        -0.4275550934302821, -0.31368174039889146, -0.19509032201612828, -0.07356456359966743,
-        0.049067674327418015, 0.17096188876030122, 0.2902846772544624, 0.40524131400498986,
-        0.5141027441932218, 0.6152315905806268, 0.7071067811865476, 0.7883464276266062,
-        0.8577286100002721, 0.9142097557035307, 0.9569403357322088, 0.9852776423889412,
-        0.9987954562051724, 0.9972904566786902, 0.9807852804032304, 0.9495281805930367,
-        0.9039892931234433, 0.8448535652497071, 0.773010453362737, 0.6895405447370669,
-        0.5956993044924334, 0.49289819222978404, 0.3826834323650898, 0.26671275747489837,
-        0.14673047445536175, 0.024541228522912288, -0.0980171403295606, -0.2191012401568698,
-        -0.33688985339222005, -0.4496113296546066, -0.5555702330196022, -0.6531728429537768,
-        -0.7409511253549591, -0.8175848131515837, -0.881921264348355, -0.9329927988347388,
-        -0.970031253194544, -0.99247953459871 },
-    { 1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433, 0.8314696123025452,
-        0.7409511253549591, 0.6343932841636455, 0.5141027441932218, 0.3826834323650898,
-        0.2429801799032639, 0.0980171403295606, -0.049067674327418015, -0.19509032201612828,
-        -0.33688985339222005, -0.47139673682599764, -0.5956993044924334, -0.7071067811865476,
-        -0.8032075314806449, -0.881921264348355, -0.9415440651830208, -0.9807852804032304,
-        -0.9987954562051724, -0.9951847266721969, -0.970031253194544, -0.9238795325112867,
-        -0.8577286100002721, -0.773010453362737, -0.6715589548470184, -0.5555702330196022,
-        -0.4275550934302821, -0.2902846772544624, -0.14673047445536175, 0.0, 0.14673047445536175,
-        0.2902846772544624, 0.4275550934302821, 0.5555702330196022, 0.6715589548470184,
-        0.773010453362737, 0.8577286100002721, 0.9238795325112867, 0.970031253194544,
-        0.9951847266721969, 0.9987954562051724, 0.9807852804032304, 0.9415440651830208,
-        0.881921264348355, 0.8032075314806449, 0.7071067811865476, 0.5956993044924334,
-        0.47139673682599764, 0.33688985339222005, 0.19509032201612828, 0.049067674327418015,
-        -0.0980171403295606, -0.2429801799032639, -0.3826834323650898, -0.5141027441932218,
-        -0.6343932841636455, -0.7409511253549591, -0.8314696123025452, -0.9039892931234433,
-        -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781, -0.9569403357322088,
-        -0.9039892931234433, -0.8314696123025452, -0.7409511253549591, -0.6343932841636455,
-        -0.5141027441932218, -0.3826834323650898, -0.2429801799032639, -0.0980171403295606,
-        0.049067674327418015, 0.19509032201612828, 0.33688985339222005, 0.47139673682599764,
-        0.5956993044924334, 0.7071067811865476, 0.8032075314806449, 0.881921264348355,
-        0.9415440651830208, 0.9807852804032304, 0.9987954562051724, 0.9951847266721969,
-        0.970031253194544, 0.9238795325112867, 0.8577286100002721, 0.773010453362737,
-        0.6715589548470184, 0.5555702330196022, 0.4275550934302821, 0.2902846772544624,
-        0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624, -0.4275550934302821,
-        -0.5555702330196022, -0.6715589548470184, -0.773010453362737, -0.8577286100002721,
-        -0.9238795325112867, -0.970031253194544, -0.9951847266721969, -0.9987954562051724,
-        -0.9807852804032304, -0.9415440651830208, -0.881921264348355, -0.8032075314806449,
-        -0.7071067811865476, -0.5956993044924334, -0.47139673682599764, -0.33688985339222005,
-        -0.19509032201612828, -0.049067674327418015, 0.0980171403295606, 0.2429801799032639,
-        0.3826834323650898, 0.5141027441932218, 0.6343932841636455, 0.7409511253549591,
-        0.8314696123025452, 0.9039892931234433, 0.9569403357322088, 0.989176509964781 },
-    { 1.0, 0.9852776423889412, 0.9415440651830208, 0.8700869911087115, 0.773010453362737,
-        0.6531728429537768, 0.5141027441932218, 0.35989503653498817, 0.19509032201612828,
-        0.024541228522912288, -0.14673047445536175, -0.31368174039889146, -0.47139673682599764,
-        -0.6152315905806268, -0.7409511253549591, -0.8448535652497071, -0.9238795325112867,
-        -0.9757021300385286, -0.9987954562051724, -0.99247953459871, -0.9569403357322088,
-        -0.8932243011955153, -0.8032075314806449, -0.6895405447370669, -0.5555702330196022,
-        -0.40524131400498986, -0.2429801799032639, -0.07356456359966743, 0.0980171403295606,
-        0.26671275747489837, 0.4275550934302821, 0.5758081914178453, 0.7071067811865476,
-        0.8175848131515837, 0.9039892931234433, 0.9637760657954398, 0.9951847266721969,
-        0.9972904566786902, 0.970031253194544, 0.9142097557035307, 0.8314696123025452,
-        0.7242470829514669, 0.5956993044924334, 0.4496113296546066, 0.2902846772544624,
-        0.1224106751992162, -0.049067674327418015, -0.2191012401568698, -0.3826834323650898,
-        -0.5349976198870973, -0.6715589548470184, -0.7883464276266062, -0.881921264348355,
-        -0.9495281805930367, -0.989176509964781, -0.9996988186962042, -0.9807852804032304,
-        -0.9329927988347388, -0.8577286100002721, -0.7572088465064846, -0.6343932841636455,
-        -0.49289819222978404, -0.33688985339222005, -0.17096188876030122, 0.0, 0.17096188876030122,
-        0.33688985339222005, 0.49289819222978404, 0.6343932841636455, 0.7572088465064846,
-        0.8577286100002721, 0.9329927988347388, 0.9807852804032304, 0.9996988186962042,
-        0.989176509964781, 0.9495281805930367, 0.881921264348355, 0.7883464276266062,
-        0.6715589548470184, 0.5349976198870973, 0.3826834323650898, 0.2191012401568698,
-        0.049067674327418015, -0.1224106751992162, -0.2902846772544624, -0.4496113296546066,
-        -0.5956993044924334, -0.7242470829514669, -0.8314696123025452, -0.9142097557035307,
-        -0.970031253194544, -0.9972904566786902, -0.9951847266721969, -0.9637760657954398,
-        -0.9039892931234433, -0.8175848131515837, -0.7071067811865476, -0.5758081914178453,
-        -0.4275550934302821, -0.26671275747489837, -0.0980171403295606, 0.07356456359966743,
-        0.2429801799032639, 0.40524131400498986, 0.5555702330196022, 0.6895405447370669,
-        0.8032075314806449, 0.8932243011955153, 0.9569403357322088, 0.99247953459871,
-        0.9987954562051724, 0.9757021300385286, 0.9238795325112867, 0.8448535652497071,
-        0.7409511253549591, 0.6152315905806268, 0.47139673682599764, 0.31368174039889146,
-        0.14673047445536175, -0.024541228522912288, -0.19509032201612828, -0.35989503653498817,
-        -0.5141027441932218, -0.6531728429537768, -0.773010453362737, -0.8700869911087115,
-        -0.9415440651830208, -0.9852776423889412 },
-    { 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
-        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
-        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
-        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
-        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
-        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
-        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0,
-        0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
-        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
-        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
-        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
-        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
-        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
-        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0,
-        0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
-        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
-        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
-        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
-        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
-        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
-        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0,
-        0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
-        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
-        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
-        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
-        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
-        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
-        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
-};
-
-static const double welding_5r_grid_s[8][128] WELDING_5R_ALIGNED = {
-    { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
-        0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
-        0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
-        0.31368174039889146, 0.33688985339222005, 0.35989503653498817, 0.3826834323650898,
-        0.40524131400498986, 0.4275550934302821, 0.4496113296546066, 0.47139673682599764,
-        0.49289819222978404, 0.5141027441932218, 0.5349976198870973, 0.5555702330196022,
-        0.5758081914178453, 0.5956993044924334, 0.6152315905806268, 0.6343932841636455,
-        0.6531728429537768, 0.6715589548470184, 0.6895405447370669, 0.7071067811865476,
-        0.7242470829514669, 0.7409511253549591, 0.7572088465064846, 0.773010453362737,
-        0.7883464276266062, 0.8032075314806449, 0.8175848131515837, 0.8314696123025452,
-        0.8448535652497071, 0.8577286100002721, 0.8700869911087115, 0.881921264348355,
-        0.8932243011955153, 0.9039892931234433, 0.9142097557035307, 0.9238795325112867,
-        0.9329927988347388, 0.9415440651830208, 0.9495281805930367, 0.9569403357322088,
-        0.9637760657954398, 0.970031253194544, 0.9757021300385286, 0.9807852804032304,
-        0.9852776423889412, 0.989176509964781, 0.99247953459871, 0.9951847266721969,
-        0.9972904566786902, 0.9987954562051724, 0.9996988186962042, 1.0, 0.9996988186962042,
-        0.9987954562051724, 0.9972904566786902, 0.9951847266721969, 0.99247953459871,
-        0.989176509964781, 0.9852776423889412, 0.9807852804032304, 0.9757021300385286,
-        0.970031253194544, 0.9637760657954398, 0.9569403357322088, 0.9495281805930367,
-        0.9415440651830208, 0.9329927988347388, 0.9238795325112867, 0.9142097557035307,
-        0.9039892931234433, 0.8932243011955153, 0.881921264348355, 0.8700869911087115,
-        0.8577286100002721, 0.8448535652497071, 0.8314696123025452, 0.8175848131515837,
-        0.8032075314806449, 0.7883464276266062, 0.773010453362737, 0.7572088465064846,
-        0.7409511253549591, 0.7242470829514669, 0.7071067811865476, 0.6895405447370669,
-        0.6715589548470184, 0.6531728429537768, 0.6343932841636455, 0.6152315905806268,
-        0.5956993044924334, 0.5758081914178453, 0.5555702330196022, 0.5349976198870973,
-        0.5141027441932218, 0.49289819222978404, 0.47139673682599764, 0.4496113296546066,
-        0.4275550934302821, 0.40524131400498986, 0.3826834323650898, 0.35989503653498817,
-        0.33688985339222005, 0.31368174039889146, 0.2902846772544624, 0.26671275747489837,
-        0.2429801799032639, 0.2191012401568698, 0.19509032201612828, 0.17096188876030122,
-        0.14673047445536175, 0.1224106751992162, 0.0980171403295606, 0.07356456359966743,
-        0.049067674327418015, 0.024541228522912288 },
-    { 0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175, 0.19509032201612828,
-        0.2429801799032639, 0.2902846772544624, 0.33688985339222005, 0.3826834323650898,
-        0.4275550934302821, 0.47139673682599764, 0.5141027441932218, 0.5555702330196022,
-        0.5956993044924334, 0.6343932841636455, 0.6715589548470184, 0.7071067811865476,
-        0.7409511253549591, 0.773010453362737, 0.8032075314806449, 0.8314696123025452,
-        0.8577286100002721, 0.881921264348355, 0.9039892931234433, 0.9238795325112867,
-        0.9415440651830208, 0.9569403357322088, 0.970031253194544, 0.9807852804032304,
-        0.989176509964781, 0.9951847266721969, 0.9987954562051724, 1.0, 0.9987954562051724,
-        0.9951847266721969, 0.989176509964781, 0.9807852804032304, 0.970031253194544,
-        0.9569403357322088, 0.9415440651830208, 0.9238795325112867, 0.9039892931234433,
-        0.881921264348355, 0.8577286100002721, 0.8314696123025452, 0.8032075314806449,
-        0.773010453362737, 0.7409511253549591, 0.7071067811865476, 0.6715589548470184,
-        0.6343932841636455, 0.5956993044924334, 0.5555702330196022, 0.5141027441932218,
-        0.47139673682599764, 0.4275550934302821, 0.3826834323650898, 0.33688985339222005,
-        0.2902846772544624, 0.2429801799032639, 0.19509032201612828, 0.14673047445536175,
-        0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015, -0.0980171403295606,
-        -0.14673047445536175, -0.19509032201612828, -0.2429801799032639, -0.2902846772544624,
-        -0.33688985339222005, -0.3826834323650898, -0.4275550934302821, -0.47139673682599764,
-        -0.5141027441932218, -0.5555702330196022, -0.5956993044924334, -0.6343932841636455,
-        -0.6715589548470184, -0.7071067811865476, -0.7409511253549591, -0.773010453362737,
-        -0.8032075314806449, -0.8314696123025452, -0.8577286100002721, -0.881921264348355,
-        -0.9039892931234433, -0.9238795325112867, -0.9415440651830208, -0.9569403357322088,
-        -0.970031253194544, -0.9807852804032304, -0.989176509964781, -0.9951847266721969,
-        -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969, -0.989176509964781,
-        -0.9807852804032304, -0.970031253194544, -0.9569403357322088, -0.9415440651830208,
-        -0.9238795325112867, -0.9039892931234433, -0.881921264348355, -0.8577286100002721,
-        -0.8314696123025452, -0.8032075314806449, -0.773010453362737, -0.7409511253549591,
-        -0.7071067811865476, -0.6715589548470184, -0.6343932841636455, -0.5956993044924334,
-        -0.5555702330196022, -0.5141027441932218, -0.47139673682599764, -0.4275550934302821,
-        -0.3826834323650898, -0.33688985339222005, -0.2902846772544624, -0.2429801799032639,
-        -0.19509032201612828, -0.14673047445536175, -0.0980171403295606, -0.049067674327418015 },
-    { 0.0, 0.07356456359966743, 0.14673047445536175, 0.2191012401568698, 0.2902846772544624,
-        0.35989503653498817, 0.4275550934302821, 0.49289819222978404, 0.5555702330196022,
-        0.6152315905806268, 0.6715589548470184, 0.7242470829514669, 0.773010453362737,
-        0.8175848131515837, 0.8577286100002721, 0.8932243011955153, 0.9238795325112867,
-        0.9495281805930367, 0.970031253194544, 0.9852776423889412, 0.9951847266721969,
-        0.9996988186962042, 0.9987954562051724, 0.99247953459871, 0.9807852804032304,
-        0.9637760657954398, 0.9415440651830208, 0.9142097557035307, 0.881921264348355,
-        0.8448535652497071, 0.8032075314806449, 0.7572088465064846, 0.7071067811865476,
-        0.6531728429537768, 0.5956993044924334, 0.5349976198870973, 0.47139673682599764,
-        0.40524131400498986, 0.33688985339222005, 0.26671275747489837, 0.19509032201612828,
-        0.1224106751992162, 0.049067674327418015, -0.024541228522912288, -0.0980171403295606,
-        -0.17096188876030122, -0.2429801799032639, -0.31368174039889146, -0.3826834323650898,
-        -0.4496113296546066, -0.5141027441932218, -0.5758081914178453, -0.6343932841636455,
-        -0.6895405447370669, -0.7409511253549591, -0.7883464276266062, -0.8314696123025452,
-        -0.8700869911087115, -0.9039892931234433, -0.9329927988347388, -0.9569403357322088,
-        -0.9757021300385286, -0.989176509964781, -0.9972904566786902, -1.0, -0.9972904566786902,
-        -0.989176509964781, -0.9757021300385286, -0.9569403357322088, -0.9329927988347388,
-        -0.9039892931234433, -0.8700869911087115, -0.8314696123025452, -0.7883464276266062,
-        -0.7409511253549591, -0.6895405447370669, -0.6343932841636455, -0.5758081914178453,
-        -0.5141027441932218, -0.4496113296546066, -0.3826834323650898, -0.31368174039889146,
-        -0.2429801799032639, -0.17096188876030122, -0.0980171403295606, -0.024541228522912288,
-        0.049067674327418015, 0.1224106751992162, 0.19509032201612828, 0.26671275747489837,
-        0.33688985339222005, 0.40524131400498986, 0.47139673682599764, 0.5349976198870973,
-        0.5956993044924334, 0.6531728429537768, 0.7071067811865476, 0.7572088465064846,
-        0.8032075314806449, 0.8448535652497071, 0.881921264348355, 0.9142097557035307,
-        0.9415440651830208, 0.9637760657954398, 0.9807852804032304, 0.99247953459871,
-        0.9987954562051724, 0.9996988186962042, 0.9951847266721969, 0.9852776423889412,
-        0.970031253194544, 0.9495281805930367, 0.9238795325112867, 0.8932243011955153,
-        0.8577286100002721, 0.8175848131515837, 0.773010453362737, 0.7242470829514669,
-        0.6715589548470184, 0.6152315905806268, 0.5555702330196022, 0.49289819222978404,
-        0.4275550934302821, 0.35989503653498817, 0.2902846772544624, 0.2191012401568698,
-        0.14673047445536175, 0.07356456359966743 },
-    { 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898,
-        0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476,
-        0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867,
-        0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969,
-        0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355,
-        0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455,
-        0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624,
-        0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828,
-        -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022,
-        -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452,
-        -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304,
-        -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088,
-        -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737,
-        -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764,
-        -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0,
-        0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898,
-        0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476,
-        0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867,
-        0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969,
-        0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355,
-        0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455,
-        0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624,
-        0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828,
-        -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022,
-        -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452,
-        -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304,
-        -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088,
-        -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737,
-        -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764,
-        -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606 },
-    { 0.0, 0.1224106751992162, 0.2429801799032639, 0.35989503653498817, 0.47139673682599764,
-        0.5758081914178453, 0.6715589548470184, 0.7572088465064846, 0.8314696123025452,
-        0.8932243011955153, 0.9415440651830208, 0.9757021300385286, 0.9951847266721969,
-        0.9996988186962042, 0.989176509964781, 0.9637760657954398, 0.9238795325112867,
-        0.8700869911087115, 0.8032075314806449, 0.7242470829514669, 0.6343932841636455,
-        0.5349976198870973, 0.4275550934302821, 0.31368174039889146, 0.19509032201612828,
-        0.07356456359966743, -0.049067674327418015, -0.17096188876030122, -0.2902846772544624,
-        -0.40524131400498986, -0.5141027441932218, -0.6152315905806268, -0.7071067811865476,
-        -0.7883464276266062, -0.8577286100002721, -0.9142097557035307, -0.9569403357322088,
-        -0.9852776423889412, -0.9987954562051724, -0.9972904566786902, -0.9807852804032304,
-        -0.9495281805930367, -0.9039892931234433, -0.8448535652497071, -0.773010453362737,
-        -0.6895405447370669, -0.5956993044924334, -0.49289819222978404, -0.3826834323650898,
-        -0.26671275747489837, -0.14673047445536175, -0.024541228522912288, 0.0980171403295606,
-        0.2191012401568698, 0.33688985339222005, 0.4496113296546066, 0.5555702330196022,
-        0.6531728429537768, 0.7409511253549591, 0.8175848131515837, 0.881921264348355,
-        0.9329927988347388, 0.970031253194544, 0.99247953459871, 1.0, 0.99247953459871,
-        0.970031253194544, 0.9329927988347388, 0.881921264348355, 0.8175848131515837,
-        0.7409511253549591, 0.6531728429537768, 0.5555702330196022, 0.4496113296546066,
-        0.33688985339222005, 0.2191012401568698, 0.0980171403295606, -0.024541228522912288,
-        -0.14673047445536175, -0.26671275747489837, -0.3826834323650898, -0.49289819222978404,
-        -0.5956993044924334, -0.6895405447370669, -0.773010453362737, -0.8448535652497071,
-        -0.9039892931234433, -0.9495281805930367, -0.9807852804032304, -0.9972904566786902,
-        -0.9987954562051724, -0.9852776423889412, -0.9569403357322088, -0.9142097557035307,
-        -0.8577286100002721, -0.7883464276266062, -0.7071067811865476, -0.6152315905806268,
-        -0.5141027441932218, -0.40524131400498986, -0.2902846772544624, -0.17096188876030122,
-        -0.049067674327418015, 0.07356456359966743, 0.19509032201612828, 0.31368174039889146,
-        0.4275550934302821, 0.5349976198870973, 0.6343932841636455, 0.7242470829514669,
-        0.8032075314806449, 0.8700869911087115, 0.9238795325112867, 0.9637760657954398,
-        0.989176509964781, 0.9996988186962042, 0.9951847266721969, 0.9757021300385286,
-        0.9415440651830208, 0.8932243011955153, 0.8314696123025452, 0.7572088465064846,
-        0.6715589548470184, 0.5758081914178453, 0.47139673682599764, 0.35989503653498817,
-        0.2429801799032639, 0.1224106751992162 },
-    { 0.0, 0.14673047445536175, 0.2902846772544624, 0.4275550934302821, 0.5555702330196022,
-        0.6715589548470184, 0.773010453362737, 0.8577286100002721, 0.9238795325112867,
-        0.970031253194544, 0.9951847266721969, 0.9987954562051724, 0.9807852804032304,
-        0.9415440651830208, 0.881921264348355, 0.8032075314806449, 0.7071067811865476,
-        0.5956993044924334, 0.47139673682599764, 0.33688985339222005, 0.19509032201612828,
-        0.049067674327418015, -0.0980171403295606, -0.2429801799032639, -0.3826834323650898,
-        -0.5141027441932218, -0.6343932841636455, -0.7409511253549591, -0.8314696123025452,
-        -0.9039892931234433, -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781,
-        -0.9569403357322088, -0.9039892931234433, -0.8314696123025452, -0.7409511253549591,
-        -0.6343932841636455, -0.5141027441932218, -0.3826834323650898, -0.2429801799032639,
-        -0.0980171403295606, 0.049067674327418015, 0.19509032201612828, 0.33688985339222005,
-        0.47139673682599764, 0.5956993044924334, 0.7071067811865476, 0.8032075314806449,
-        0.881921264348355, 0.9415440651830208, 0.9807852804032304, 0.9987954562051724,
-        0.9951847266721969, 0.970031253194544, 0.9238795325112867, 0.8577286100002721,
-        0.773010453362737, 0.6715589548470184, 0.5555702330196022, 0.4275550934302821,
-        0.2902846772544624, 0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624,
-        -0.4275550934302821, -0.5555702330196022, -0.6715589548470184, -0.773010453362737,
-        -0.8577286100002721, -0.9238795325112867, -0.970031253194544, -0.9951847266721969,
-        -0.9987954562051724, -0.9807852804032304, -0.9415440651830208, -0.881921264348355,
-        -0.8032075314806449, -0.7071067811865476, -0.5956993044924334, -0.47139673682599764,
-        -0.33688985339222005, -0.19509032201612828, -0.049067674327418015, 0.0980171403295606,
-        0.2429801799032639, 0.3826834323650898, 0.5141027441932218, 0.6343932841636455,
-        0.7409511253549591, 0.8314696123025452, 0.9039892931234433, 0.9569403357322088,
-        0.989176509964781, 1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433,
-        0.8314696123025452, 0.7409511253549591, 0.6343932841636455, 0.5141027441932218,
-        0.3826834323650898, 0.2429801799032639, 0.0980171403295606, -0.049067674327418015,
-        -0.19509032201612828, -0.33688985339222005, -0.47139673682599764, -0.5956993044924334,
-        -0.7071067811865476, -0.8032075314806449, -0.881921264348355, -0.9415440651830208,
-        -0.9807852804032304, -0.9987954562051724, -0.9951847266721969, -0.970031253194544,
-        -0.9238795325112867, -0.8577286100002721, -0.773010453362737, -0.6715589548470184,
-        -0.5555702330196022, -0.4275550934302821, -0.2902846772544624, -0.14673047445536175 },
-    { 0.0, 0.17096188876030122, 0.33688985339222005, 0.49289819222978404, 0.6343932841636455,
-        0.7572088465064846, 0.8577286100002721, 0.9329927988347388, 0.9807852804032304,
-        0.9996988186962042, 0.989176509964781, 0.9495281805930367, 0.881921264348355,
-        0.7883464276266062, 0.6715589548470184, 0.5349976198870973, 0.3826834323650898,
-        0.2191012401568698, 0.049067674327418015, -0.1224106751992162, -0.2902846772544624,
-        -0.4496113296546066, -0.5956993044924334, -0.7242470829514669, -0.8314696123025452,
-        -0.9142097557035307, -0.970031253194544, -0.9972904566786902, -0.9951847266721969,
-        -0.9637760657954398, -0.9039892931234433, -0.8175848131515837, -0.7071067811865476,
-        -0.5758081914178453, -0.4275550934302821, -0.26671275747489837, -0.0980171403295606,
-        0.07356456359966743, 0.2429801799032639, 0.40524131400498986, 0.5555702330196022,
-        0.6895405447370669, 0.8032075314806449, 0.8932243011955153, 0.9569403357322088,
-        0.99247953459871, 0.9987954562051724, 0.9757021300385286, 0.9238795325112867,
-        0.8448535652497071, 0.7409511253549591, 0.6152315905806268, 0.47139673682599764,
-        0.31368174039889146, 0.14673047445536175, -0.024541228522912288, -0.19509032201612828,
-        -0.35989503653498817, -0.5141027441932218, -0.6531728429537768, -0.773010453362737,
-        -0.8700869911087115, -0.9415440651830208, -0.9852776423889412, -1.0, -0.9852776423889412,
-        -0.9415440651830208, -0.8700869911087115, -0.773010453362737, -0.6531728429537768,
-        -0.5141027441932218, -0.35989503653498817, -0.19509032201612828, -0.024541228522912288,
-        0.14673047445536175, 0.31368174039889146, 0.47139673682599764, 0.6152315905806268,
-        0.7409511253549591, 0.8448535652497071, 0.9238795325112867, 0.9757021300385286,
-        0.9987954562051724, 0.99247953459871, 0.9569403357322088, 0.8932243011955153,
-        0.8032075314806449, 0.6895405447370669, 0.5555702330196022, 0.40524131400498986,
-        0.2429801799032639, 0.07356456359966743, -0.0980171403295606, -0.26671275747489837,
-        -0.4275550934302821, -0.5758081914178453, -0.7071067811865476, -0.8175848131515837,
-        -0.9039892931234433, -0.9637760657954398, -0.9951847266721969, -0.9972904566786902,
-        -0.970031253194544, -0.9142097557035307, -0.8314696123025452, -0.7242470829514669,
-        -0.5956993044924334, -0.4496113296546066, -0.2902846772544624, -0.1224106751992162,
-        0.049067674327418015, 0.2191012401568698, 0.3826834323650898, 0.5349976198870973,
-        0.6715589548470184, 0.7883464276266062, 0.881921264348355, 0.9495281805930367,
-        0.989176509964781, 0.9996988186962042, 0.9807852804032304, 0.9329927988347388,
-        0.8577286100002721, 0.7572088465064846, 0.6343932841636455, 0.49289819222978404,
-        0.33688985339222005, 0.17096188876030122 },
-    { 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
-        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
-        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
-        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
-        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
-        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
-        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0,
-        0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
-        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
-        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
-        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
-        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
-        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
-        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0,
-        0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
-        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
-        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
-        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
-        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
-        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
-        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0,
-        0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
-        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
-        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
-        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
-        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
-        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
-        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828 },
-};
-
-/* C = A B for rigid transforms, three rows of four. */
-static inline void welding_5r_compose(const double A[12], const double B[12], double C[12])
-{
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
-            C[4 * i + j] = A[4 * i] * B[j] + A[4 * i + 1] * B[4 + j] + A[4 * i + 2] * B[8 + j] +
-                           (j == 3 ? A[4 * i + 3] : 0.0);
-        }
-    }
-}
-
-static inline void welding_5r_invert(const double A[12], double B[12])
-{
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            B[4 * i + j] = A[4 * j + i];
-        }
-        B[4 * i + 3] = -(A[i] * A[3] + A[4 + i] * A[7] + A[8 + i] * A[11]);
-    }
-}
-
-static inline void welding_5r_copy(const double A[12], double B[12])
-{
-    for (int i = 0; i < 12; i++) {
-        B[i] = A[i];
-    }
-}
-
-/* A becomes A B. */
-static inline void welding_5r_then(double A[12], const double B[12])
-{
-    double C[12];
-    welding_5r_compose(A, B, C);
-    welding_5r_copy(C, A);
-}
-
-/* The links K0 ... K4 of the loop and its pose P = L T R, in arm sizes. */
-static void welding_5r_close(const double T[16], welding_5r_loop *loop)
-{
-    double *const P = loop->link[5], right[12];
-    welding_5r_copy(welding_5r_constant[0], loop->link[0]);
-    welding_5r_copy(welding_5r_constant[1], loop->link[1]);
-    welding_5r_copy(welding_5r_constant[2], loop->link[2]);
-    welding_5r_copy(welding_5r_constant[3], loop->link[3]);
-    welding_5r_copy(welding_5r_constant[4], loop->link[4]);
-    welding_5r_copy(welding_5r_constant[5], P);
-    welding_5r_copy(welding_5r_constant[6], right);
-    welding_5r_then(P, T);
-    welding_5r_then(P, right);
-    for (int i = 3; i < 12; i += 4) {
-        P[i] *= 1.7328289312343783;
-    }
-}
-
-/* a rigid transform for each lane */
-typedef welding_5r_lane welding_5r_rigid[3][4];
-
-/* T Rz */
-static inline void welding_5r_turn(welding_5r_rigid T, welding_5r_lane c, welding_5r_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const welding_5r_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void welding_5r_move(welding_5r_rigid T, int joint, welding_5r_lane c, welding_5r_lane
-    s)
-{
-    (void)joint;
-    welding_5r_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void welding_5r_follow(welding_5r_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const welding_5r_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void welding_5r_begin(welding_5r_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = welding_5r_all(K[i]);
-    }
-}
-
-/* A cosine and a sine without their common factor, which is told while it has a square. */
-static inline void welding_5r_to_unit(welding_5r_lane *c, welding_5r_lane *s)
-{
-    const welding_5r_lane square = *c * *c + *s * *s, factor = 1.0 / welding_5r_sqrt(square +
-        1e-300);
-    const welding_5r_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
-    *c = welding_5r_select(told, *c * factor, welding_5r_all(1.0));
-    *s = welding_5r_select(told, *s * factor, welding_5r_all(0.0));
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. Sums are of two halves, so
- * that half as many operations wait for each other. */
-static inline welding_5r_lane welding_5r_reflect(welding_5r_lane *const *row, int rows, int column,
-    int columns)
-{
-    welding_5r_lane axis[6], half[2], length, factor;
-    half[0] = half[1] = welding_5r_all(0.0);
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        half[i % 2] += axis[i] * axis[i];
-    }
-    length = welding_5r_with_sign(welding_5r_sqrt(half[0] + half[1]), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        welding_5r_lane sum;
-        half[0] = axis[0] * row[0][j];
-        half[1] = axis[1] * row[1][j];
-        for (int i = 2; i < rows; i++) {
-            half[i % 2] += axis[i] * row[i][j];
-        }
-        sum = (half[0] + half[1]) * factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
-}
-
-/* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
- * and (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
-static inline void welding_5r_act(const double K[12], welding_5r_lane x[15])
-{
-    const double t[3] = {K[3], K[7], K[11]};
-    const double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
-    welding_5r_lane u[3], q[3], v[3], w[3], along;
-    for (int i = 0; i < 3; i++) {
-        const double *const row = K + 4 * i;
-        u[i] = row[0] * x[1] + row[1] * x[2] + row[2] * x[3];
-        q[i] = row[0] * x[4] + row[1] * x[5] + row[2] * x[6];
-        v[i] = row[0] * x[9] + row[1] * x[10] + row[2] * x[11];
-        w[i] = row[0] * x[12] + row[1] * x[13] + row[2] * x[14];
-    }
-    along = t[0] * u[0] + t[1] * u[1] + t[2] * u[2];
-    x[7] += 2.0 * (t[0] * q[0] + t[1] * q[1] + t[2] * q[2]) + square * x[0];
-    x[8] += along;
-    for (int i = 0; i < 3; i++) {
-        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-        x[1 + i] = u[i];
-        x[4 + i] = q[i] + t[i] * x[0];
-        x[9 + i] = v[i] + (t[i1] * u[i2] - t[i2] * u[i1]);
-        x[12 + i] = w[i] - 2.0 * (t[i] * x[8] + (t[i1] * v[i2] - t[i2] * v[i1])) + square * u[i];
-    }
-}
-
-/* What a joint that turns makes of features: the coefficients of 1, cos and sin of its angle. */
-static inline void welding_5r_cosines(const welding_5r_lane x[15], welding_5r_lane part[3][15])
-{
-    static const int vector[4] = {1, 4, 9, 12};
-    const welding_5r_lane zero = {0};
-    for (int i = 0; i < 15; i++) {
-        part[0][i] = x[i];
-        part[1][i] = part[2][i] = zero;
-    }
-    for (int i = 0; i < 4; i++) {
-        const int at = vector[i];
-        part[0][at] = part[0][at + 1] = zero;
-        part[1][at] = part[2][at + 1] = x[at];
-        part[1][at + 1] = x[at + 1];
-        part[2][at] = -x[at + 1];
-    }
-}
-
-typedef void welding_5r_joint_parts(const welding_5r_lane x[15], welding_5r_lane part[3][15]);
-
-/* Columns of features pass a link, and each becomes three by what the joint before it does: column
- * a columns + k is part a of column k. */
-static void welding_5r_pass(const double K[12], double from[15][40], int columns,
-                         welding_5r_joint_parts *parts, double to[15][40])
-{
-    /* from the last on, so that what runs over is written again */
-    for (int k = (columns - 1) / WELDING_5R_LANES * WELDING_5R_LANES; k >= 0; k -= WELDING_5R_LANES)
-        {
-        welding_5r_lane x[15], part[3][15];
-        for (int i = 0; i < 15; i++) {
-            x[i] = WELDING_5R_LOAD(&from[i][k]);
-        }
-        welding_5r_act(K, x);
-        parts(x, part);
-        for (int i = 0; i < 15; i++) {
-            for (int a = 0; a < 3; a++) {
-                WELDING_5R_STORE(&to[i][a * columns + k], part[a][i]);
-            }
-        }
-    }
-}
-
-/* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say how to reflect others. */
-static inline void welding_5r_clear(double A[6][8], int rows, int columns, double axis[6][8],
-                                 double factor[6])
-{
-    for (int c = 0; c < columns; c++) {
-        double square = 0.0, length;
-        for (int i = c; i < rows; i++) {
-            axis[c][i] = A[c][i];
-            square += A[c][i] * A[c][i];
-        }
-        length = copysign(sqrt(square), A[c][c]);
-        axis[c][c] += length;
-        factor[c] = 1.0 / (length * axis[c][c] + 1e-300);
-        for (int j = c + 1; j < columns; j++) {
-            double sum = 0.0;
-            for (int i = c; i < rows; i++) {
-                sum += axis[c][i] * A[j][i];
-            }
-            sum *= factor[c];
-            for (int i = c; i < rows; i++) {
-                A[j][i] -= axis[c][i] * sum;
-            }
-        }
-    }
-}
-
-static inline void welding_5r_mirror(double axis[6][8], const double factor[6], int rows, int
-    columns,
-                                  welding_5r_lane x[8])
-{
-    for (int c = 0; c < columns; c++) {
-        welding_5r_lane sum = axis[c][c] * x[c];
-        for (int i = c + 1; i < rows; i++) {
-            sum += axis[c][i] * x[i];
-        }
-        sum *= factor[c];
-        for (int i = c; i < rows; i++) {
-            x[i] -= axis[c][i] * sum;
-        }
-    }
-}
-
-/* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
- * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths; the
- * left side's features have columns like these. */
-static void welding_5r_equations(const welding_5r_formulation *form, double link[6][12], const
-    double (*left)[32],
-                         double E[192])
-{
-    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
-    double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
-    /* the features that the outer joint of the right side leaves alone, and those that it mixes:
-     * the former hold two of the eight monomials, the latter six */
-    static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
-    (void)form;
-    x[0][0] = x[3][0] = 1.0; /* the origin and z */
-    welding_5r_invert(link[3], inverse);
-    welding_5r_pass(inverse, x, 1, welding_5r_cosines, y);
-    welding_5r_invert(link[4], inverse);
-    welding_5r_pass(inverse, y, 3, welding_5r_cosines, right);
-    for (int i = 0; i < 6; i++) {
-        A[0][i] = right[still[i]][1];
-        A[1][i] = right[still[i]][2];
-    }
-    welding_5r_clear(A, 6, 2, still_axis, still_factor);
-    for (int i = 0; i < 8; i++) {
-        for (int k = 0; k < 6; k++) {
-            A[k][i] = right[pair[i]][3 + k];
-        }
-    }
-    welding_5r_clear(A, 8, 6, pair_axis, pair_factor);
-    for (int k = 0; k < 32; k += WELDING_5R_LANES) {
-        welding_5r_lane z[15], alone[8], mixed[8];
-        for (int i = 0; i < 15; i++) {
-            z[i] = WELDING_5R_LOAD(&left[i][k]);
-        }
-        for (int i = 0; i < 6; i++) {
-            /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
-            alone[i] = z[still[i]] - right[still[i]][0] * z[0];
-        }
-        for (int i = 0; i < 8; i++) {
-            mixed[i] = z[pair[i]];
-        }
-        welding_5r_mirror(still_axis, still_factor, 6, 2, alone);
-        welding_5r_mirror(pair_axis, pair_factor, 8, 6, mixed);
-        for (int r = 0; r < 6; r++) {
-            WELDING_5R_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
-        }
-    }
-}
-
-/* The determinant at hidden angles, and the upper triangular factor whose null vectors are
- * (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
- * [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6. */
-static inline welding_5r_lane welding_5r_fold(const double *E, welding_5r_lane c, welding_5r_lane s,
-                                        welding_5r_lane factor[6][6])
-{
-    welding_5r_lane M[6][9], W[6][9], determinant;
-    welding_5r_lane *const rows[6] = {M[0], M[1], M[2], M[3], M[4], M[5]};
-    welding_5r_lane *const last[6] = {factor[0], factor[1], factor[2], factor[3], factor[4],
-        factor[5]};
-    const welding_5r_lane zero = {0};
-    for (int r = 0; r < 6; r++) {
-        for (int k = 0; k < 9; k++) {
-            const int at = 32 * r + 3 * (k % 3) + k / 3;
-            M[r][k] = E[at] + E[9 + at] * c + E[18 + at] * s;
-        }
-    }
-    determinant = welding_5r_reflect(rows, 6, 0, 9);
-    determinant *= welding_5r_reflect(rows + 1, 5, 1, 9);
-    determinant *= welding_5r_reflect(rows + 2, 4, 2, 9);
-    /* now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0 */
-    for (int r = 0; r < 3; r++) {
-        for (int k = 0; k < 9; k++) {
-            W[r][k] = M[r][k];
-            W[3 + r][k] = k < 6 ? M[3 + r][3 + k] : zero;
-            if (k < 6) {
-                factor[3 + r][k] = M[3 + r][3 + k];
-            }
-        }
-    }
-    for (int k = 0; k < 3; k++) {
-        welding_5r_lane *const four[4] = {W[k], W[3], W[4], W[5]};
-        determinant *= welding_5r_reflect(four, 4, k, 9);
-    }
-    for (int r = 0; r < 3; r++) {
-        for (int k = 0; k < 6; k++) {
-            factor[r][k] = W[3 + r][3 + k];
-        }
-    }
-    determinant *= welding_5r_reflect(last, 6, 0, 6);
-    determinant *= welding_5r_reflect(last + 1, 5, 1, 6);
-    determinant *= welding_5r_reflect(last + 2, 4, 2, 6);
-    determinant *= welding_5r_reflect(last + 3, 3, 3, 6);
-    determinant *= welding_5r_reflect(last + 4, 2, 4, 6);
-    return determinant * factor[5][5];
-}
-
-/* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
-typedef struct {
-    double a[9], b[9];
-    double scale;    /* the largest sample */
-    double noise;    /* the harmonics beyond the eighth, over scale */
-    double rounding; /* how far f may be from what it stands for */
-    double touching; /* how far an extremum may be lifted for roots to meet there */
-} welding_5r_trigonometric;
-
-/* f and f' at the edges of the cells; the first edge stands at the end again */
-typedef struct {
-    double value[264] WELDING_5R_ALIGNED, slope[264] WELDING_5R_ALIGNED;
-} welding_5r_grid;
-
-/* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
-typedef struct {
-    int simple, doubles, unseen, complete;
-    double c[WELDING_5R_ROOTS + 8], s[WELDING_5R_ROOTS + 8];
-    double double_c[WELDING_5R_ROOTS], double_s[WELDING_5R_ROOTS];
-} welding_5r_roots;
-
-/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
- * the value of a parabola over its bend where two complex roots count as a double one. */
-typedef struct {
-    int middle, reach;
-    double lifted;
-} welding_5r_window;
-
-static void welding_5r_fit(const double samples[24], welding_5r_trigonometric *f)
-{
-    double h[24] = {0.0}, most = 0.0, beyond = 0.0;
-    for (int k = 0; k < 24; k++) {
-        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
-    }
-    for (int k = 0; k < 24; k++) {
-        for (int j = 0; j < 24; j++) {
-            h[j] += samples[k] * welding_5r_harmonics[k][j];
-        }
-    }
-    for (int j = 17; j < 24; j++) {
-        beyond = fabs(h[j]) > beyond ? fabs(h[j]) : beyond;
-    }
-    f->a[0] = h[0];
-    f->b[0] = 0.0;
-    for (int m = 1; m < 9; m++) {
-        f->a[m] = h[m];
-        f->b[m] = h[8 + m];
-    }
-    f->scale = most;
-    f->noise = most > 0.0 ? beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 64.0 * f->noise);
-    f->touching = f->rounding + most * 2e-09;
-}
-
-/* f, f', f'' where the cosine and sine are given */
-static void welding_5r_at(const welding_5r_trigonometric *f, double cosine, double sine, double
-    out[3])
-{
-    double c = 1.0, s = 0.0;
-    out[0] = out[1] = out[2] = 0.0;
-    for (int m = 0; m < 9; m++) {
-        const double even = f->a[m] * c + f->b[m] * s, odd = f->b[m] * c - f->a[m] * s;
-        const double next = c * cosine - s * sine;
-        out[0] += even;
-        out[1] += m * odd;
-        out[2] -= m * m * even;
-        s = s * cosine + c * sine;
-        c = next;
-    }
-}
-
-/* At the edges of the cells what has these coefficients. */
-static void welding_5r_fill_grid(const double *restrict a, const double *restrict b, double
-    *restrict out)
-{
-    for (int i = 0; i < 128; i += WELDING_5R_LANES) {
-        /* even multiples, the same half a turn on; odd ones, the opposite there */
-        welding_5r_lane even = welding_5r_all(a[0]), odd = welding_5r_all(0.0);
-        for (int m = 1; m < 9; m += 2) {
-            odd += a[m] * WELDING_5R_LOAD(&welding_5r_grid_c[m - 1][i]);
-            even += a[m + 1] * WELDING_5R_LOAD(&welding_5r_grid_c[m][i]);
-            odd += b[m] * WELDING_5R_LOAD(&welding_5r_grid_s[m - 1][i]);
-            even += b[m + 1] * WELDING_5R_LOAD(&welding_5r_grid_s[m][i]);
-        }
-        WELDING_5R_STORE(&out[i], even + odd);
-        WELDING_5R_STORE(&out[i + 128], even - odd);
-    }
-    out[256] = out[0];
-}
-
-static void welding_5r_fill_grids(const welding_5r_trigonometric *f, welding_5r_grid *g)
-{
-    double a[9], b[9];
-    for (int m = 0; m < 9; m++) {
-        a[m] = m * f->b[m];
-        b[m] = -m * f->a[m];
-    }
-    welding_5r_fill_grid(f->a, f->b, g->value);
-    welding_5r_fill_grid(a, b, g->slope);
-}
-
-/* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
- * and f' at both edges are not all of the sign of the first beyond doubt. */
-static unsigned long long welding_5r_open_cells(const welding_5r_grid *g, int from, double doubt)
-{
-    const double third = 0.02454369260617026 / 3.0;
-    unsigned long long bits = 0;
-#if WELDING_5R_LANES > 1
-    welding_5r_mask weight, sum = {0};
-    for (int k = 0; k < WELDING_5R_LANES; k++) {
-        weight[k] = 1LL << k;
-    }
-#endif
-    for (int i = 0; i < 64; i += WELDING_5R_LANES) {
-        const welding_5r_lane first = WELDING_5R_LOAD(&g->value[from + i]);
-        const welding_5r_lane f0 = welding_5r_abs(first) - doubt;
-        const welding_5r_lane f1 = welding_5r_facing(WELDING_5R_LOAD(&g->value[from + i + 1]),
-            first) - doubt;
-        const welding_5r_lane d0 = welding_5r_facing(WELDING_5R_LOAD(&g->slope[from + i]), first);
-        const welding_5r_lane d1 = welding_5r_facing(WELDING_5R_LOAD(&g->slope[from + i + 1]),
-            first);
-        const welding_5r_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
-#if WELDING_5R_LANES > 1
-        const welding_5r_mask signs = (welding_5r_mask)f0 | (welding_5r_mask)f1 |
-            (welding_5r_mask)b1 | (welding_5r_mask)b2;
-        sum |= ((signs < 0) & weight) << i;
-#else
-        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
-#endif
-    }
-#if WELDING_5R_LANES > 1
-    for (int k = 0; k < WELDING_5R_LANES; k++) {
-        bits |= (unsigned long long)sum[k];
-    }
-#endif
-    return bits;
-}
-
-static void welding_5r_add_root(welding_5r_roots *roots, double c, double s, int twice)
-{
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
-    if (*count == WELDING_5R_ROOTS) {
-        roots->complete = 0;
-        return;
-    }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
-    *count += 1;
-}
-
-/* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
- * about where what is looked for lies, in parts of the width. */
-typedef struct {
-    int count;
-    double c[48], s[48], width[48], start[48];
-    double low[3][48], high[3][48];
-} welding_5r_parts;
-
-/* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
-typedef struct {
-    double lifted; /* as of the window */
-    welding_5r_parts turning, crossing;
-} welding_5r_waiting;
-
-static void welding_5r_add_part(welding_5r_parts *parts, double c, double s, double width, const
-    double low[3],
-                             const double high[3], double start)
-{
-    const int n = parts->count++;
-    parts->c[n] = c;
-    parts->s[n] = s;
-    parts->width[n] = width;
-    parts->start[n] = start;
-    for (int i = 0; i < 3; i++) {
-        parts->low[i][n] = low[i];
-        parts->high[i][n] = high[i];
-    }
-}
-
-/* Parts as they lie in lanes. */
-typedef struct {
-    welding_5r_lane c, s, width, start, low[3], high[3];
-} welding_5r_spans;
-
-/* Parts from one on; behind the last one it stands again. */
-static void welding_5r_take_parts(welding_5r_parts *parts, int from, welding_5r_spans *out)
-{
-    const int last = parts->count - 1;
-    while (parts->count < from + WELDING_5R_LANES) {
-        const double low[3] = {parts->low[0][last], parts->low[1][last], parts->low[2][last]};
-        const double high[3] = {parts->high[0][last], parts->high[1][last], parts->high[2][last]};
-        welding_5r_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
-                         parts->start[last]);
-    }
-    parts->count = last + 1;
-    out->c = WELDING_5R_LOAD(parts->c + from);
-    out->s = WELDING_5R_LOAD(parts->s + from);
-    out->width = WELDING_5R_LOAD(parts->width + from);
-    out->start = WELDING_5R_LOAD(parts->start + from);
-    for (int i = 0; i < 3; i++) {
-        out->low[i] = WELDING_5R_LOAD(parts->low[i] + from);
-        out->high[i] = WELDING_5R_LOAD(parts->high[i] + from);
-    }
-}
-
-/* Where the quintic through f, f', f'' at both ends vanishes (order 0), or its derivative (order
- * 1), in parts of the width. */
-static inline welding_5r_lane welding_5r_on_quintic(int order, const welding_5r_spans *part)
-{
-    const welding_5r_lane h = part->width, d = h * part->low[1], s = h * h * part->low[2];
-    const welding_5r_lane D = part->high[0] - part->low[0] - d - 0.5 * s;
-    const welding_5r_lane D1 = h * part->high[1] - d - s, D2 = h * h * part->high[2] - s;
-    const welding_5r_lane c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
-    const welding_5r_lane c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
-    const welding_5r_mask rising = part->low[order] < 0.0;
-    welding_5r_lane x = part->start, from = welding_5r_all(0.0), to = welding_5r_all(1.0);
-    for (int i = 0; i < 4; i++) {
-        const welding_5r_lane f = part->low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x *
-            c5))));
-        const welding_5r_lane f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
-        const welding_5r_lane f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
-        const welding_5r_lane value = order ? f1 : f, slope = order ? f2 : f1;
-        const welding_5r_mask before = (value < 0.0) == rising;
-        from = welding_5r_select(before, x, from);
-        to = welding_5r_select(before, to, x);
-        x -= value / slope;
-        x = welding_5r_select((x >= from) & (x <= to), x, 0.5 * (from + to));
-    }
-    return x;
-}
-
-/* f, f', f'' where cosine and sine are given */
-static inline void welding_5r_at_all(const welding_5r_trigonometric *f, welding_5r_lane cosine,
-    welding_5r_lane sine,
-                                  welding_5r_lane out[3])
-{
-    welding_5r_lane c[9], s[9];
-    c[1] = cosine;
-    s[1] = sine;
-    out[0] = welding_5r_all(f->a[0]);
-    out[1] = out[2] = welding_5r_all(0.0);
-    for (int m = 1; m < 9; m++) {
-        const int less = m / 2, more = m - m / 2;
-        if (less) {
-            c[m] = c[less] * c[more] - s[less] * s[more];
-            s[m] = s[less] * c[more] + c[less] * s[more];
-        }
-        const welding_5r_lane even = f->a[m] * c[m] + f->b[m] * s[m], odd = f->b[m] * c[m] - f->a[m]
-            * s[m];
-        out[0] += even;
-        out[1] += m * odd;
-        out[2] -= m * m * even;
-    }
-}
-
-/* Turn on by a small angle, no larger than a cell. */
-static inline void welding_5r_turn_on(welding_5r_lane x, welding_5r_lane *c, welding_5r_lane *s)
-{
-    const welding_5r_lane u = x * x, c0 = *c, s0 = *s;
-    const welding_5r_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 / 720.0)));
-    const welding_5r_lane ds = x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
-    *c = c0 * dc - s0 * ds;
-    *s = s0 * dc + c0 * ds;
-}
-
-/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
- * f, f', f'' there, as far as an extremum is concerned. */
-static inline welding_5r_lane welding_5r_between(const welding_5r_trigonometric *f, int order,
-    double settled,
-                                           const welding_5r_spans *part, welding_5r_lane *c,
-                                               welding_5r_lane *s,
-                                           welding_5r_lane at[3])
-{
-    const welding_5r_mask rising = part->low[order] < 0.0;
-    welding_5r_lane from = welding_5r_all(0.0), to = part->width, x = part->width *
-        welding_5r_on_quintic(order, part);
-    welding_5r_lane step = part->width;
-    for (int i = 0; i < 48; i++) {
-        const welding_5r_mask moving = welding_5r_abs(step) >= settled;
-        if (i && welding_5r_largest(welding_5r_abs(step)) < settled) {
-            break;
-        }
-        *c = part->c;
-        *s = part->s;
-        welding_5r_turn_on(x, c, s);
-        welding_5r_at_all(f, *c, *s, at);
-        const welding_5r_mask before = (at[order] < 0.0) == rising;
-        from = welding_5r_select(before, x, from);
-        to = welding_5r_select(before, to, x);
-        step = -at[order] / at[order + 1];
-        step = welding_5r_select((x + step >= from) & (x + step <= to), step, 0.5 * (from + to) -
-            x);
-        step = welding_5r_select(moving, step, welding_5r_all(0.0));
-        x += step;
-    }
-    welding_5r_turn_on(step, c, s);
-    at[0] += 0.5 * step * at[1]; /* what a parabola gains where its slope vanishes */
-    return x;
-}
-
-/* The double root, or the parts with a root, of a part of the circle whose extremum is known. */
-static void welding_5r_divide(const welding_5r_trigonometric *f, const welding_5r_parts *parts, int
-    i, double x,
-                           double c, double s, const double at[3], welding_5r_waiting *waiting,
-                           welding_5r_roots *roots)
-{
-    const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
-        f->touching;
-    const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
-    const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        welding_5r_add_root(roots, c, s, 1);
-        return;
-    }
-    /* where a parabola with its summit at the extremum has its roots */
-    if ((low[0] < 0.0) != (at[0] < 0.0)) {
-        welding_5r_add_part(&waiting->crossing, parts->c[i], parts->s[i], x, low, at,
-                         1.0 - sqrt(at[0] / (at[0] - low[0])));
-    }
-    if ((high[0] < 0.0) != (at[0] < 0.0)) {
-        welding_5r_add_part(&waiting->crossing, c, s, parts->width[i] - x, at, high,
-                         sqrt(at[0] / (at[0] - high[0])));
-    }
-}
-
-/* The roots of all parts that wait. */
-static void welding_5r_solve_parts(const welding_5r_trigonometric *f, welding_5r_waiting *waiting,
-    welding_5r_roots *roots)
-{
-    welding_5r_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
-    double x[WELDING_5R_LANES], c[WELDING_5R_LANES], s[WELDING_5R_LANES],
-        value[3][WELDING_5R_LANES];
-    welding_5r_spans part;
-    welding_5r_lane cosine, sine, at[3];
-    for (int from = 0; from < bent->count; from += WELDING_5R_LANES) {
-        welding_5r_take_parts(bent, from, &part);
-        WELDING_5R_STORE(x, welding_5r_between(f, 1, 1e-07, &part, &cosine, &sine, at));
-        WELDING_5R_STORE(c, cosine);
-        WELDING_5R_STORE(s, sine);
-        for (int i = 0; i < 3; i++) {
-            WELDING_5R_STORE(value[i], at[i]);
-        }
-        for (int k = 0; k < WELDING_5R_LANES && from + k < bent->count; k++) {
-            const double extremum[3] = {value[0][k], 0.0, value[2][k]};
-            welding_5r_divide(f, bent, from + k, x[k], c[k], s[k], extremum, waiting, roots);
-        }
-    }
-    for (int from = 0; from < crossing->count; from += WELDING_5R_LANES) {
-        welding_5r_take_parts(crossing, from, &part);
-        (void)welding_5r_between(f, 0, 1e-09, &part, &cosine, &sine, at);
-        WELDING_5R_STORE(c, cosine);
-        WELDING_5R_STORE(s, sine);
-        for (int k = 0; k < WELDING_5R_LANES && from + k < crossing->count; k++) {
-            welding_5r_add_root(roots, c[k], s[k], 0);
-        }
-    }
-    bent->count = crossing->count = 0;
-}
-
-/* A part where f has one extremum at most waits for others, to be solved in lanes. */
-static void welding_5r_few(const welding_5r_trigonometric *f, double c, double s, double width,
-    const double low[3],
-                        const double high[3], welding_5r_waiting *waiting, welding_5r_roots *roots)
-{
-    if (low[1] * high[1] < 0.0) {
-        welding_5r_add_part(&waiting->turning, c, s, width, low, high, low[1] / (low[1] - high[1]));
-    } else if ((low[0] < 0.0) != (high[0] < 0.0)) {
-        welding_5r_add_part(&waiting->crossing, c, s, width, low, high, low[0] / (low[0] -
-            high[0]));
-    }
-    if (waiting->turning.count == 16 || waiting->crossing.count == 16) {
-        welding_5r_solve_parts(f, waiting, roots);
-    }
-}
-
-/* What is known about f in a part of the circle. */
-enum { WELDING_5R_ROOTLESS, WELDING_5R_FLAT, WELDING_5R_TAME, WELDING_5R_WILD };
-
-/* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
- * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
- * f, f' and f''. */
-static inline void welding_5r_kinds(const welding_5r_trigonometric *f, const welding_5r_spans *part,
-    int kind[WELDING_5R_LANES])
-{
-    const welding_5r_lane h = part->width, d0 = h * part->low[1] * 0.2, d1 = h * part->high[1] *
-        0.2;
-    const welding_5r_lane s0 = h * h * part->low[2] * 0.05, s1 = h * h * part->high[2] * 0.05;
-    const welding_5r_lane share = h * (1.0 / 0.02454369260617026), square = share * share;
-    const welding_5r_lane doubt = f->rounding + f->scale * 2e-09 * square * square * square;
-    const welding_5r_lane b[6] = {part->low[0],
-                           part->low[0] + d0,
-                           part->low[0] + 2.0 * d0 + s0,
-                           part->high[0] - 2.0 * d1 + s1,
-                           part->high[0] - d1,
-                           part->high[0]};
-    welding_5r_lane least[3], most[3];
-    double bounds[5][WELDING_5R_LANES];
-    least[0] = welding_5r_min(b[0], b[5]);
-    most[0] = welding_5r_max(b[0], b[5]);
-    least[1] = most[1] = b[1] - b[0];
-    least[2] = most[2] = b[2] - b[1] - least[1];
-    for (int i = 1; i < 5; i++) {
-        const welding_5r_lane first = b[i + 1] - b[i], second = first - (b[i] - b[i - 1]);
-        least[0] = welding_5r_min(least[0], b[i]);
-        most[0] = welding_5r_max(most[0], b[i]);
-        least[1] = welding_5r_min(least[1], first);
-        most[1] = welding_5r_max(most[1], first);
-        least[2] = welding_5r_min(least[2], second);
-        most[2] = welding_5r_max(most[2], second);
-    }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's
-     * ends */
-    WELDING_5R_STORE(bounds[0], least[0]);
-    WELDING_5R_STORE(bounds[1], most[0]);
-    WELDING_5R_STORE(bounds[2], welding_5r_max(least[1], -most[1]) - doubt * share);
-    WELDING_5R_STORE(bounds[3], welding_5r_max(least[2], -most[2]) - doubt * square);
-    WELDING_5R_STORE(bounds[4], welding_5r_max(doubt, welding_5r_all(f->touching)));
-    for (int k = 0; k < WELDING_5R_LANES; k++) {
-        if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
-            kind[k] = WELDING_5R_ROOTLESS;
-        } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
-            kind[k] = WELDING_5R_FLAT;
-        } else {
-            kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? WELDING_5R_TAME : WELDING_5R_WILD;
-        }
-    }
-}
-
-/* The same of one part. */
-static int welding_5r_kind(const welding_5r_trigonometric *f, const double low[3], const double
-    high[3], double h)
-{
-    welding_5r_spans part;
-    int kind[WELDING_5R_LANES];
-    part.width = welding_5r_all(h);
-    for (int i = 0; i < 3; i++) {
-        part.low[i] = welding_5r_all(low[i]);
-        part.high[i] = welding_5r_all(high[i]);
-    }
-    welding_5r_kinds(f, &part, kind);
-    return kind[0];
-}
-
-/* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void welding_5r_many(const welding_5r_trigonometric *f, double low, double c, double s, const
-    double first[3],
-                         const double last[3], int *budget, welding_5r_waiting *waiting,
-                         welding_5r_roots *roots)
-{
-    /* the upper edges still to come */
-    double edge[16], edge_c[16], edge_s[16], at[16][3];
-    double at_low[3];
-    int depth[16], open = 1;
-    edge[0] = low + 0.02454369260617026;
-    edge_c[0] = edge_s[0] = 0.0; /* nothing begins there */
-    depth[0] = 0;
-    for (int i = 0; i < 3; i++) {
-        at_low[i] = first[i];
-        at[0][i] = last[i];
-    }
-    while (open > 0) {
-        const int top = open - 1;
-        const double h = edge[top] - low;
-        const int kind = welding_5r_kind(f, at_low, at[top], h);
-        if (kind == WELDING_5R_TAME) {
-            welding_5r_few(f, c, s, h, at_low, at[top], waiting, roots);
-        } else if (kind != WELDING_5R_ROOTLESS) {
-            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
-            if (kind == WELDING_5R_FLAT || depth[top] == 14 || *budget == 0) {
-                welding_5r_solve_parts(f, waiting, roots); /* of neighbouring double roots the first
-                    is kept */
-                roots->complete = 0;
-                welding_5r_add_root(roots, cosine, sine, 1);
-            } else {
-                *budget -= 1;
-                edge[open] = middle;
-                edge_c[open] = cosine;
-                edge_s[open] = sine;
-                depth[top] += 1;
-                depth[open] = depth[top];
-                welding_5r_at(f, cosine, sine, at[open]);
-                open++;
-                continue;
-            }
-        }
-        low = edge[top];
-        c = edge_c[top];
-        s = edge_s[top];
-        for (int i = 0; i < 3; i++) {
-            at_low[i] = at[top][i];
-        }
-        open--;
-    }
-}
-
-/* Cosine and sine of the angle where a cell begins. */
-static void welding_5r_edge(int cell, double *c, double *s)
-{
-    const int half = cell % 128;
-    *c = cell < 128 ? welding_5r_grid_c[0][half] : -welding_5r_grid_c[0][half];
-    *s = cell < 128 ? welding_5r_grid_s[0][half] : -welding_5r_grid_s[0][half];
-}
-
-static int welding_5r_lowest(unsigned long long bits)
-{
-#ifdef __GNUC__
-    return __builtin_ctzll(bits);
-#else
-    int i = 0;
-    while (!(bits >> i & 1)) {
-        i++;
-    }
-    return i;
-#endif
-}
-
-/* The roots of some cells that are open. */
-static void welding_5r_search_cells(const welding_5r_trigonometric *f, const welding_5r_grid *g,
-    const int *cell, int count,
-                                 int *budget, welding_5r_waiting *waiting, welding_5r_roots *roots)
-{
-    const double h = 0.02454369260617026;
-    double in[8][WELDING_5R_LANES], bend[2][WELDING_5R_LANES];
-    int kind[WELDING_5R_LANES];
-    welding_5r_spans part;
-    for (int k = 0; k < WELDING_5R_LANES; k++) {
-        const int i = cell[k < count ? k : 0];
-        in[0][k] = g->value[i];
-        in[1][k] = g->slope[i];
-        in[2][k] = g->value[i + 1];
-        in[3][k] = g->slope[i + 1];
-        welding_5r_edge(i, &in[4][k], &in[5][k]);
-        welding_5r_edge((i + 1) % 256, &in[6][k], &in[7][k]);
-    }
-    part.width = welding_5r_all(h);
-    for (int end = 0; end < 2; end++) {
-        welding_5r_lane at[3], *const to = end ? part.high : part.low;
-        welding_5r_at_all(f, WELDING_5R_LOAD(in[4 + 2 * end]), WELDING_5R_LOAD(in[5 + 2 * end]),
-            at);
-        /* the edges' own values, so that neighbouring cells agree about their signs */
-        to[0] = WELDING_5R_LOAD(in[2 * end]);
-        to[1] = WELDING_5R_LOAD(in[2 * end + 1]);
-        to[2] = at[2];
-        WELDING_5R_STORE(bend[end], at[2]);
-    }
-    welding_5r_kinds(f, &part, kind);
-    for (int k = 0; k < count; k++) {
-        const double low[3] = {in[0][k], in[1][k], bend[0][k]};
-        const double high[3] = {in[2][k], in[3][k], bend[1][k]};
-        if (kind[k] == WELDING_5R_TAME) {
-            welding_5r_few(f, in[4][k], in[5][k], h, low, high, waiting, roots);
-        } else if (kind[k] != WELDING_5R_ROOTLESS) {
-            welding_5r_many(f, cell[k] * h, in[4][k], in[5][k], low, high, budget, waiting, roots);
-        }
-    }
-}
-
-static void welding_5r_find_roots(const welding_5r_trigonometric *f, const welding_5r_window
-    *window,
-                               welding_5r_roots *roots)
-{
-    welding_5r_grid g;
-    welding_5r_waiting waiting;
-    int open[256], count = 0;
-    int budget = 100; /* against an f that is next to nothing for long stretches */
-    welding_5r_fill_grids(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
-    roots->complete = 1;
-    for (int word = 0; word < 256 / 64; word++) {
-        unsigned long long bits =
-            welding_5r_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-05);
-        for (; bits; bits &= bits - 1) {
-            const int i = 64 * word + welding_5r_lowest(bits);
-            const int away = i > window->middle ? i - window->middle : window->middle - i;
-            if (away <= window->reach || 256 - away <= window->reach) {
-                open[count++] = i;
-            }
-        }
-    }
-    waiting.lifted = window->lifted;
-    waiting.turning.count = waiting.crossing.count = 0;
-    for (int k = 0; k < count; k += WELDING_5R_LANES) {
-        welding_5r_search_cells(f, &g, open + k, count - k < WELDING_5R_LANES ? count - k :
-            WELDING_5R_LANES, &budget,
-                             &waiting, roots);
-    }
-    welding_5r_solve_parts(f, &waiting, roots);
-}
-
-/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
- * maps the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger.
- * Where all roots lie together, as near the boundary of reach, f drowns in rounding without it. */
-typedef struct {
-    double x, y;
-} welding_5r_lens;
-
-/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a polynomial in psi. */
-static inline welding_5r_lane welding_5r_through(const welding_5r_lens *a, welding_5r_lane *c,
-    welding_5r_lane *s)
-{
-    const welding_5r_lane u = *c + a->x, v = *s + a->y;
-    const welding_5r_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
-    const welding_5r_lane square = d * d + e * e;
-    *c = (u * d + v * e) / square;
-    *s = (v * d - u * e) / square;
-    return square;
-}
-
-/* The samples of f in phi become those of a polynomial in psi. */
-static inline welding_5r_lane welding_5r_weighted(welding_5r_lane f, welding_5r_lane square)
-{
-    const welding_5r_lane fourth = square * square, eighth = fourth * fourth;
-    return f * (eighth * eighth);
-}
-
-/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
- * |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
- * the circle, that of its mirror image for z outside. */
-static int welding_5r_spread(const double samples[24], welding_5r_lens *a)
-{
-    double x = 0.0, y = 0.0, square, part;
-    for (int k = 0; k < 12; k++) {
-        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
-        x += ratio * welding_5r_sample_c[k];
-        y += ratio * welding_5r_sample_s[k];
-    }
-    x *= -0.005208333333333333;
-    y *= -0.005208333333333333;
-    square = x * x + y * y;
-    if (!(square > 0.12249999999999998)) {
-        return 0;
-    }
-    part = fmin(1.0, 0.9 / sqrt(square));
-    a->x = part * x;
-    a->y = part * y;
-    return 1;
-}
-
-/* Roots as they are without the lens. */
-static void welding_5r_behind(const welding_5r_lens *a, int count, double *cosine, double *sine)
-{
-    for (int i = 0; i < count; i += WELDING_5R_LANES) {
-        welding_5r_lane c = WELDING_5R_LOAD(cosine + i), s = WELDING_5R_LOAD(sine + i);
-        (void)welding_5r_through(a, &c, &s);
-        WELDING_5R_STORE(cosine + i, c);
-        WELDING_5R_STORE(sine + i, s);
-    }
-}
-
-/* Samples of a polynomial through a lens; `of` is what it is made of. */
-typedef void (*welding_5r_sampler)(const void *of, const welding_5r_lens *lens, double samples[24]);
-
-/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
-static int welding_5r_near(double c, double s, double cosine, double sine)
-{
-    return c * cosine + s * sine >= 0.9980487804878049;
-}
-
-/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
-static int welding_5r_keep_roots(int near, double cosine, double sine, const double *from_c,
-                              const double *from_s, int many, double *c, double *s, int count)
-{
-    for (int i = 0; i < many && count < WELDING_5R_ROOTS; i++) {
-        if (welding_5r_near(from_c[i], from_s[i], cosine, sine) == near) {
-            c[count] = from_c[i];
-            s[count] = from_s[i];
-            count++;
-        }
-    }
-    return count;
-}
-
-/* The roots around an angle, through a lens that magnifies what is there, instead of those that
- * were known. Returns 0, and leaves these, where that does not show all. */
-static int welding_5r_magnify(welding_5r_sampler sample, const void *of, double cosine, double sine,
-                           welding_5r_roots *roots)
-{
-    const welding_5r_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
-    const double turns = atan2(sine, cosine) / 6.283185307179586;
-    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
-    const welding_5r_window window = {cell, 38, 1.28e-06};
-    double samples[24];
-    welding_5r_trigonometric f;
-    welding_5r_roots found;
-    sample(of, &lens, samples);
-    welding_5r_fit(samples, &f);
-    if (!(f.noise <= 1e-10)) {
-        return 0;
-    }
-    welding_5r_find_roots(&f, &window, &found);
-    if (!found.complete) {
-        return 0;
-    }
-    welding_5r_behind(&lens, found.simple, found.c, found.s);
-    welding_5r_behind(&lens, found.doubles, found.double_c, found.double_s);
-    roots->simple = welding_5r_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
-                                       roots->c, roots->s, 0);
-    roots->doubles = welding_5r_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
-                                        roots->doubles, roots->double_c, roots->double_s, 0);
-    roots->simple = welding_5r_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
-                                       roots->c, roots->s, roots->simple);
-    roots->doubles = welding_5r_keep_roots(1, cosine, sine, found.double_c, found.double_s,
-                                        found.doubles, roots->double_c, roots->double_s,
-                                        roots->doubles);
-    return 1;
-}
-
-/* Whether any root is near to an angle. */
-static int welding_5r_any_near(const welding_5r_roots *roots, double cosine, double sine)
-{
-    int any = 0;
-    for (int i = 0; i < roots->simple; i++) {
-        any |= welding_5r_near(roots->c[i], roots->s[i], cosine, sine);
-    }
-    for (int i = 0; i < roots->doubles; i++) {
-        any |= welding_5r_near(roots->double_c[i], roots->double_s[i], cosine, sine);
-    }
-    return any;
-}
-
-/* Where roots may be double they are replaced by what a closer look shows: values that are computed
- * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was given up stands among them. */
-static void welding_5r_look_closer(welding_5r_sampler sample, const void *of, welding_5r_roots
-    *roots)
-{
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
-    if (roots->simple == WELDING_5R_ROOTS || roots->doubles == WELDING_5R_ROOTS) {
-        return;
-    }
-    while (i < roots->doubles) {
-        int seen = 0;
-        for (int k = 0; k < looks; k++) {
-            seen |= welding_5r_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
-        }
-        if (seen) {
-            i++;
-            continue;
-        }
-        if (looks == 4) {
-            break;
-        }
-        c[looks] = roots->double_c[i];
-        s[looks] = roots->double_s[i];
-        emptied[looks] = welding_5r_magnify(sample, of, c[looks], s[looks], roots);
-        clear &= emptied[looks];
-        emptied[looks] &= !welding_5r_any_near(roots, c[looks], s[looks]);
-        looks++;
-        i = 0;
-    }
-    for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < WELDING_5R_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
-        }
-    }
-    roots->complete = roots->complete || (clear && i == roots->doubles);
-}
-
-/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
-static int welding_5r_is_nothing(const double samples[24])
-{
-    double most = 0.0;
-    for (int k = 0; k < 24; k++) {
-        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
-    }
-    return most <= 1e-26;
-}
-
-/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int welding_5r_real_roots(welding_5r_sampler sample, const void *of, welding_5r_roots *roots)
-{
-    const welding_5r_window all = {0, 128, 5e-09};
-    double samples[24];
-    welding_5r_trigonometric f;
-    welding_5r_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
-    if (welding_5r_is_nothing(samples)) {
-        return 0;
-    }
-    if (welding_5r_spread(samples, &lens)) {
-        sample(of, &lens, samples);
-    }
-    welding_5r_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
-        return 0;
-    }
-    welding_5r_find_roots(&f, &all, roots);
-    welding_5r_behind(&lens, roots->simple, roots->c, roots->s);
-    welding_5r_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    welding_5r_look_closer(sample, of, roots);
-    /* where f nearly vanishes identically it does not tell what there is not */
-    roots->complete &= f.noise <= 1e-10;
-    return 1;
-}
-
-/* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
- * simple roots come first, one candidate each; after them those of roots that may be double,
- * `group` being the same for all that belong to one such root, which is none where the matrix is
- * regular: it has no singular value that is next to nothing, and not two small ones, as where so
- * many roots crowd that the determinant does not tell. */
-typedef struct {
-    int count, groups, group[WELDING_5R_CANDIDATES], regular[WELDING_5R_CANDIDATES];
-    double c[WELDING_5R_CANDIDATES], s[WELDING_5R_CANDIDATES], n[6][WELDING_5R_CANDIDATES];
-} welding_5r_candidates;
-
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
- * its length: the reciprocal of the square of the smallest singular value, in the end. */
-static inline welding_5r_lane welding_5r_inverse_iteration(welding_5r_lane U[6][6], const
-    welding_5r_lane inverse[6],
-                                             welding_5r_lane x[6])
-{
-    welding_5r_lane square = {0};
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < i; j++) {
-            x[i] -= U[j][i] * x[j];
-        }
-        x[i] *= inverse[i];
-    }
-    for (int i = 5; i >= 0; i--) {
-        for (int j = i + 1; j < 6; j++) {
-            x[i] -= U[i][j] * x[j];
-        }
-        x[i] *= inverse[i];
-        square += x[i] * x[i];
-    }
-    const welding_5r_lane length = welding_5r_sqrt(square) + 1e-300;
-    for (int i = 0; i < 6; i++) {
-        x[i] *= 1.0 / length;
-    }
-    return length;
-}
-
-/* The reciprocals of a diagonal, kept finite. */
-static inline void welding_5r_reciprocals(welding_5r_lane U[6][6], welding_5r_lane inverse[6])
-{
-    welding_5r_lane most = welding_5r_abs(U[0][0]);
-    for (int i = 1; i < 6; i++) {
-        most = welding_5r_max(most, welding_5r_abs(U[i][i]));
-    }
-    most = most * 1e-15 + 1e-300;
-    for (int i = 0; i < 6; i++) {
-        const welding_5r_lane d = U[i][i];
-        inverse[i] = 1.0 / welding_5r_select(welding_5r_abs(d) > most, d, welding_5r_with_sign(most,
-            d));
-    }
-}
-
-/* One candidate for each simple root. */
-static void welding_5r_null_vectors(const double *E, const welding_5r_roots *roots,
-                                 welding_5r_candidates *out)
-{
-    static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
-    for (int from = 0; from < roots->simple; from += WELDING_5R_LANES) {
-        double cs[2][WELDING_5R_LANES];
-        welding_5r_lane factor[6][6], inverse[6], x[6], c, s;
-        for (int k = 0; k < WELDING_5R_LANES; k++) {
-            const int i = from + k < roots->simple ? from + k : from;
-            cs[0][k] = roots->c[i];
-            cs[1][k] = roots->s[i];
-        }
-        c = WELDING_5R_LOAD(cs[0]);
-        s = WELDING_5R_LOAD(cs[1]);
-        (void)welding_5r_fold(E, c, s, factor);
-        welding_5r_reciprocals(factor, inverse);
-        for (int i = 0; i < 6; i++) {
-            x[i] = welding_5r_all(start[i]);
-        }
-        (void)welding_5r_inverse_iteration(factor, inverse, x);
-        (void)welding_5r_inverse_iteration(factor, inverse, x);
-        WELDING_5R_STORE(out->c + from, c);
-        WELDING_5R_STORE(out->s + from, s);
-        for (int i = 0; i < 6; i++) {
-            WELDING_5R_STORE(out->n[i] + from, x[i]);
-        }
-    }
-    out->count = roots->simple;
-    out->groups = 0;
-}
-
-static void welding_5r_add_candidate(welding_5r_candidates *out, double c, double s, const double
-    n[6])
-{
-    if (out->count == WELDING_5R_CANDIDATES) {
-        return;
-    }
-    out->group[out->count] = out->groups;
-    out->c[out->count] = c;
-    out->s[out->count] = s;
-    for (int i = 0; i < 6; i++) {
-        out->n[i][out->count] = n[i];
-    }
-    out->count++;
-}
-
-/* Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
- * null vectors become candidates. The shift's rows are n[up[i]] and n[down[i]]. */
-static void welding_5r_split(double n[2][6], int rows, const int *up, const int *down, double c,
-                          double s, welding_5r_candidates *out)
-{
-    double A[2][2] = { {0.0} }, G[2][2] = { {0.0} }, H[2][2] = { {0.0} };
-    double M[2][2], det, det_h, half, spread;
-    for (int i = 0; i < 2; i++) {
-        for (int j = 0; j < 2; j++) {
-            for (int k = 0; k < rows; k++) {
-                A[i][j] += n[i][down[k]] * n[j][up[k]];
-                G[i][j] += n[i][down[k]] * n[j][down[k]];
-                H[i][j] += n[i][up[k]] * n[j][up[k]];
-            }
-        }
-    }
-    det = G[0][0] * G[1][1] - G[0][1] * G[0][1];
-    det_h = H[0][0] * H[1][1] - H[0][1] * H[0][1];
-    if (det < det_h) { /* 1/x is the better unknown */
-        const double swap = A[0][1];
-        A[0][1] = A[1][0];
-        A[1][0] = swap;
-        det = det_h;
-        G[0][0] = H[0][0];
-        G[0][1] = H[0][1];
-        G[1][1] = H[1][1];
-    }
-    if (det < 1e-24) {
-        return;
-    }
-    for (int j = 0; j < 2; j++) {
-        M[0][j] = (G[1][1] * A[0][j] - G[0][1] * A[1][j]) / det;
-        M[1][j] = (G[0][0] * A[1][j] - G[0][1] * A[0][j]) / det;
-    }
-    half = 0.5 * (M[0][0] - M[1][1]);
-    spread = half * half + M[0][1] * M[1][0];
-    spread = spread > 0.0 ? sqrt(spread) : 0.0;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        /* (M - x) w = 0 from the longer of its rows */
-        const double x = 0.5 * (M[0][0] + M[1][1]) + sign * spread;
-        const double a = M[0][0] - x, d = M[1][1] - x;
-        const int upper = fabs(a) + fabs(M[0][1]) > fabs(d) + fabs(M[1][0]);
-        const double w0 = upper ? M[0][1] : d, w1 = upper ? -a : -M[1][0];
-        double sum[6];
-        for (int i = 0; i < 6; i++) {
-            sum[i] = w0 * n[0][i] + w1 * n[1][i];
-        }
-        welding_5r_add_candidate(out, c, s, sum);
-    }
-}
-
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void welding_5r_null_plane(const double *E, double c, double s, welding_5r_candidates *out)
-{
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
-    static const double start[2][6] = {
-        { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
-        { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
-    };
-    welding_5r_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == WELDING_5R_CANDIDATES) {
-        return;
-    }
-    (void)welding_5r_fold(E, welding_5r_all(c), welding_5r_all(s), factor);
-    welding_5r_reciprocals(factor, inverse);
-    for (int i = 0; i < 6; i++) {
-        x[0][i] = welding_5r_all(start[0][i]);
-        x[1][i] = welding_5r_all(start[1][i]);
-        for (int j = i; j < 6; j++) {
-            squares += factor[i][j] * factor[i][j];
-        }
-    }
-    for (int step = 0; step < 4; step++) {
-        welding_5r_lane along = {0};
-        length = welding_5r_inverse_iteration(factor, inverse, x[0]);
-        second = welding_5r_inverse_iteration(factor, inverse, x[1]);
-        for (int i = 0; i < 6; i++) {
-            along += x[0][i] * x[1][i];
-        }
-        for (int i = 0; i < 6; i++) {
-            x[1][i] -= along * x[0][i];
-        }
-    }
-    out->regular[out->groups] = welding_5r_largest(length * squares) < 9.999999999999999e+17 &&
-                                welding_5r_largest(second * squares) < 1000000000000.0;
-    for (int r = 0; r < 2; r++) {
-        double square = 0.0;
-        for (int i = 0; i < 6; i++) {
-            n[r][i] = welding_5r_largest(x[r][i]);
-            square += n[r][i] * n[r][i];
-        }
-        square = sqrt(square) + 1e-300;
-        for (int i = 0; i < 6; i++) {
-            n[r][i] /= square;
-        }
-    }
-    welding_5r_add_candidate(out, c, s, n[0]);
-    welding_5r_split(n, 3, up_3, down_3, c, s, out);
-    welding_5r_split(n, 4, up_2, down_2, c, s, out);
-    out->groups++;
-}
-
-/* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
- * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
-static void welding_5r_invariants(const double K[12], const double M[12], double w[5],
-                               double solve[2][5])
-{
-    const double t[3] = {K[3], K[7], K[11]};
-    const double e[3] = {M[2], M[6], M[10]}, u[3] = {M[3], M[7], M[11]};
-    const double v[3] = {u[1] * e[2] - u[2] * e[1], u[2] * e[0] - u[0] * e[2],
-                         u[0] * e[1] - u[1] * e[0]};
-    double foot[3], side[3], a[5], b[5], aa = 0.0, ab = 0.0, bb = 0.0, det;
-    const double *const axis = K + 8;
-    for (int j = 0; j < 3; j++) {
-        foot[j] = K[j] * t[0] + K[4 + j] * t[1] + K[8 + j] * t[2];
-        side[j] = K[4 + j] * t[0] - K[j] * t[1]; /* K' (z x t) */
-    }
-    const double *const left[5] = {axis, axis, foot, foot, axis};
-    const double *const right[5] = {e, u, e, u, v};
-    for (int i = 0; i < 5; i++) {
-        a[i] = left[i][0] * right[i][0] + left[i][1] * right[i][1];
-        b[i] = left[i][1] * right[i][0] - left[i][0] * right[i][1];
-        w[i] = left[i][2] * right[i][2];
-    }
-    a[4] += side[0] * e[0] + side[1] * e[1];
-    b[4] += side[1] * e[0] - side[0] * e[1];
-    w[4] += side[2] * e[2];
-    w[1] += t[2];
-    w[2] += u[0] * e[0] + u[1] * e[1] + u[2] * e[2];
-    w[3] += 0.5 * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + u[0] * u[0] + u[1] * u[1] + u[2] *
-        u[2]);
-    for (int i = 0; i < 5; i++) {
-        aa += a[i] * a[i];
-        ab += a[i] * b[i];
-        bb += b[i] * b[i];
-    }
-    det = aa * bb - ab * ab + 1e-300;
-    for (int i = 0; i < 5; i++) {
-        solve[0][i] = (bb * a[i] - ab * b[i]) / det;
-        solve[1][i] = (aa * b[i] - ab * a[i]) / det;
-    }
-}
-
-/* phi_2 and phi_3 from the null vector */
-static inline void welding_5r_partners(const int joint[6], const welding_5r_lane n[6],
-    welding_5r_lane c[6],
-                                    welding_5r_lane s[6])
-{
-    const welding_5r_lane up = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    const welding_5r_lane down = n[3] * n[3] + n[4] * n[4] + n[5] * n[5];
-    welding_5r_lane row[3], sign, top, bottom;
-    for (int i = 0; i < 3; i++) {
-        row[i] = welding_5r_select(up > down, n[i], n[3 + i]);
-    }
-    sign = welding_5r_with_sign(welding_5r_all(1.0), row[0] + row[2]);
-    c[1] = sign * (row[2] - row[0]);
-    s[1] = sign * 2.0 * row[1];
-    top = n[0] * row[0] + n[1] * row[1] + n[2] * row[2];
-    bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2];
-    c[2] = bottom * bottom - top * top;
-    s[2] = 2.0 * top * bottom;
-    welding_5r_to_unit(&c[1], &s[1]);
-    welding_5r_to_unit(&c[2], &s[2]);
-    (void)joint;
-}
-
-/* phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve` are those of the invariants. */
-static inline void welding_5r_others(const int joint[6], double link[6][12], const double w[5],
-                                  double solve[2][5], welding_5r_lane c[6], welding_5r_lane s[6])
-{
-    welding_5r_rigid G, C;
-    welding_5r_lane l[3], q[3], value[5], x, y;
-    welding_5r_begin(G, link[5]);
-    for (int i = 0; i < 3; i++) {
-        welding_5r_move(G, joint[i], c[i], s[i]);
-        welding_5r_follow(G, link[i]);
-    }
-    /* B is the inverse of G; l and q are its third and fourth column */
-    for (int j = 0; j < 3; j++) {
-        l[j] = G[2][j];
-        q[j] = -(G[0][j] * G[0][3] + G[1][j] * G[1][3] + G[2][j] * G[2][3]);
-    }
-    value[0] = l[2];
-    value[1] = q[2];
-    value[2] = -G[2][3]; /* q.l */
-    value[3] = 0.5 * (G[0][3] * G[0][3] + G[1][3] * G[1][3] + G[2][3] * G[2][3]);
-    value[4] = q[0] * l[1] - q[1] * l[0];
-    c[4] = s[4] = welding_5r_all(0.0);
-    for (int i = 0; i < 5; i++) {
-        c[4] += solve[0][i] * (value[i] - w[i]);
-        s[4] += solve[1][i] * (value[i] - w[i]);
-    }
-    welding_5r_to_unit(&c[4], &s[4]);
-    welding_5r_begin(C, link[3]);
-    welding_5r_turn(C, c[4], s[4]);
-    welding_5r_follow(C, link[4]);
-    c[3] = C[0][2] * l[0] + C[1][2] * l[1] + C[0][3] * q[0] + C[1][3] * q[1];
-    s[3] = C[0][2] * l[1] - C[1][2] * l[0] + C[0][3] * q[1] - C[1][3] * q[0];
-    welding_5r_to_unit(&c[3], &s[3]);
-    c[5] = s[5] = welding_5r_all(0.0);
-    for (int i = 0; i < 2; i++) {
-        /* columns of Rz(phi_4) C against columns of B */
-        for (int j = 0; j < 2; j++) {
-            x = c[3] * C[0][j] - s[3] * C[1][j];
-            y = s[3] * C[0][j] + c[3] * C[1][j];
-            value[0] = x * G[i][0] + y * G[i][1] + C[2][j] * G[i][2];
-            if (i == j) {
-                c[5] += value[0];
-            } else {
-                s[5] += i ? -value[0] : value[0];
-            }
-        }
-    }
-    welding_5r_to_unit(&c[5], &s[5]);
-}
-
-/* The loop's error at cosines and sines of the joints: translation and rotation vector that are
- * missing. J, when given, takes the rows of the Jacobian with the error as seventh column. Returns
- * the square of the error. */
-static inline welding_5r_lane welding_5r_error(const welding_5r_loop *loop, const welding_5r_lane
-    c[6],
-                                         const welding_5r_lane s[6], welding_5r_lane J[6][7])
-{
-    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
-    const double *const P = loop->link[5];
-    welding_5r_rigid T;
-    welding_5r_lane z[6][3], o[6][3], S[3][3], square = {0}, trace;
-    welding_5r_begin(T, identity);
-    for (int k = 0; k < 6; k++) {
-        if (k) {
-            welding_5r_follow(T, loop->link[k - 1]);
-        }
-        for (int i = 0; i < 3; i++) {
-            z[k][i] = T[i][2];
-            o[k][i] = T[i][3];
-        }
-        welding_5r_move(T, k, c[k], s[k]);
-    }
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            S[i][j] = P[4 * i] * T[j][0] + P[4 * i + 1] * T[j][1] + P[4 * i + 2] * T[j][2];
-        }
-        J[i][6] = P[4 * i + 3] - T[i][3];
-    }
-    J[3][6] = 0.5 * (S[2][1] - S[1][2]);
-    J[4][6] = 0.5 * (S[0][2] - S[2][0]);
-    J[5][6] = 0.5 * (S[1][0] - S[0][1]);
-    for (int i = 0; i < 6; i++) {
-        square += J[i][6] * J[i][6];
-    }
-    for (int k = 0; k < 6; k++) {
-        for (int i = 0; i < 3; i++) {
-            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-            J[i][k] = z[k][i1] * (T[i2][3] - o[k][i2]) - z[k][i2] * (T[i1][3] - o[k][i1]);
-            J[3 + i][k] = z[k][i];
-        }
-    }
-    /* half a turn away the skew part vanishes too: the trace tells */
-    trace = S[0][0] + S[1][1] + S[2][2];
-    return welding_5r_select(trace < 0.0, square + 1.0, square);
-}
-
-/* A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
- * next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
- * largest. */
-static inline welding_5r_lane welding_5r_step(welding_5r_lane J[6][7], welding_5r_lane x[6])
-{
-    welding_5r_lane *const row[6] = {J[0], J[1], J[2], J[3], J[4], J[5]};
-    welding_5r_lane most, least;
-    const welding_5r_lane zero = {0};
-    welding_5r_reflect(row, 6, 0, 7);
-    welding_5r_reflect(row + 1, 5, 1, 7);
-    welding_5r_reflect(row + 2, 4, 2, 7);
-    welding_5r_reflect(row + 3, 3, 3, 7);
-    welding_5r_reflect(row + 4, 2, 4, 7);
-    most = least = welding_5r_abs(J[0][0]);
-    for (int i = 1; i < 6; i++) {
-        most = welding_5r_max(most, welding_5r_abs(J[i][i]));
-        least = welding_5r_min(least, welding_5r_abs(J[i][i]));
-    }
-    least /= most;
-    most *= 1e-09;
-    for (int i = 5; i >= 0; i--) {
-        welding_5r_lane sum = J[i][6];
-        for (int j = i + 1; j < 6; j++) {
-            sum -= J[i][j] * x[j];
-        }
-        sum /= J[i][i];
-        sum = welding_5r_max(welding_5r_min(sum, zero + 1.0), zero - 1.0);
-        x[i] = welding_5r_select(welding_5r_abs(J[i][i]) > most, sum, zero);
+            q[i] = end[other][i];
     }
     return least;
 }
 
-/* The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error. */
-static inline void welding_5r_damped_step(welding_5r_lane J[6][7], welding_5r_lane damping,
-    welding_5r_lane x[6])
+/* Takes a row to where damped least squares lead, unless it is exact; returns by how much
+ * it misses the pose then, `first` being what it misses before. */
+static double tightened(struct descent *d, double exact, double first, double q[5], int *moved)
 {
-    welding_5r_lane A[6][7];
-    for (int i = 0; i < 6; i++) {
-        for (int j = i; j < 7; j++) {
-            A[i][j] = J[0][i] * J[0][j];
-            for (int k = 1; k < 6; k++) {
-                A[i][j] += J[k][i] * J[k][j];
-            }
-        }
-        A[i][i] += damping;
+    double end[5];
+    if (first <= exact)
+        return first;
+    for (int i = 0; i < 5; i++)
+        end[i] = q[i];
+    const double least = escaped(d, exact, end);
+    for (int i = 0; i < 5; i++) {
+        *moved = *moved || q[i] < end[i] || q[i] > end[i];
+        q[i] = end[i];
     }
-    for (int i = 0; i < 6; i++) {
-        const welding_5r_lane pivot = 1.0 / (A[i][i] + 1e-30);
-        for (int j = i + 1; j < 6; j++) {
-            const welding_5r_lane factor = A[i][j] * pivot;
-            for (int k = j; k < 7; k++) {
-                A[j][k] -= factor * A[i][k];
-            }
-        }
-    }
-    for (int i = 5; i >= 0; i--) {
-        x[i] = A[i][6];
-        for (int j = i + 1; j < 6; j++) {
-            x[i] -= A[i][j] * x[j];
-        }
-        x[i] /= A[i][i] + 1e-30;
-        x[i] = welding_5r_max(welding_5r_min(x[i], welding_5r_all(1.0)), welding_5r_all(-1.0));
-    }
+    return least;
 }
 
-/* Newton on the loop; what remains in c and s is the best iterate, and its error is returned. */
-static inline welding_5r_lane welding_5r_polish(const welding_5r_loop *loop, welding_5r_lane c[6],
-    welding_5r_lane s[6],
-                                          int steps, int afar)
+/* By how much the joint values of two rows differ at most. */
+static double gap_between(const double q[5], const double other[5])
 {
-    welding_5r_lane J[6][7], x[6], tc[6], ts[6], least, now;
-    for (int i = 0; i < 6; i++) {
-        tc[i] = c[i];
-        ts[i] = s[i];
-    }
-    least = now = welding_5r_error(loop, c, s, J);
-    for (int step = 0; step < steps; step++) {
-        welding_5r_mask better;
-        if (welding_5r_largest(least) < 1e-29) {
-            break;
-        }
-        if (afar) {
-            welding_5r_damped_step(J, welding_5r_min(now * 0.01, welding_5r_all(0.01)), x);
-        } else {
-            (void)welding_5r_step(J, x);
-        }
-        for (int i = 0; i < 6; i++) {
-            /* a turn by 2 atan(x/2), without trigonometry */
-            const welding_5r_lane u = 0.25 * x[i] * x[i], f = 1.0 / (1.0 + u);
-            const welding_5r_lane dc = (1.0 - u) * f, ds = x[i] * f, old = tc[i];
-            tc[i] = old * dc - ts[i] * ds;
-            ts[i] = ts[i] * dc + old * ds;
-        }
-        now = welding_5r_error(loop, tc, ts, J);
-        better = now < least;
-        for (int i = 0; i < 6; i++) {
-            c[i] = welding_5r_select(better, tc[i], c[i]);
-            s[i] = welding_5r_select(better, ts[i], s[i]);
-        }
-        least = welding_5r_select(better, now, least);
-    }
-    return welding_5r_sqrt(least);
+    double gap[5], widest = 0.0;
+    for (int j = 0; j < 5; j++)
+        gap[j] = (q[solved[j]] - other[solved[j]]) / unit[j];
+    wrap_angles(gap);
+    for (int j = 0; j < 5; j++)
+        widest = fmax(widest, fabs(gap[j]));
+    return widest;
 }
 
-/* The solutions found so far. */
-typedef struct {
-    int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
-} welding_5r_found;
-
-/* Whether two joint vectors differ by less than that, modulo turns. */
-static int welding_5r_alike(const double a[6], const double b[6], double most)
+/* Whether a row that was moved came to lie on one that missed by less at first. */
+static int repeats(double q[8][5], const double first[8], int row)
 {
-    for (int j = 0; j < 6; j++) {
-        const double gap = fabs(a[j] - b[j]);
-        if (!(gap < most || 6.283185307179586 - gap < most)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-/* Add a solution unless it is known or none; its place, or -1. */
-static int welding_5r_keep(welding_5r_found *found, double theta[6], double residual)
-{
-    if (!(residual <= 1e-10)) {
-        return -1;
-    }
-    for (int i = 0; i < found->count; i++) {
-        if (welding_5r_alike(found->q[i], theta, 1e-06)) {
-            if (residual < found->residual[i]) {
-                found->residual[i] = residual;
-                for (int j = 0; j < 6; j++) {
-                    found->q[i][j] = theta[j];
-                }
-            }
-            return i;
-        }
-    }
-    if (found->count == 16) {
-        return -1;
-    }
-    found->residual[found->count] = residual;
-    for (int j = 0; j < 6; j++) {
-        found->q[found->count][j] = theta[j];
-    }
-    return found->count++;
-}
-
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned welding_5r_offer(const welding_5r_loop *loop, welding_5r_lane c[6], welding_5r_lane
-    s[6], int count,
-                              int steps, int doubtful, welding_5r_found *found,
-                              int place[WELDING_5R_LANES])
-{
-    double residual[WELDING_5R_LANES], theta[6][WELDING_5R_LANES], pivot[WELDING_5R_LANES] = {0.0};
-    unsigned met = 0;
-    WELDING_5R_STORE(residual, welding_5r_polish(loop, c, s, steps, steps > 4));
-    if (doubtful) {
-        welding_5r_lane J[6][7], x[6];
-        (void)welding_5r_error(loop, c, s, J);
-        WELDING_5R_STORE(pivot, welding_5r_step(J, x));
-    }
-    for (int i = 0; i < 6; i++) {
-        const double cosine = welding_5r_advance[0][i], sine = welding_5r_advance[1][i];
-        WELDING_5R_STORE(theta[i],
-                      welding_5r_angle(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine));
-    }
-    for (int k = 0; k < count; k++) {
-        double row[6];
-        for (int i = 0; i < 6; i++) {
-            /* half a turn is +pi, also when rounding says otherwise */
-            row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
-        }
-        place[k] = welding_5r_keep(found, row, residual[k]);
-        if (place[k] >= 0) {
-            met |= 1u << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
-            }
-        }
-    }
-    return met;
-}
-
-static int welding_5r_bits(unsigned set)
-{
-    int count = 0;
-    for (; set; set &= set - 1) {
-        count++;
-    }
-    return count;
-}
-
-/* Whether the number of regular solutions is even. */
-static int welding_5r_paired(const welding_5r_found *found)
-{
-    return (found->count - welding_5r_bits(found->singular)) % 2 == 0;
-}
-
-/* The links L0 ... L5 of a formulation. */
-static void welding_5r_around(const welding_5r_formulation *form, const welding_5r_loop *loop,
-                           double link[6][12])
-{
-    for (int i = 0; i < 6; i++) {
-        const int joint = form->joint[i];
-        if (form->sign > 0.0 && joint < 5) {
-            welding_5r_copy(loop->link[joint], link[i]);
-        } else if (form->sign > 0.0) {
-            welding_5r_invert(loop->link[5], link[i]);
-        } else if (joint > 0) {
-            welding_5r_invert(loop->link[joint - 1], link[i]);
-        } else {
-            welding_5r_copy(loop->link[5], link[i]);
-        }
-    }
-}
-
-/* Roots that nearly meet are tried as one double root too. */
-static void welding_5r_close_roots(const double *E, const welding_5r_roots *roots,
-    welding_5r_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                welding_5r_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
-/* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
- * there is another one for each of them and two more for each double root, or a singular one; and
- * regular solutions come in pairs. Where the determinant only comes near to zero there is no root;
- * where it nearly vanishes all around, rounding of the equations may lift it off a double root,
- * which nothing but they tell. What an attempt before took for double roots is none then; whether
- * the arm is singular there is looked at. */
-static int welding_5r_settle(const welding_5r_formulation *form, const welding_5r_loop *loop,
-                          double link[6][12], const welding_5r_candidates *all,
-                          const welding_5r_roots *roots, welding_5r_found *found)
-{
-    double w[5], solve[2][5];
-    unsigned met = 0, of_group[WELDING_5R_CANDIDATES] = {0};
-    const int simple = roots->simple, touching = roots->doubles + roots->unseen;
-    const int doubted = found->doubles > 0;
-    int complete = roots->complete, expected = simple, true_doubles = 0;
-    welding_5r_invariants(link[3], link[4], w, solve);
-    for (int from = 0; from < all->count; from += WELDING_5R_LANES) {
-        const int count = all->count - from < WELDING_5R_LANES ? all->count - from :
-            WELDING_5R_LANES;
-        welding_5r_lane n[6], c[6], s[6], tc[6], ts[6];
-        int place[WELDING_5R_LANES];
-        c[0] = WELDING_5R_LOAD(all->c + from);
-        s[0] = WELDING_5R_LOAD(all->s + from);
-        for (int i = 0; i < 6; i++) {
-            n[i] = WELDING_5R_LOAD(all->n[i] + from);
-        }
-        welding_5r_partners(form->joint, n, c, s);
-        welding_5r_others(form->joint, link, w, solve, c, s);
-        for (int i = 0; i < 6; i++) {
-            tc[form->joint[i]] = c[i];
-            ts[form->joint[i]] = form->sign * s[i];
-        }
-        met |= welding_5r_offer(loop, tc, ts, count, 4, doubted || from + count > simple, found,
-            place);
-        for (int k = 0; k < count; k++) {
-            if (from + k < simple) {
-                complete &= place[k] >= 0;
-            } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
-            }
-        }
-    }
-    for (int i = all->groups - touching; i < all->groups; i++) {
-        if (of_group[i] || !all->regular[i]) {
-            true_doubles++;
-            expected += of_group[i] & found->singular ? 1 : 2;
-        }
-    }
-    complete = complete && welding_5r_bits(met) >= expected && welding_5r_paired(found);
-    found->doubles = complete ? true_doubles : found->doubles + roots->doubles;
-    return complete;
-}
-
-/* The determinant at the sample angles, through a lens. */
-static void welding_5r_sample(const void *equations, const welding_5r_lens *lens, double
-    samples[24])
-{
-    for (int k = 0; k < 24; k += WELDING_5R_LANES) {
-        welding_5r_lane factor[6][6];
-        welding_5r_lane c = WELDING_5R_LOAD(welding_5r_sample_c + k), s =
-            WELDING_5R_LOAD(welding_5r_sample_s + k);
-        const welding_5r_lane square = welding_5r_through(lens, &c, &s);
-        const welding_5r_lane determinant = welding_5r_fold(equations, c, s, factor);
-        WELDING_5R_STORE(samples + k, welding_5r_weighted(determinant, square));
-    }
-}
-
-/* Find what a formulation finds; whether that is certainly everything. */
-static int welding_5r_attempt(const welding_5r_formulation *form, const welding_5r_loop *loop,
-                           welding_5r_found *found)
-{
-    double link[6][12], E[192];
-    welding_5r_roots roots;
-    welding_5r_candidates all;
-    welding_5r_around(form, loop, link);
-    welding_5r_equations(form, link, form->left, E);
-    if (!welding_5r_real_roots(welding_5r_sample, E, &roots)) {
-        return 0;
-    }
-    welding_5r_null_vectors(E, &roots, &all);
-    welding_5r_close_roots(E, &roots, &all);
-    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
-        welding_5r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
-    }
-    return welding_5r_settle(form, loop, link, &all, &roots, found);
-}
-
-/* Find what the methods find, one after the other, until that is certainly everything. */
-static int welding_5r_try(const welding_5r_loop *loop, welding_5r_found *found)
-{
-    int complete = 0;
-    for (int i = 0; i < 2 && !complete; i++) {
-        complete = welding_5r_attempt(&welding_5r_formulations[i], loop, found);
-    }
-    return complete;
-}
-
-/* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned welding_5r_follow_back(const welding_5r_loop *loop, double (*start)[6], int count,
-                                    welding_5r_found *found, int *lost)
-{
-    unsigned met = 0;
-    for (int from = 0; from < count; from += WELDING_5R_LANES) {
-        const int now = count - from < WELDING_5R_LANES ? count - from : WELDING_5R_LANES;
-        double cs[2][6][WELDING_5R_LANES];
-        welding_5r_lane c[6], s[6];
-        int place[WELDING_5R_LANES];
-        for (int i = 0; i < 6; i++) {
-            for (int k = 0; k < WELDING_5R_LANES; k++) {
-                const double angle = start[from + (k < now ? k : 0)][i];
-                const double cosine = cos(angle), sine = sin(angle);
-                cs[0][i][k] = cosine * welding_5r_advance[0][i] + sine * welding_5r_advance[1][i];
-                cs[1][i][k] = sine * welding_5r_advance[0][i] - cosine * welding_5r_advance[1][i];
-            }
-            c[i] = WELDING_5R_LOAD(cs[0][i]);
-            s[i] = WELDING_5R_LOAD(cs[1][i]);
-        }
-        met |= welding_5r_offer(loop, c, s, now, 40, 1, found, place);
-        for (int k = 0; k < now; k++) {
-            *lost += place[k] < 0;
-        }
-    }
-    return met;
-}
-
-/* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
- * side only: both sides have to have as many as are found. Around a singular pose none of them has
- * to have all solutions: then all are looked at. */
-static int welding_5r_from_nearby(const welding_5r_loop *loop, welding_5r_found *found)
-{
-    int followed = 0, before = -1;
-    for (int n = 0; n < 10; n++) {
-        welding_5r_loop nearby = *loop;
-        welding_5r_found other;
-        int complete, count = -1, lost = 0;
-        unsigned met;
-        welding_5r_then(nearby.link[5], welding_5r_nudge[n]);
-        other.count = 0;
-        other.singular = 0;
-        other.doubles = 0;
-        complete = welding_5r_try(&nearby, &other);
-        met = welding_5r_follow_back(loop, other.q, other.count, found, &lost);
-        if (complete && !lost && met) {
-            count = welding_5r_bits(met) == other.count ? other.count : -1;
-            followed |= (met & found->singular) != 0;
-        }
-        if (n % 2 && before == found->count && count == found->count && !found->singular &&
-            welding_5r_paired(found)) {
+    for (int k = 0; k < 8; k++)
+        if ((first[k] < first[row] || (k < row && first[k] <= first[row])) && !isnan(q[k][0])
+                && gap_between(q[k], q[row]) < 1e-06)
             return 1;
-        }
-        before = count;
-    }
-    return followed && welding_5r_paired(found);
-}
-
-/* Newton from many starts, the same on every run. */
-static void welding_5r_from_anywhere(const welding_5r_loop *loop, welding_5r_found *found)
-{
-    unsigned long long seed = 1;
-    for (int batch = 0; batch < 16; batch++) {
-        double start[8][6];
-        int lost = 0;
-        for (int i = 0; i < 48; i++) {
-            seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-            start[i / 6][i % 6] = ((double)(seed >> 33) / 4294967296.0 - 0.25) * 4.0 *
-                3.141592653589793;
-        }
-        (void)welding_5r_follow_back(loop, start, 8, found, &lost);
-    }
-}
-
-/* Singular solutions are known less well: those that lie together become one. */
-static void welding_5r_merge(welding_5r_found *found)
-{
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
-    int count = 0;
-    for (int i = 0; i < found->count; i++) {
-        int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && welding_5r_alike(found->q[i], found->q[j], 0.001);
-        }
-        if (!known) {
-            kept |= (singular >> i & 1u) << count;
-            found->residual[count] = found->residual[i];
-            for (int j = 0; j < 6; j++) {
-                found->q[count][j] = found->q[i][j];
-            }
-            count++;
-        }
-    }
-    found->count = count;
-    found->singular = kept;
-}
-
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int welding_5r_before(const double a[6], const double b[6])
-{
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
-        }
-    }
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
- *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
-static int welding_5r_general(const double T[16], double q[16][6],
-                         double residual[16])
+/* What an exact row may miss: far away rounding is more. */
+static double exactness(const double T[16])
 {
-    welding_5r_found found;
-    welding_5r_loop whole;
-    const welding_5r_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
-    welding_5r_close(T, &whole);
-    found.count = 0;
-    found.singular = 0;
-    found.doubles = 0;
-    const double *const P = loop->link[5];
-    if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
-        return 0;
-    }
-    certified = welding_5r_try(loop, &found);
-    if (!certified && !welding_5r_from_nearby(loop, &found)) {
-        welding_5r_from_anywhere(loop, &found);
-    }
-    welding_5r_merge(&found);
-    for (int i = 0; i < found.count; i++) {
-        int j = i;
-        for (; j > 0 && welding_5r_before(found.q[i], found.q[order[j - 1]]); j--) {
-            order[j] = order[j - 1];
-        }
-        order[j] = i;
-    }
-    for (int i = 0; i < found.count; i++) {
-        for (int j = 0; j < 6; j++) {
-            q[i][j] = found.q[order[i]][j];
-        }
-        residual[i] = found.residual[order[i]];
-        inexact |= residual[i] > 1e-12;
-    }
-    return certified && !found.singular && !found.doubles && !inexact ? found.count : -1 -
-        found.count;
+    double distance = 1.0; /* arm sizes */
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.6);
+    return 1e-12 * distance;
 }
 
-/* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
- * followed too; singular solutions out of a continuum go to the seed. */
-static void all_joints(
-    const double T[16], const double seed[5], double q[16][5],
-    int found[16], int chosen[16])
+/* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
+ * the same. */
+static void tighten(const double T[16], double q[8][5], unsigned char status[8])
 {
-    static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-    static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-    /* Any turn about the tool's axis serves (T. Duff et al., 2017: an orthonormal basis of z). */
-    const double side = copysign(1.0, T[10]), a = -1.0 / (side + T[10]), b = T[2] * T[6] * a;
-    const double whole[16] = {
-        1.0 + side * T[2] * T[2] * a, b,                      T[2],  T[3],
-        side * b,                     side + T[6] * T[6] * a, T[6],  T[7],
-        -side * T[2],                 -T[6],                  T[10], T[11],
-        0.0,                          0.0,                    0.0,   1.0,
-    };
     struct descent d = { .T = T };
-    struct kept kept = { .count = 0 };
-    double angles[16][6], residual[16], u[5];
-    const int count = welding_5r_general(whole, angles, residual);
-    for (int j = 0; j < 5; j++)
-        u[j] = d.seed[j] = seed[solved[j]] / unit[j];
-    if (count < 0 && descend(&d, u) <= 1e-10)
-        keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
-        for (int j = 0; j < 5; j++)
-            u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
-        if (count < 0) {
-            (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
-            keep(&d, &kept, u);
+    const double exact = exactness(T);
+    int moved[8] = { 0 };
+    double first[8], miss[8];
+    for (int row = 0; row < 8; row++) {
+        first[row] = miss[row] = HUGE_VAL;
+        if (status[row] == WELDING_5R_UNREACHABLE)
             continue;
-        }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
+        first[row] = missed_by(T, q[row]);
+        miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
-    for (int k = 1; count < 0 && k < 12; k++) {
-        start_of(&d, k, u);
-        if (descend(&d, u) <= 1e-10)
-            keep(&d, &kept, u);
+    const double enough = 10.0 * exact;
+    for (int row = 0; row < 8; row++)
+        if (miss[row] > enough)
+            q[row][0] = NAN;
+    for (int row = 0; row < 8; row++) {
+        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
+            continue;
+        status[row] = WELDING_5R_UNREACHABLE;
+        for (int i = 0; i < 5; i++)
+            q[row][i] = NAN;
     }
-    sorted_rows(&d, &kept, q, found, chosen);
 }
 
 static const double
@@ -3627,11 +451,35 @@ static const double
     d4 = 0.03, /* joint offset 4 [m] */
     d5 = 0.12, /* joint offset 5 [m] */
     ex = 0.02, /* x of the tool frame [m] */
-    ez = 0.1; /* z of the tool frame [m] */
+    ez = 0.1, /* z of the tool frame [m] */
+    free_limit2 = 2.5600000000000004e-12, /* a length that fixes no angle [m^2] */
+    square_rounding = 1e-15, /* squares are rounded by this */
+    near_limit = 0.001, /* a length whose direction is good to few digits */
+    double_root = 1e-13, /* a polynomial's value at a root, relative to its coefficients */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    near_limit_squared = 1e-06, /* square of a length whose direction is good to few digits */
+    longest3 = 0.9025, /* square of the longest reach [m^2] */
+    shortest3 = 0.0024999999999999988, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.902530400256, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0024984002559999986, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.9024999999999695, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.002500000000001599, /* the shortest, where branches merge [m^2] */
+    longest3_clear = 0.9024999999696, /* the longest, where blurred branches do [m^2] */
+    shortest3_clear = 0.002500000001599999, /* the shortest, where blurred branches do [m^2] */
+    free_limit_squared2 = 2.5600000000000005e-24, /* square of a length that fixes no angle [m^2] */
+    /* square of a length whose direction is good to few digits [m^2] */
+    near_limit_squared2 = 2.5600000000000005e-06,
+    k1 = 0.5, /* 1 / 2 */
+    k2 = 0.06, /* d4 * 2 [m] */
+    k3 = 0.0009, /* d4^2 [m^2] */
+    k4 = 0.0004, /* ex^2 [m^2] */
+    k5 = -50.0, /* -1 / ex [m^-1] */
+    k6 = 0.4525, /* L2^2 + L3^2 [m^2] */
+    k7 = 2.2222222222222223; /* 1 / (2 * L3 * L2) [m^-2] */
 
-const char *const welding_5r_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
+const char *const welding_5r_branches[8] = {
+    "root1-down", "root1-up", "root2-down", "root2-up", "root3-down", "root3-up", "root4-down",
+    "root4-up",
 };
 
 static const double lowest[5] = { -2.9670597283903604, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
@@ -3733,29 +581,135 @@ static double beyond_limits(const double values[5])
     return sum;
 }
 
-/* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
-    const double T[16], const double seed[5], double q[16][5], unsigned char status[16])
+enum { CLOSE = 64 }; /* roots nearly meet: the row may stand between two solutions */
+
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
+
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[5], unsigned char *status)
 {
+    *status = (unsigned char)why;
+    q[0] = off;
+}
 
-    /* all joints: the general 6R loop */
-    double solution_roots[16][5];
-    int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
+ * is LOST says how far it is from a solution (negative). */
+static void solve(
+    const double T[16], const double seed[5], double moved, double q[8][5], unsigned char status[8])
+{
+    const double T13 = T[2], T14 = T[3];
+    const double T23 = T[6], T24 = T[7];
+    const double T33 = T[10], T34 = T[11];
 
-    for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
-        const double q1 = solution_roots[i1][0];
-        const double q2 = solution_roots[i1][1];
-        const double q3 = solution_roots[i1][2];
-        const double q4 = solution_roots[i1][3];
-        const double q5 = solution_roots[i1][4];
-        const int found = solution_found[i1];
-        const int chosen = solution_chosen[i1];
-        /* all joints: the general 6R loop */
-        if (!found) continue; /* out of reach */
-        const int row = i1;
-        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-        status[row] = (chosen) ? WELDING_5R_FREE_JOINT : WELDING_5R_OK;
+    /* theta1, type 9: U1[3, 4] and U1[3, 3] */
+    const double v1 = ex * T23, v2 = ex * T13, v3 = ez * T23 - T24, v4 = T14 - ez * T13,
+        v5 = v1 * v1, v6 = v2 * v2, v7 = v3 * v3, v8 = v4 * v4, v9 = v3 * k2, v10 = v4 * k2,
+        v11 = k1 * (v5 + v6) + (k3 + k1 * (v7 + v8)), v12 = k1 * (v5 - v6) + k1 * (v7 - v8),
+        v13 = v3 * v4 - v1 * v2, v14 = v11 - k4,
+        v15 = fabs(v14) + fabs(v9) + fabs(v10) + fabs(v12) + fabs(v13);
+    const int free1 = v15 <= free_limit2;
+    const double v16 = square_rounding * (v11 + k4);
+    double x1_roots[4];
+    int x1_close[4];
+    circle_roots(free1 ? 1.0 : v14, free1 ? -1.0 : -v9, free1 ? 0.0 : -v10, free1 ? 0.0 : v12, free1
+        ? 0.0 : v13, v16, moved, x1_roots, x1_close);
+    const double v19 = cos(seed[0]) * cos(seed[0]) - sin(seed[0]) * sin(seed[0]),
+        v20 = 2.0 * (cos(seed[0]) * sin(seed[0])), v21 = 2.0 * v13, v22 = 2.0 * v12,
+        v24 = v15 * near_limit,
+        v25 = v19 * v21 + (v9 * sin(seed[0]) - v10 * cos(seed[0])) - v20 * v22;
+    const int v26 = fabs(v14 + (v13 * v20 + (v12 * v19 - (v9 * cos(seed[0]) + v10 * sin(seed[0])))))
+        <= v16 + v15 * double_root;
+
+    /* theta234, type 3: U1[2, 3] and U1[1, 3] */
+    const double v28 = seed[1] + seed[2] + seed[3];
+
+    /* theta3, type 8: U1[2, 4] and U1[1, 4] */
+    const double v30 = T34 - d1;
+
+    for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
+        const double x1 = x1_roots[i1];
+        /* theta1 */
+        if (!(x1 <= 4.0)) continue; /* out of reach */
+        const double v17 = cos(x1), v18 = sin(x1),
+            v23 = (v17 * v17 - v18 * v18) * v21 + (v9 * v18 - v10 * v17) - 2.0 * (v17 * v18) * v22;
+        const int near1 = fabs(v23) <= v24;
+        const int same1 = -(double_root * (v15 * v15)) <= v23 * v25 && 0.0 < v17 * cos(seed[0]) +
+            v18 * sin(seed[0]) && fabs(v17 * sin(seed[0]) - v18 * cos(seed[0])) <= near_limit &&
+            near1 && v26;
+        const double v27 = same1 ? seed[0] : x1;
+        const double q1 = free1 ? seed[0] : v27;
+        const double c1 = cos(q1), s1 = sin(q1);
+
+        /* theta5, type 3: U1[3, 4] and U1[3, 3] */
+        const double Z2_5 = T13 * s1 - T23 * c1;
+        const double s5 = (d4 - (T14 * s1 - T24 * c1) + ez * Z2_5) * k5, c5 = ex * Z2_5 * k5;
+        const double q5 = atan2(s5, c5);
+
+        /* theta234 */
+        const double S234 = s5 * T33;
+        const double C234 = s5 * (T13 * c1 + T23 * s1);
+        const double w234 = sqrt(S234 * S234 + C234 * C234);
+        const int free234 = w234 <= free_limit_squared;
+        const int near234 = w234 <= near_limit_squared;
+        const double factor234 = 1.0 / (free234 ? 1.0 : w234);
+        const double c234 = free234 ? cos(v28) : C234 * factor234,
+            s234 = free234 ? sin(v28) : S234 * factor234;
+        const double theta234 = atan2(s234, c234);
+
+        /* theta3 */
+        const double v29 = ex * c5 + ez * s5;
+        const double Z1_3 = c234 * d5 - s234 * v29 + v30;
+        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - (c234 * v29 + s234 * d5);
+        const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+        const double K3 = N3 - k6;
+        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
+        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+            if (near1) lose(NEARLY + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (near1) q[2 * i1][1] = v27;
+            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
+            continue; /* out of reach */
+        }
+        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double c3 = K3 * k7;
+
+        /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+        const double X1_2 = L2 + L3 * c3;
+        const double v31 = Z1_3 * X1_2, v32 = Z2_3 * X1_2;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta3 */
+            if (e2 < 0.0 && (!apart3 || (near1 && !(shortest3_clear < N3 && N3 < longest3_clear))))
+                continue; /* both signs give the same */
+            const double s3 = w3 * e2 * k7;
+            const double q3 = atan2(s3, c3);
+
+            /* theta2 */
+            const double Y1_2 = L3 * s3;
+            const double S2 = v31 - Z2_3 * Y1_2;
+            const double C2 = v32 + Z1_3 * Y1_2;
+            const double w2 = sqrt(S2 * S2 + C2 * C2);
+            const int free2 = w2 <= free_limit_squared2;
+            const int near2 = w2 <= near_limit_squared2;
+            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double q2 = atan2(s2, c2);
+
+            /* joint values */
+            const double q4 = wrap(theta234 - (q3 + q2));
+            const int free2_ = free234 || free2;
+            const int row = 2 * i1 + i2;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
+            status[row] = (free1 || free2_ || free234 || free234) ? WELDING_5R_FREE_JOINT :
+                (x1_close[i1] || near1 || near234 || near2) ? CLOSE : WELDING_5R_OK;
+        }
     }
 }
 
@@ -3764,6 +718,413 @@ static void take(const double from[5], double to[5])
     for (int i = 0; i < 5; i++)
         to[i] = from[i];
 }
+
+/* A row for which another value of a free joint is looked for, and what solving again needs. */
+struct search {
+    const double *T;
+    double seed[5], start, q[8][5];
+    unsigned char status[8];
+    int joint, row;
+    double by; /* how far roots are moved */
+    int within; /* whether limits count */
+};
+
+/* How far a row is from a solution: 0 if it is solved. */
+static double shortfall(const struct search *s)
+{
+    if (s->status[s->row] >= LOST)
+        return s->q[s->row][0];
+    return s->status[s->row] == WELDING_5R_UNREACHABLE ? -HUGE_VAL : 0.0;
+}
+
+/* Solves with the joint moved: 0 if it serves, else less. */
+static double attempt(struct search *s, double moved)
+{
+    s->seed[s->joint] = s->start + moved;
+    for (int i = 0; i < 8; i++)
+        s->status[i] = WELDING_5R_UNREACHABLE;
+    solve(s->T, s->seed, s->by, s->q, s->status);
+    const double result = shortfall(s);
+    return result == 0.0 && s->within ? -beyond_limits(s->q[s->row]) : result;
+}
+
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *s)
+{
+    const int status = s->status[s->row];
+    if (s->within && beyond_limits(s->q[s->row]) > 0.0)
+        return 0;
+    return status != WELDING_5R_UNREACHABLE && status < LOST;
+}
+
+/* Golden section for a move that serves, or NaN. */
+static double summit(struct search *s, double low, double high)
+{
+    for (int k = 0; k < 52; k++) {
+        const double third = 0.3819660112501051 * (high - low);
+        const double left = attempt(s, low + third), right = attempt(s, high - third);
+        if (left == 0.0 || right == 0.0)
+            return left == 0.0 ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
+        return NAN;
+    attempt(s, low);
+    return serves(s) ? low : (double)NAN;
+}
+
+/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
+static double serving_value(struct search *s)
+{
+    const double step = 0.09817477042468103;
+    if (attempt(s, 0.0) == 0.0)
+        return 0.0;
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
+    for (int k = -32; k <= 32; k++) {
+        before = here;
+        here = after;
+        after = attempt(s, (double)(k + 1) * step);
+        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
+        if (here < 0.0 && here >= before && here > after)
+            outer = summit(s, outer - step, outer + step);
+        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
+            continue;
+        if (isnan(outer))
+            continue;
+        for (int i = 0; i < 52; i++) {
+            const double middle = 0.5 * (inner + outer);
+            if (attempt(s, middle) == 0.0)
+                outer = middle;
+            else
+                inner = middle;
+        }
+        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
+            nearest = outer;
+    }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
+ * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
+ * rounding of what it was taken from, `solve` takes it as its own. */
+static double serving_digits(struct search *s)
+{
+    double before[2] = { -HUGE_VAL, -HUGE_VAL };
+    int past[2] = { 0 };
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
+        for (int way = 0; way < 2; way++) {
+            const double there = way ? -moved : moved, here = attempt(s, there);
+            if (here == 0.0)
+                return there;
+            if (here < 2.0 * before[way] && !past[way]++) {
+                const double top = summit(s, 0.25 * there, there);
+                if (!isnan(top))
+                    return top;
+            }
+            before[way] = here;
+        }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(
+    const double T[16], const double seed[5], int row, double q[8][5], unsigned char status[8])
+{
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+    take(seed, lost.seed);
+    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
+    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : WELDING_5R_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[row][i] = served ? lost.q[row][i] : (double)NAN;
+}
+
+/* Whether a joint beyond its limits does not move with the one that is searched. */
+static int hopeless(struct search *s)
+{
+    struct search other = *s;
+    attempt(s, 0.0);
+    attempt(&other, 0.1);
+    if (shortfall(s) < 0.0 || shortfall(&other) < 0.0)
+        return 0;
+    for (int i = 0; i < 5; i++) {
+        const double value = s->q[s->row][i], moved = fabs(value - other.q[s->row][i]);
+        if (moved < 1e-09 && fabs(overshoot(i, value)) > 0.0)
+            return 1;
+    }
+    return 0;
+}
+
+/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
+ * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
+static void keep_limits(
+    const double T[16], const double seed[5], int row, double q[8][5], unsigned char status[8])
+{
+    static const int choosable[4] = { 3, 2, 1, 0 };
+    struct search search = { .T = T, .row = row, .within = 1 };
+    for (int i = 0; i < 5; i++)
+        search.seed[i] = seed[i] - overshoot(i, seed[i]);
+    for (int k = 0; k < 4; k++) {
+        const int joint = search.joint = choosable[k];
+        const double inside = search.seed[joint];
+        search.start = fmod(seed[joint], turn);
+        const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
+        /* beside the solution of another row this one has none */
+        if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
+            attempt(&search, nearest);
+            status[row] = search.status[row];
+            take(search.q[row], q[row]);
+            return;
+        }
+        search.seed[joint] = inside;
+    }
+}
+
+/* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
+ * nothing and be far from any. */
+static int solves(struct descent *d, int steps, double exact, double q[5])
+{
+    double ahead;
+    return descended(d, steps, exact, q, &ahead) <= exact && ahead <= 0.0001;
+}
+
+/* Whether a solution is none of those. */
+static int is_new(double known[16][5], int count, const double q[5])
+{
+    for (int k = 0; k < count; k++)
+        if (gap_between(known[k], q) < 0.001)
+            return 0;
+    return 1;
+}
+
+/* Puts a solution behind those that are known, unless it is one of them; returns how many there
+ * are. */
+static int keep(double known[16][5], int count, const double q[5])
+{
+    if (!is_new(known, count, q))
+        return count;
+    take(q, known[count]);
+    return count + 1;
+}
+
+/* Whether the row of a root that is moved leads to a solution, and to which. */
+static int leads(
+    struct descent *d, const double seed[5], double angle, int row, double exact,
+    double end[5])
+{
+    double q[8][5];
+    unsigned char kind[8];
+    for (int k = 0; k < 8; k++)
+        kind[k] = WELDING_5R_UNREACHABLE;
+    solve(d->T, seed, angle, q, kind);
+    if (kind[row] == WELDING_5R_UNREACHABLE || kind[row] > CLOSE /* lost */)
+        return 0;
+    take(q[row], end);
+    return solves(d, 72, exact, end);
+}
+
+/* How far roots are moved: where steps from a row lead nowhere, and to the other solution, as parts
+ * of the way to the one that is known. */
+static const double beside[18] = { 3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06,
+    -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08,
+    -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10,
+    -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11,
+    -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12 };
+static const double across[4] = { -1.0, -2.0, -0.5, -4.0 };
+
+/* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
+ * a joint that is nearly free. Steps from it lead to one; the root of the other is as far from it
+ * on the other side. */
+static void both_sides(
+    const double T[16], const double seed[5], double q[8][5],
+    unsigned char status[8])
+{
+    struct descent d = { .T = T };
+    double known[16][5];
+    int doubtful[8], any = 0, count = 0;
+    const double exact = exactness(T);
+    for (int row = 0; row < 8; row++) {
+        const int close = status[row] == CLOSE;
+        double here[5];
+        take(q[row], here);
+        doubtful[row] = close && !solves(&d, 0, exact, here);
+        if (close)
+            status[row] = WELDING_5R_OK;
+        any += doubtful[row];
+        if (status[row] == WELDING_5R_UNREACHABLE || doubtful[row])
+            continue;
+        take(q[row], known[count]);
+        count++;
+    }
+    if (!any)
+        return;
+    const int others = count;
+    int next = count;
+    for (int row = 0; row < 8; row++) {
+        if (!doubtful[row])
+            continue;
+        double end[5], other[5], off = 0.0;
+        take(q[row], end);
+        /* long steps may lead to solutions of other roots, which are known */
+        int found = solves(&d, 72, exact, end) && is_new(known, others, end);
+        for (int k = 0; k < 18 && !found; k++)
+            found = leads(&d, seed, beside[k], row, exact, end)
+                && is_new(known, others, end);
+        if (!found)
+            continue;
+        status[row] = WELDING_5R_UNREACHABLE;
+        count = keep(known, count, end);
+        off += end[0] - q[row][0];
+        off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
+        for (int k = 0; k < 4; k++) {
+            if (!leads(&d, seed, across[k] * off, row, exact, other)
+                    || !is_new(known, others, other) || gap_between(end, other) < 0.001)
+                continue;
+            count = keep(known, count, other);
+            break;
+        }
+    }
+    for (; next < count; next++) { /* whichever roots rounding told apart: the row that was nearest
+        */
+        int place = -1;
+        double least = HUGE_VAL;
+        for (int row = 8 - 1; row >= 0; row--) {
+            const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
+            if (status[row] == WELDING_5R_UNREACHABLE && gap <= least) {
+                least = gap;
+                place = row;
+            }
+        }
+        if (place < 0)
+            break;
+        take(known[next], q[place]);
+        status[place] = WELDING_5R_OK;
+    }
+    for (int row = 0; row < 8; row++)
+        for (int i = 0; i < 5 && status[row] == WELDING_5R_UNREACHABLE; i++)
+            q[row][i] = NAN;
+}
+
+
+/* Between which values starts lie. */
+static const double span_low[5] = {
+    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[5] = {
+    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+};
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool: there a step that is
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
+static double descend(struct descent *d, double u[5])
+{
+    double least = HUGE_VAL, little = 1e-13, best[5], step[5];
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
+    copy(u, best); /* compilers don't know that some miss is finite */
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int slow = d->length >= fmax(0.5 * last, left);
+        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
+        if (slow && least <= 1e-06)
+            little = 1e-26;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, little, step);
+        shorten(step);
+        double way = 0.0;
+        for (int j = 0; j < 5; j++) {
+            u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = little < 1e-13 ? 0.5 * way * way : 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+static int settle(const double T[16], double enough, double most, double q[5]);
+
+/* A pose was left without a row after a joint had been chosen, or with
+ * none inside the limits: several joints may be free, and few of their values serve. Steps
+ * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
+ * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
+static void seek(
+    const double T[16], const double seed[5], int begun, double q[8][5],
+    unsigned char status[8])
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    double found[5] = { 0.0 };
+    int before = 4, chosen = -1;
+    for (int row = 8 - 1; row >= 0; row--) {
+        int fault = 0, is_open = status[row] == WELDING_5R_FREE_JOINT;
+        if (status[row] == WELDING_5R_UNREACHABLE)
+            continue;
+        fault += beyond_limits(q[row]) > 0.0;
+        before = fault < before ? fault : before;
+        chosen = is_open ? row : chosen;
+    }
+    if (before == 0 || (before < 4 && chosen < 0))
+        return;
+    int least = before;
+    take(seed, d.q);
+    for (int j = 0; j < 5; j++)
+        d.seed[j] = seed[solved[j]] / unit[j];
+    for (int k = 0; k < 12 && least; k++) {
+        double u[5], end[5];
+        start_of(&d, k, u);
+        if (descend(&d, u) > 0.01)
+            continue;
+        take(d.q, end);
+        for (int j = 0; j < 5; j++)
+            end[solved[j]] = unit[j] * u[j];
+        const double miss = escaped(&d, exact, end);
+        if (miss > 10.0 * exact)
+            continue;
+        if (beyond_limits(end) > 0.0)
+            (void)settle(T, NAN, HUGE_VAL, end);
+        const int fault = 2 * (miss > exact) + (beyond_limits(end) > 0.0);
+        if (fault >= least)
+            continue;
+        least = fault;
+        take(end, found);
+    }
+    if (least == before)
+        return;
+    if (before < 4 && before / 2 == least / 2) { /* other rows are no less exact */
+        take(found, q[chosen]);
+        return;
+    }
+    for (int row = 0; row < 8; row++) {
+        status[row] = row == begun ? WELDING_5R_FREE_JOINT : WELDING_5R_UNREACHABLE;
+        for (int i = 0; i < 5; i++)
+            q[row][i] = row == begun ? found[i] : (double)NAN;
+    }
+}
+
 
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
@@ -3890,7 +1251,7 @@ static int settle(const double T[16], double enough, double most, double q[5])
 
 /* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
  * to it is none) or that of another row that keeps its limits. */
-static void stand(const double T[16], int row, double rows[16][5], const unsigned char status[16])
+static void stand(const double T[16], int row, double rows[8][5], const unsigned char status[8])
 {
     double x[5], half[5], to[5], *q = rows[row], off = beyond_limits(q);
     if (!(0.0 < off && off < 0.01))
@@ -3899,7 +1260,7 @@ static void stand(const double T[16], int row, double rows[16][5], const unsigne
     if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
     off = half_way(q, x, half);
-    for (int k = 0; k < 16; k++)
+    for (int k = 0; k < 8; k++)
         if (status[k] != WELDING_5R_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
             && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
             return;
@@ -3907,8 +1268,63 @@ static void stand(const double T[16], int row, double rows[16][5], const unsigne
         take(x, q);
 }
 
+/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
+static void tell_once(const double T[16], double q[8][5], unsigned char status[8])
+{
+    const int held[5] = { 0 };
+    for (int n = 0; n < 8 * 8; n++) {
+        double half[5], e[6], *row = q[n / 8];
+        const int k = n % 8;
+        int ends = 0;
+        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
+            for (int i = 0; i < 3; i++) {
+                off_pose(T, half, e);
+                add_step(held, 1e-13, e, half);
+            }
+            ends = off_pose(T, half, e) <= 1e-14;
+        }
+        for (int i = 0; i < 5 && ends; i++) {
+            status[n / 8] = WELDING_5R_UNREACHABLE;
+            row[i] = NAN;
+        }
+    }
+}
+
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
+ * as good, one left, or any. */
+static void stay(
+    const double T[16], const double seed[5], double q[8][5],
+    unsigned char status[8])
+{
+    double x[5], half[5], e[6], least = HUGE_VAL, nearest = 0.001;
+    int place = 0;
+    for (int i = 0; i < 5; i++)
+        x[i] = seed[i] - overshoot(i, seed[i]);
+    if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
+        return;
+    for (int row = 8 - 1; row >= 0; row--) {
+        double between = 1e-06;
+        if (status[row] != WELDING_5R_UNREACHABLE) {
+            const double off = half_way(x, q[row], half);
+            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
+            if (off < nearest && beyond_limits(q[row]) == 0.0) {
+                nearest = off;
+                place = row;
+                least = -1.0; /* its own */
+            }
+        }
+        if (between <= 2.0 * least)
+            place = row;
+        least = fmin(least, between);
+    }
+    if (least >= 0.0)
+        status[place] = WELDING_5R_FREE_JOINT;
+    if (nearest > 1e-06)
+        take(x, q[place]);
+}
+
 int welding_5r_ik(
-    const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
+    const double T[16], const double *q_seed, double q[8][5], unsigned char status[8])
 {
     const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
@@ -3916,15 +1332,30 @@ int welding_5r_ik(
     int valid = read_pose(T, pose);
     for (int i = 0; i < 5; i++)
         valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 16; row++) {
+    for (int row = 0; row < 8; row++) {
         status[row] = valid ? WELDING_5R_UNREACHABLE : WELDING_5R_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
     if (!valid)
         return -WELDING_5R_INVALID_POSE;
-    solve(pose, seed, q, status);
-    for (int row = 0; row < 16; row++) {
+    solve(pose, seed, 0.0, q, status);
+    int begun = -1; /* the first row that was not simply out of reach */
+    for (int row = 8 - 1; row >= 0; row--)
+        begun = status[row] == WELDING_5R_UNREACHABLE ? begun : row;
+    for (int row = 0; row < 8; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] == WELDING_5R_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+            keep_limits(pose, seed, row, q, status);
+    both_sides(pose, seed, q, status);
+    tighten(pose, q, status);
+    if (begun >= 0)
+        seek(pose, seed, begun, q, status);
+    tell_once(pose, q, status);
+    stay(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
         if (status[row] == WELDING_5R_UNREACHABLE)
             continue;
         stand(pose, row, q, status);
@@ -3942,15 +1373,15 @@ int welding_5r_ik(
 
 int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[16][5], found[5], least = HUGE_VAL;
-    unsigned char status[16];
+    double all[8][5], found[5], least = HUGE_VAL;
+    unsigned char status[8];
     int result = -WELDING_5R_UNREACHABLE;
     int valid = welding_5r_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    for (int row = 0; row < 16 && valid; row++) {
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == WELDING_5R_OUT_OF_LIMITS && result < 0)
             result = -WELDING_5R_OUT_OF_LIMITS;
@@ -3975,5 +1406,5 @@ void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *st
 {
     size_t k = 0;
     for (; k < n; k++)
-        (void)welding_5r_ik(T + 16 * k, NULL, (double (*)[5])(q + 80 * k), status + 16 * k);
+        (void)welding_5r_ik(T + 16 * k, NULL, (double (*)[5])(q + 40 * k), status + 8 * k);
 }

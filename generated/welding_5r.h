@@ -16,11 +16,11 @@
 extern "C" {
 #endif
 
-#define WELDING_5R_METHOD "general 6R"
+#define WELDING_5R_METHOD "quartic"
 
 enum {
     WELDING_5R_DOF = 5, /* joints */
-    WELDING_5R_ROWS = 16 /* branches */
+    WELDING_5R_ROWS = 8 /* branches */
 };
 
 /* What a row of welding_5r_ik holds. */
@@ -38,7 +38,7 @@ enum {
 };
 
 /* The name of every row. */
-extern const char *const welding_5r_branches[16];
+extern const char *const welding_5r_branches[8];
 
 /* The pose T of the joint values q. */
 void welding_5r_fk(const double q[5], double T[16]);
@@ -52,7 +52,7 @@ void welding_5r_jacobian(const double q[5], double J[30]);
  * Returns how many rows are OK or FREE_JOINT, or -WELDING_5R_INVALID_POSE, also for a seed that is
  * not finite where it may be needed. */
 int welding_5r_ik(
-    const double T[16], const double *q_seed, double q[16][5], unsigned char status[16]);
+    const double T[16], const double *q_seed, double q[8][5], unsigned char status[8]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
@@ -62,7 +62,7 @@ int welding_5r_ik(
 int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* welding_5r_ik without a seed for n poses: T holds n x 16 numbers,
- * q n x 16 x 5, status n x 16. */
+ * q n x 8 x 5, status n x 8. */
 void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

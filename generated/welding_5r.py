@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 76739f3c7ba2394a"
+_KEY = "welding_5r e574a8eb0df8f196"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -126,7 +126,7 @@ _lent_statuses = _lending("uint8", 1)
 
 
 NAME = "welding_5r"
-METHOD = "general 6R"
+METHOD = "quartic"
 DOF = 5
 JOINT_TYPES = "RRRRR"
 JOINT_LIMITS = (
@@ -137,24 +137,16 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1",
-    "root2",
-    "root3",
-    "root4",
-    "root5",
-    "root6",
-    "root7",
-    "root8",
-    "root9",
-    "root10",
-    "root11",
-    "root12",
-    "root13",
-    "root14",
-    "root15",
-    "root16",
+    "root1-down",
+    "root1-up",
+    "root2-down",
+    "root2-up",
+    "root3-down",
+    "root3-up",
+    "root4-down",
+    "root4-up",
 )
-MAX_SOLUTIONS = 16
+MAX_SOLUTIONS = 8
 
 # What a row of ik_all holds.
 OK = 0  # joint values
@@ -171,6 +163,30 @@ d4 = 0.03  # joint offset 4 [m]
 d5 = 0.12  # joint offset 5 [m]
 ex = 0.02  # x of the tool frame [m]
 ez = 0.1  # z of the tool frame [m]
+free_limit2 = 2.5600000000000004e-12  # a length that fixes no angle [m^2]
+square_rounding = 1e-15  # squares are rounded by this
+near_limit = 0.001  # a length whose direction is good to few digits
+double_root = 1e-13  # a polynomial's value at a root, relative to its coefficients
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+near_limit_squared = 1e-06  # square of a length whose direction is good to few digits
+longest3 = 0.9025  # square of the longest reach [m^2]
+shortest3 = 0.0024999999999999988  # square of the shortest reach [m^2]
+longest3_reach = 0.902530400256  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.0024984002559999986  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.9024999999999695  # the longest, where branches merge [m^2]
+shortest3_apart = 0.002500000000001599  # the shortest, where branches merge [m^2]
+longest3_clear = 0.9024999999696  # the longest, where blurred branches do [m^2]
+shortest3_clear = 0.002500000001599999  # the shortest, where blurred branches do [m^2]
+free_limit_squared2 = 2.5600000000000005e-24  # square of a length that fixes no angle [m^2]
+# square of a length whose direction is good to few digits [m^2]
+near_limit_squared2 = 2.5600000000000005e-06
+k1 = 0.5  # 1 / 2
+k2 = 0.06  # d4 * 2 [m]
+k3 = 0.0009  # d4^2 [m^2]
+k4 = 0.0004  # ex^2 [m^2]
+k5 = -50.0  # -1 / ex [m^-1]
+k6 = 0.4525  # L2^2 + L3^2 [m^2]
+k7 = 2.2222222222222223  # 1 / (2 * L3 * L2) [m^-2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -189,6 +205,147 @@ _empty, _contiguous = np.empty, np.ascontiguousarray
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
+
+
+
+
+@_inner
+def _horner(p0, p1, p2, p3, p4, t):
+    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
+
+
+@_inner
+def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
+    """The root between two points with values of unlike sign."""
+    t = 0.5 * (low + high)
+    for _ in range(100):
+        value = _horner(p0, p1, p2, p3, p4, t)
+        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
+        if (value < 0.0) == (at_low < 0.0):
+            low = t
+        else:
+            high = t
+        following = t - value / slope if slope != 0.0 else low
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        if abs(following - t) <= 2e-16 * abs(t):
+            return following
+        t = following
+    return t
+
+
+@_inner
+def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
+    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
+    roots = 0
+    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
+    for k in range(1, count):
+        edge = edges[k]
+        value = _horner(p0, p1, p2, p3, p4, edge)
+        size = 1.0 + edge * edge
+        if k < count - 1 and abs(value) <= tolerance * size * size:
+            value = 0.0
+        if at_before * value < 0.0:
+            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
+            roots += 1
+        elif value == 0.0 and k < count - 1:
+            found[roots] = edge
+            roots += 1
+        before, at_before = edge, value
+    return roots
+
+
+@_inner
+def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
+    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+
+    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+    leading coefficient; its roots lie between those of its derivative, those between the
+    roots of the second derivative. Second comes which are close, where the slope is small: one may
+    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
+    by an angle in the end.
+    """
+    x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
+    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
+    if not (size > 0.0 and math.isfinite(size)):
+        return x, close
+    best, apart = -1.0, 0.0
+    for k in range(16):
+        at = turn * k / 16
+        c, s = math.cos(at), math.sin(at)
+        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
+        if value > best:
+            best, apart = value, at
+    c, s = -math.cos(apart), -math.sin(apart)
+    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
+    c2, s2 = c * c - s * s, 2.0 * c * s
+    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
+    lead = a0 - u1 + u2
+    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
+    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
+    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
+    edges, extrema = np.empty(5), np.empty(4)
+    half = 0.25 * p3
+    square = half * half - p2 / 6.0
+    count = 0
+    edges[0] = -bound
+    if square > 0.0:
+        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
+        count = 2
+    edges[count + 1] = bound
+    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
+    for k in range(count):
+        edges[k + 1] = extrema[k]
+    edges[count + 1] = bound
+    tolerance = (1e-13 * size + rounding) / abs(lead)
+    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
+    for k in range(count):
+        at = apart + 0.5 * turn + 2.0 * math.atan(x[k])
+        c, s = math.cos(at), math.sin(at)
+        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
+        flat = abs(slope) <= 0.0001 * size
+        if not flat:
+            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
+        at -= turn * math.ceil(at / turn - 0.5)
+        place = k
+        while place > 0 and x[place - 1] > at:
+            x[place], close[place] = x[place - 1], close[place - 1]
+            place -= 1
+        x[place], close[place] = at, flat
+    for k in range(4):
+        x[k] += moved
+    return x, close
+@_njit(fastmath={"contract"})
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_inner
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -360,6 +517,13 @@ def jacobian(q):
     return J
 
 
+_CLOSE = 64  # roots nearly meet: the row may stand between two solutions
+
+
+_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
+
+
 _APART = []  # what is compiled apart: functions, and the types of their arguments
 
 
@@ -426,6 +590,57 @@ def _apart(signature):
     return decorate
 
 
+@_inner
+def _missed_by(pose, q):
+    """By how much joint values miss the entries that count: the root of the sum of squares."""
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - v1 * s3
+    x3_y = x2_y * c3 - v2 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v3 = v1 * c3 + x2_x * s3
+    v4 = v2 * c3 + x2_y * s3
+    y3_z = c2 * c3 - s2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 - v3 * s4
+    x4_y = x3_y * c4 - v4 * s4
+    x4_z = x3_z * c4 + y3_z * s4
+    z4_x = v3 * c4 + x3_x * s4
+    z4_y = v4 * c4 + x3_y * s4
+    z4_z = x3_z * s4 - y3_z * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + s1 * s5
+    x5_y = x4_y * c5 - c1 * s5
+    x5_z = x4_z * c5
+    z5_y = c1 * c5 + x4_y * s5
+    z5_z = x4_z * s5
+    z5_x = x4_x * s5 - s1 * c5
+    miss = 0.0
+    off = z5_x - pose[2]
+    miss += (1.0 * off) ** 2
+    off = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + z4_x * d5 + x5_x * ex + z5_x * ez - pose[3]
+    miss += (0.625 * off) ** 2
+    off = z5_y - pose[6]
+    miss += (1.0 * off) ** 2
+    off = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + z4_y * d5 + x5_y * ex + z5_y * ez - pose[7]
+    miss += (0.625 * off) ** 2
+    off = z5_z - pose[10]
+    miss += (1.0 * off) ** 2
+    off = d1 + s2 * L2 + x3_z * L3 + z4_z * d5 + x5_z * ex + z5_z * ez - pose[11]
+    miss += (0.625 * off) ** 2
+    return math.sqrt(miss)
+
+
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
 # lengths, and the same over the arm's size. Below, u are these joints in units.
 _SOLVED = np.array([0, 1, 2, 3, 4])
@@ -448,7 +663,7 @@ def _turn_vector(axis, cosine, vector):
         vector[i] = scale * axis[i]
 
 
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
+@_inner
 def _look(T, q, u, e, A):
     """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
     for j in range(5):
@@ -550,112 +765,38 @@ def _damped_step(A, e, length, little, step):
         step[j] = total[j]
 
 
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
-def _descend(T, q, u):
-    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+@_apart("float64(float64[:, ::1], int64, float64, float64[::1], float64[::1])")
+def _descended(T, steps, exact, q, ahead):
+    """Takes a row as far as steps help, and tells how long another one would be, into `ahead`.
 
-    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
-    that is right may be long, and what it leaves, half of its square, far more than was missed.
+    Returns by how much the row misses the pose then. Beside a singular place a step that is right
+    may be long, and what it leaves, half of its square, far more than was missed.
     """
     e, A = np.empty(6), np.empty((6, 5))
-    least, best, step, little = math.inf, u.copy(), np.empty(5), 1e-13
-    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
-    for _ in range(40 + 1):
-        length = _look(T, q, u, e, A)
-        slow = length >= max(0.5 * last, left)
-        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
-        if slow and least <= 1e-06:
-            little = 1e-26
+    joints, u, step = q.copy(), np.empty(5), np.empty(5)
+    for j in range(5):
+        u[j] = q[_SOLVED[j]] / _UNIT[j]
+    best, least, last, left = u.copy(), math.inf, math.inf, 0.0
+    ahead[0] = math.inf
+    for _ in range(steps + 1):
+        length = _look(T, joints, u, e, A)
+        _damped_step(A, e, length, 1e-26, step)
+        slow = not length <= max(0.5 * last, left)
         if length < least:
-            least = length
+            least, ahead[0] = length, np.abs(step).max()
             _take(best, u)
-        if stalled:
+        if slow or (least <= 0.001 * exact and ahead[0] <= 0.0001):
             break
-        _damped_step(A, e, length, little, step)
         _shorten(step)
         way = 0.0
         for j in range(5):
             u[j] += step[j]
             way += abs(step[j])
-        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
-    _take(u, best)
-    return least
-
-
-@_inner
-def _limited_step(A, e, length, wish, u, low, high, step):
-    """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
-    fixed, locked = np.zeros(5), np.zeros(5, np.uint8)
-    rest = np.empty(6)
-    beyond = True
-    while beyond:
-        beyond = False
-        for i in range(6):
-            rest[i] = e[i]
-            for j in range(5):
-                rest[i] -= A[i, j] * wish[j]
-        _damped_step(A, rest, length, 1e-13, step)
-        for j in range(5):
-            step[j] += wish[j]
-        _shorten(step)
-        for j in range(5):
-            end = u[j] + step[j]
-            if locked[j]:
-                step[j] = fixed[j]
-            elif end < low[j] or end > high[j]:
-                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
-                beyond, locked[j], wish[j] = True, 1, 0.0
-                for i in range(6):
-                    e[i] -= A[i, j] * fixed[j]
-                    A[i, j] = 0.0
-
-
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1], float64[::1])")
-def _pulled(T, q, u, near, low, high):
-    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
-    e, A = np.empty(6), np.empty((6, 5))
-    least, best, step, pull = math.inf, u.copy(), np.empty(5), 0.5
-    wish = np.empty(5)
-    for k in range(1, 60 + 40 + 1):
-        length = _look(T, q, u, e, A)
-        if pull == 0.0:
-            if length >= 0.5 * least and least <= 1e-10:
-                break
-            if length < least:
-                least = length
-                _take(best, u)
-        for j in range(5):
-            wish[j] = pull * (min(max(near[j], low[j]), high[j]) - u[j])
-        _limited_step(A, e, length, wish, u, low, high, step)
-        longest = 0.0
-        for j in range(5):
-            longest = max(longest, abs(step[j]))
-            u[j] += step[j]
-        if k >= 60 or longest < 1e-09:
-            pull = 0.0
-    _take(u, best)
-    return least
-
-
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([-2.9670597283903604, -math.inf, -math.inf, -math.inf, -math.inf])
-_MOST_U = np.array([2.9670597283903604, math.inf, math.inf, math.inf, math.inf])
-# Between which values starts lie.
-_SPAN_LOW = np.array([
-    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793,
-])
-_SPAN_WIDTH = np.array([
-    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-])
-
-
-@_inner
-def _start_of(k, near, u):
-    """Start number k; number 0 is the seed."""
+        last, left = length, 0.5 * way * way
+    _wrap_angles(best)
     for j in range(5):
-        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+        q[_SOLVED[j]] = _UNIT[j] * best[j]
+    return least
 
 
 @_inner
@@ -679,1534 +820,285 @@ def _sideways(A, along):
     return length
 
 
-@_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64)")
-def _continuum(T, q, u, enough):
-    """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
+@_apart("float64(float64[:, ::1], float64, float64[::1])")
+def _escaped(T, exact, q):
+    """Takes a row as far as steps help, also from both sides of where they get slow.
 
-    They miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone, -1 if it is a regular one.
+    Where many solutions meet, joint values between them are singular. A root of four is missed by
+    the fourth power of the way to it. Returns by how much the row misses the pose then.
     """
     e, A = np.empty(6), np.empty((6, 5))
-    along, end, other = np.empty(5), np.empty(5), np.full(5, np.inf)
-    _look(T, q, u, e, A)
-    if _sideways(A, along) <= 0.0001:
-        return -1
-    for side in (1.0, -1.0):
-        gap = across = 0.0
+    u, along, ahead = np.empty(5), np.empty(5), np.empty(1)
+    ends, miss = np.empty((2, 5)), np.empty(2)
+    least = _descended(T, 72, exact, q, ahead)
+    for _ in range(8):
+        if least <= exact:
+            break
         for j in range(5):
-            end[j] = u[j] + side * 0.05 * along[j]
-        miss = _descend(T, q, end)
-        for j in range(5):
-            gap, across = max(gap, abs(end[j] - u[j])), max(across, abs(end[j] - other[j]))
-        if miss > enough or min(gap, across) <= 0.01:
-            return 0
-        _take(other, end)
-    return 1
-
-
-@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64)")
-def _solves_between(T, q, u, way, length):
-    """Whether solutions lie all along the way from one to another: where many roots meet, joint values
-    beside the solution miss the pose by next to nothing."""
-    e, A = np.empty(6), np.empty((6, 5))
-    end, step = np.empty(5), np.empty(5)
-    for part in (0.25, 0.5, 0.75):
-        for j in range(5):
-            end[j] = u[j] + part * way[j]
-        miss = _look(T, q, end, e, A)
-        for _ in range(4):
-            if miss > 1e-10:
-                _damped_step(A, e, miss, 1e-13, step)
-                for j in range(5):
-                    end[j] += step[j]
-                miss = _look(T, q, end, e, A)
-        if miss > 1e-10:
-            return False
-        for j in range(5):
-            if abs(u[j] + part * way[j] - end[j]) > 0.0625 * length:
-                return False
-    return True
-
-
-@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], boolean)")
-def _taken_for(T, q, known, u, loose):
-    """Whether a solution is taken for one that is known; loosely where both are singular."""
-    between, gap = np.empty(5), 0.0
-    for j in range(5):
-        between[j] = u[j] - known[j]
-    _wrap_angles(between)
-    for j in range(5):
-        gap = max(gap, abs(between[j]))
-    if gap < (0.001 if loose else 1e-06):
-        return True
-    return loose and gap < 0.1 and _solves_between(T, q, known, between, gap)
-
-
-@_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
-def _known_as(T, q, kept, kinds, count, u, singular):
-    """Which of those found before a solution is; -1 for none."""
-    for k in range(count):
-        if _taken_for(T, q, kept[k], u, singular and kinds[k] >= 0):
-            return k
-    return -1
+            u[j] = q[_SOLVED[j]] / _UNIT[j]
+        _look(T, q.copy(), u, e, A)
+        if _sideways(A, along) <= 0.0001:
+            break
+        pace = math.sqrt(math.sqrt(least))
+        for side in range(2):
+            _take(ends[side], q)
+            for j in range(5):
+                ends[side, _SOLVED[j]] += pace * _UNIT[j] * along[j]
+            pace = -pace
+            miss[side] = _descended(T, 72, exact, ends[side], ahead)
+        other = 1 if miss[1] < miss[0] else 0
+        if not miss[other] < 0.9 * least:
+            break
+        least = miss[other]
+        _take(q, ends[other])
+    return least
 
 
 @_inner
-def _clamped(u, seen, inside):
-    """The nearest values inside the limits, whole turns aside, but next to the seed's where they are
-    just beyond an end there; returns how far one was beyond."""
-    most = 0.0
-    for j in range(5):
-        near, middle = u[j], 0.5 * (_LEAST_U[j] + _MOST_U[j])
-        if _TURNING[j] and math.isfinite(middle):
-            near -= 6.283185307179586 * math.floor((near - seen[j]) / 6.283185307179586 + 0.5)
-            past = max(_LEAST_U[j] - near, near - _MOST_U[j])
-            if past >= 0.01 or abs(near - seen[j]) >= 0.15:
-                near -= 6.283185307179586 * math.ceil((near - middle) / 6.283185307179586 - 0.5)
-        inside[j] = min(max(near, _LEAST_U[j]), _MOST_U[j])
-        most = max(most, abs(inside[j] - near))
-    return most
+def _tightened(T, exact, first, q):
+    """Takes a row to where damped least squares lead, unless it is exact.
+
+    Returns by how much it misses the pose then, and whether it was moved; `first` is what it misses
+    the pose by before.
+    """
+    if first <= exact:
+        return first, False
+    end, moved = q.copy(), False
+    least = _escaped(T, exact, end)
+    for i in range(5):
+        moved = moved or q[i] != end[i]
+        q[i] = end[i]
+    return least, moved
 
 
-@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1])")
-def _leads_inside(T, q, near, u, end):
-    """Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
-    has to be, farther on if steps lead back; returns if it can."""
-    way, start, inside = np.empty(5), end.copy(), np.empty(5)
+@_inner
+def _gap_between(q, other):
+    """By how much the joint values of two rows differ at most."""
+    gap = np.empty(5)
     for j in range(5):
-        way[j] = start[j] - u[j]
-    _wrap_angles(way)
-    for part in (0.0, 1.0, 3.0, 7.0, 15.0):
-        for j in range(5):
-            end[j] = start[j] + part * way[j]
-        if _descend(T, q, end) <= 1e-11 and _clamped(end, near, inside) <= 1e-09:
+        gap[j] = (q[_SOLVED[j]] - other[_SOLVED[j]]) / _UNIT[j]
+    _wrap_angles(gap)
+    return np.abs(gap).max()
+
+
+@_inner
+def _repeats(q, held, first, row):
+    """Whether a row that was moved came to lie on one that missed by less at first."""
+    for k in range(8):
+        before = first[k] < first[row] or (k < row and first[k] <= first[row])
+        if held[k] and before and _gap_between(q[k], q[row]) < 1e-06:
             return True
     return False
 
 
-@_apart("void(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, boolean, float64, float64[::1])")
-def _move_inside(T, q, near, kept, kinds, count, alone, enough, u):
-    """Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
-    inside the limits leads to one, from there or from the seed; where it stands alone to one that is
-    taken for it and as exact as a row has to be."""
-    end = np.empty(5)
-    if _clamped(u, near, end) <= 1e-09:
-        return
-    for from_seed in range(2):
-        _clamped(near if from_seed else u, near, end)
-        if _pulled(T, q, end, near, _LEAST_U, _MOST_U) > enough:
-            continue
-        if alone and not _leads_inside(T, q, near, u, end):
-            continue
-        if _known_as(T, q, kept, kinds, count, end, True) < 0 and (not alone or _taken_for(T, q, u, end, True)):
-            _take(u, end)
-            return
+@_inner
+def _exactness(pose):
+    """What an exact row may miss: far away rounding is more."""
+    distance = 1.0  # arm sizes
+    distance = max(distance, abs(pose[3]) / 1.6)
+    distance = max(distance, abs(pose[7]) / 1.6)
+    distance = max(distance, abs(pose[11]) / 1.6)
+    return 1e-12 * distance
 
 
 @_inner
-def _takes_place(T, q, near, u, known):
-    """Of two solutions that are taken for one that inside the limits is kept if it is as
-    exact as a row has to be."""
-    end = np.empty(5)
-    if _clamped(known, near, end) <= 1e-09 or _clamped(u, near, end) > 1e-09:
-        return False
-    e, A = np.empty(6), np.empty((6, 5))
-    return _look(T, q, u, e, A) <= 1e-11
-
-
-@_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
-def _keep(T, q, near, kept, kinds, count, u):
-    """A solution joins those found before, unless it is one of them; how many there are then."""
-    if count == 16 or _known_as(T, q, kept, kinds, count, u, False) >= 0:
-        return count
-    enough = 1e-10
-    kind = _continuum(T, q, u, enough)
-    if kind == 1:
-        end = u.copy()
-        _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST)
-        if _descend(T, q, end) <= enough:
-            _take(u, end)
-    if kind >= 0:
-        _move_inside(T, q, near, kept, kinds, count, kind == 0, enough, u)
-    _wrap_angles(u)
-    k = _known_as(T, q, kept, kinds, count, u, kind >= 0)
-    if k >= 0 and not _takes_place(T, q, near, u, kept[k]):
-        return count
-    k = count if k < 0 else k
-    kinds[k] = kind
-    _take(kept[k], u)
-    return max(count, k + 1)
-
-
-@_inner
-def _stands_before(a, b):
-    """Whether a row of joint values stands before another."""
-    for i in range(5):
-        if abs(a[i] - b[i]) > 1e-09:
-            return a[i] < b[i]
-    return False
-
-
-@_inner
-def _sorted_rows(kept, kinds, count, joints, q, found, chosen):
-    """Rows by the first joint, then by the second and so on."""
-    for k in range(count):
-        row = k
-        for j in range(5):
-            joints[_SOLVED[j]] = _UNIT[j] * kept[k, j]
-        while row > 0 and _stands_before(joints, q[row - 1]):
-            _take(q[row], q[row - 1])
-            chosen[row] = chosen[row - 1]
-            row -= 1
-        _take(q[row], joints)
-        chosen[row] = kinds[k] == 1
-        found[k] = True
-
-
-
-
-# The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or parallel
-# axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
-# determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
-#
-# The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R.
-
-# The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside whose
-# values are given, what stands before, between and behind these.
-_WELDING_5R_CONSTANTS = np.array([
-    [0.38461538461538464, -0.9230769230769231, 0.0, 0.13862631449875026, 0.0, 0.0, -1.0, -0.01299621695176729, 0.9230769230769231, 0.38461538461538464, 0.0, 5.198487223827861e-10],
-    [0.47058823529411764, -0.8823529411764706, 0.0, 0.8664144656171892, 0.8823529411764706, 0.47058823529411764, 0.0, 0.0, 0.0, 0.0, 1.0, 0.012996216964763508],
-    [0.28, -0.96, 0.0, 0.7797730190554703, 0.96, 0.28, 0.0, 0.0, 0.0, 0.0, 1.0, 0.012996216990755942],
-    [0.6896551724137931, -0.7241379310344828, 0.0, 0.0, 0.0, 0.0, -1.0, -0.10396973582207782, 0.7241379310344828, 0.6896551724137931, 0.0, 0.012996217029744605],
-    [0.32432432432432434, -0.9459459459459459, 0.0, 0.034656578624687566, 0.0, 0.0, -1.0, -1.732829074609287e-10, 0.9459459459459459, 0.32432432432432434, 0.0, 0.10396973592604757],
-    [0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.29999999969999996],
-    [1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.0999999999],
-])
-
-# cosine and sine of what is to be added to each joint's angle in the loop
-_WELDING_5R_ADVANCE_C = np.array([0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434])
-_WELDING_5R_ADVANCE_S = np.array([0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459])
-
-# poses close by, for those at which the formulations fail
-_WELDING_5R_NUDGES = np.array([
-    [0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001, 0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071, 0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047],
-    [0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001, -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071, -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047],
-    [0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183, 0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087, -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201],
-    [0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183, -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087, 0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201],
-    [0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714, 0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754, 0.007769939863287338, 0.9999478024193579, 0.0031],
-    [0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059, 0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787, -0.007829337110224942, 0.9999478024193579, -0.0031],
-    [0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999, -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183, -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997],
-    [0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999, 0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183, 0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997],
-    [0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287, 0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453, 0.019995627381619797, 0.9993720271440617, 0.012299999999999998],
-    [0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867, 0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323, -0.01959005408153817, 0.9993720271440617, -0.012299999999999998],
-])
-
-# A formulation: the joints phi_1 (hidden) ... phi_6 are; the sign of phi = sign q.
-_WELDING_5R_JOINTS = np.array([
-    [3, 2, 1, 0, 5, 4],
-    [1, 2, 3, 4, 5, 0],
-])
-_WELDING_5R_SIGNS = np.array([-1.0, 1.0, ])
-
-# cosines and sines of the 24 angles at which the determinant is sampled
-_WELDING_5R_SAMPLE_C = np.array([1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0, -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682, -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5, -0.2588190451025207, 0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682])
-_WELDING_5R_SAMPLE_S = np.array([0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0, -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682, -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5, -0.2588190451025207])
-
-# from the samples to a_0 ... a_8, b_1 ... b_8 and seven numbers that would be zero without rounding
-_WELDING_5R_HARMONICS = np.array([
-    [0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.0, 0.0, 0.0],
-    [0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339, -0.0, -0.02156825375854339, -0.041666666666666664, 0.02156825375854339, 0.041666666666666664, 0.05892556509887897, 0.07216878364870322, 0.08049381885742235, 0.08333333333333333, 0.08049381885742235, 0.07216878364870322, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339],
-    [0.041666666666666664, 0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664, 0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, -0.07216878364870322, 0.0, 0.041666666666666664, 0.07216878364870322, 0.08333333333333333, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664],
-    [0.041666666666666664, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, 0.0, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, 0.0, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897],
-    [0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664, -0.041666666666666664, 0.07216878364870322, 0.07216878364870322, -0.0, -0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322, 0.07216878364870322, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, -0.0, -0.07216878364870322, -0.07216878364870322],
-    [0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235, -0.0, -0.08049381885742235, -0.041666666666666664, 0.08049381885742235, 0.041666666666666664, -0.05892556509887897, -0.07216878364870322, 0.02156825375854339, 0.08333333333333333, 0.02156825375854339, -0.07216878364870322, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235],
-    [0.041666666666666664, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0, -0.08333333333333333],
-    [0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235, 0.0, 0.08049381885742235, -0.041666666666666664, 0.08049381885742235, -0.041666666666666664, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333, 0.02156825375854339, 0.07216878364870322, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333, -0.05892556509887897, -0.041666666666666664, 0.08049381885742235],
-    [0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322, -0.07216878364870322, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0, 0.07216878364870322, -0.07216878364870322],
-    [0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897, 0.0, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897],
-    [0.041666666666666664, -0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664, 0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, 0.07216878364870322, 0.0, 0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664],
-    [0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339, 0.0, 0.02156825375854339, -0.041666666666666664, 0.02156825375854339, -0.041666666666666664, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333, 0.08049381885742235, -0.07216878364870322, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333, 0.05892556509887897, -0.041666666666666664, 0.02156825375854339],
-    [0.041666666666666664, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.0, 0.0, -0.0],
-    [0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339, -0.0, 0.02156825375854339, -0.041666666666666664, -0.02156825375854339, 0.041666666666666664, -0.05892556509887897, 0.07216878364870322, -0.08049381885742235, 0.08333333333333333, -0.08049381885742235, 0.07216878364870322, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339],
-    [0.041666666666666664, -0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664, -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664, -0.0, 0.041666666666666664, -0.07216878364870322, -0.0, 0.041666666666666664, -0.07216878364870322, 0.08333333333333333, 0.08333333333333333, -0.07216878364870322, 0.041666666666666664],
-    [0.041666666666666664, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897],
-    [0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, -0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, 0.07216878364870322, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0, -0.07216878364870322, 0.07216878364870322],
-    [0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235, -0.0, 0.08049381885742235, -0.041666666666666664, -0.08049381885742235, 0.041666666666666664, 0.05892556509887897, -0.07216878364870322, -0.02156825375854339, 0.08333333333333333, -0.02156825375854339, -0.07216878364870322, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235],
-    [0.041666666666666664, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0, 0.08333333333333333],
-    [0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235, 0.0, -0.08049381885742235, -0.041666666666666664, -0.08049381885742235, -0.041666666666666664, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333, -0.02156825375854339, 0.07216878364870322, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333, 0.05892556509887897, -0.041666666666666664, -0.08049381885742235],
-    [0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664, -0.041666666666666664, -0.07216878364870322, -0.07216878364870322, -0.0, 0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, -0.07216878364870322, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, -0.0, 0.07216878364870322, 0.07216878364870322],
-    [0.041666666666666664, 0.05892556509887897, 0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897, 0.0, 0.05892556509887897, 0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897],
-    [0.041666666666666664, 0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664, -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664, -0.0, 0.041666666666666664, 0.07216878364870322, -0.0, 0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.08333333333333333, 0.07216878364870322, 0.041666666666666664],
-    [0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339, 0.0, -0.02156825375854339, -0.041666666666666664, -0.02156825375854339, -0.041666666666666664, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333, -0.08049381885742235, -0.07216878364870322, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333, -0.05892556509887897, -0.041666666666666664, -0.02156825375854339],
-])
-
-# cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle
-_WELDING_5R_GRID_C = np.array([
-    [1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969, 0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304, 0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088, 0.9495281805930367, 0.9415440651830208, 0.9329927988347388, 0.9238795325112867, 0.9142097557035307, 0.9039892931234433, 0.8932243011955153, 0.881921264348355, 0.8700869911087115, 0.8577286100002721, 0.8448535652497071, 0.8314696123025452, 0.8175848131515837, 0.8032075314806449, 0.7883464276266062, 0.773010453362737, 0.7572088465064846, 0.7409511253549591, 0.7242470829514669, 0.7071067811865476, 0.6895405447370669, 0.6715589548470184, 0.6531728429537768, 0.6343932841636455, 0.6152315905806268, 0.5956993044924334, 0.5758081914178453, 0.5555702330196022, 0.5349976198870973, 0.5141027441932218, 0.49289819222978404, 0.47139673682599764, 0.4496113296546066, 0.4275550934302821, 0.40524131400498986, 0.3826834323650898, 0.35989503653498817, 0.33688985339222005, 0.31368174039889146, 0.2902846772544624, 0.26671275747489837, 0.2429801799032639, 0.2191012401568698, 0.19509032201612828, 0.17096188876030122, 0.14673047445536175, 0.1224106751992162, 0.0980171403295606, 0.07356456359966743, 0.049067674327418015, 0.024541228522912288, 0.0, -0.024541228522912288, -0.049067674327418015, -0.07356456359966743, -0.0980171403295606, -0.1224106751992162, -0.14673047445536175, -0.17096188876030122, -0.19509032201612828, -0.2191012401568698, -0.2429801799032639, -0.26671275747489837, -0.2902846772544624, -0.31368174039889146, -0.33688985339222005, -0.35989503653498817, -0.3826834323650898, -0.40524131400498986, -0.4275550934302821, -0.4496113296546066, -0.47139673682599764, -0.49289819222978404, -0.5141027441932218, -0.5349976198870973, -0.5555702330196022, -0.5758081914178453, -0.5956993044924334, -0.6152315905806268, -0.6343932841636455, -0.6531728429537768, -0.6715589548470184, -0.6895405447370669, -0.7071067811865476, -0.7242470829514669, -0.7409511253549591, -0.7572088465064846, -0.773010453362737, -0.7883464276266062, -0.8032075314806449, -0.8175848131515837, -0.8314696123025452, -0.8448535652497071, -0.8577286100002721, -0.8700869911087115, -0.881921264348355, -0.8932243011955153, -0.9039892931234433, -0.9142097557035307, -0.9238795325112867, -0.9329927988347388, -0.9415440651830208, -0.9495281805930367, -0.9569403357322088, -0.9637760657954398, -0.970031253194544, -0.9757021300385286, -0.9807852804032304, -0.9852776423889412, -0.989176509964781, -0.99247953459871, -0.9951847266721969, -0.9972904566786902, -0.9987954562051724, -0.9996988186962042],
-    [1.0, 0.9987954562051724, 0.9951847266721969, 0.989176509964781, 0.9807852804032304, 0.970031253194544, 0.9569403357322088, 0.9415440651830208, 0.9238795325112867, 0.9039892931234433, 0.881921264348355, 0.8577286100002721, 0.8314696123025452, 0.8032075314806449, 0.773010453362737, 0.7409511253549591, 0.7071067811865476, 0.6715589548470184, 0.6343932841636455, 0.5956993044924334, 0.5555702330196022, 0.5141027441932218, 0.47139673682599764, 0.4275550934302821, 0.3826834323650898, 0.33688985339222005, 0.2902846772544624, 0.2429801799032639, 0.19509032201612828, 0.14673047445536175, 0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015, -0.0980171403295606, -0.14673047445536175, -0.19509032201612828, -0.2429801799032639, -0.2902846772544624, -0.33688985339222005, -0.3826834323650898, -0.4275550934302821, -0.47139673682599764, -0.5141027441932218, -0.5555702330196022, -0.5956993044924334, -0.6343932841636455, -0.6715589548470184, -0.7071067811865476, -0.7409511253549591, -0.773010453362737, -0.8032075314806449, -0.8314696123025452, -0.8577286100002721, -0.881921264348355, -0.9039892931234433, -0.9238795325112867, -0.9415440651830208, -0.9569403357322088, -0.970031253194544, -0.9807852804032304, -0.989176509964781, -0.9951847266721969, -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969, -0.989176509964781, -0.9807852804032304, -0.970031253194544, -0.9569403357322088, -0.9415440651830208, -0.9238795325112867, -0.9039892931234433, -0.881921264348355, -0.8577286100002721, -0.8314696123025452, -0.8032075314806449, -0.773010453362737, -0.7409511253549591, -0.7071067811865476, -0.6715589548470184, -0.6343932841636455, -0.5956993044924334, -0.5555702330196022, -0.5141027441932218, -0.47139673682599764, -0.4275550934302821, -0.3826834323650898, -0.33688985339222005, -0.2902846772544624, -0.2429801799032639, -0.19509032201612828, -0.14673047445536175, -0.0980171403295606, -0.049067674327418015, 0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175, 0.19509032201612828, 0.2429801799032639, 0.2902846772544624, 0.33688985339222005, 0.3826834323650898, 0.4275550934302821, 0.47139673682599764, 0.5141027441932218, 0.5555702330196022, 0.5956993044924334, 0.6343932841636455, 0.6715589548470184, 0.7071067811865476, 0.7409511253549591, 0.773010453362737, 0.8032075314806449, 0.8314696123025452, 0.8577286100002721, 0.881921264348355, 0.9039892931234433, 0.9238795325112867, 0.9415440651830208, 0.9569403357322088, 0.970031253194544, 0.9807852804032304, 0.989176509964781, 0.9951847266721969, 0.9987954562051724],
-    [1.0, 0.9972904566786902, 0.989176509964781, 0.9757021300385286, 0.9569403357322088, 0.9329927988347388, 0.9039892931234433, 0.8700869911087115, 0.8314696123025452, 0.7883464276266062, 0.7409511253549591, 0.6895405447370669, 0.6343932841636455, 0.5758081914178453, 0.5141027441932218, 0.4496113296546066, 0.3826834323650898, 0.31368174039889146, 0.2429801799032639, 0.17096188876030122, 0.0980171403295606, 0.024541228522912288, -0.049067674327418015, -0.1224106751992162, -0.19509032201612828, -0.26671275747489837, -0.33688985339222005, -0.40524131400498986, -0.47139673682599764, -0.5349976198870973, -0.5956993044924334, -0.6531728429537768, -0.7071067811865476, -0.7572088465064846, -0.8032075314806449, -0.8448535652497071, -0.881921264348355, -0.9142097557035307, -0.9415440651830208, -0.9637760657954398, -0.9807852804032304, -0.99247953459871, -0.9987954562051724, -0.9996988186962042, -0.9951847266721969, -0.9852776423889412, -0.970031253194544, -0.9495281805930367, -0.9238795325112867, -0.8932243011955153, -0.8577286100002721, -0.8175848131515837, -0.773010453362737, -0.7242470829514669, -0.6715589548470184, -0.6152315905806268, -0.5555702330196022, -0.49289819222978404, -0.4275550934302821, -0.35989503653498817, -0.2902846772544624, -0.2191012401568698, -0.14673047445536175, -0.07356456359966743, 0.0, 0.07356456359966743, 0.14673047445536175, 0.2191012401568698, 0.2902846772544624, 0.35989503653498817, 0.4275550934302821, 0.49289819222978404, 0.5555702330196022, 0.6152315905806268, 0.6715589548470184, 0.7242470829514669, 0.773010453362737, 0.8175848131515837, 0.8577286100002721, 0.8932243011955153, 0.9238795325112867, 0.9495281805930367, 0.970031253194544, 0.9852776423889412, 0.9951847266721969, 0.9996988186962042, 0.9987954562051724, 0.99247953459871, 0.9807852804032304, 0.9637760657954398, 0.9415440651830208, 0.9142097557035307, 0.881921264348355, 0.8448535652497071, 0.8032075314806449, 0.7572088465064846, 0.7071067811865476, 0.6531728429537768, 0.5956993044924334, 0.5349976198870973, 0.47139673682599764, 0.40524131400498986, 0.33688985339222005, 0.26671275747489837, 0.19509032201612828, 0.1224106751992162, 0.049067674327418015, -0.024541228522912288, -0.0980171403295606, -0.17096188876030122, -0.2429801799032639, -0.31368174039889146, -0.3826834323650898, -0.4496113296546066, -0.5141027441932218, -0.5758081914178453, -0.6343932841636455, -0.6895405447370669, -0.7409511253549591, -0.7883464276266062, -0.8314696123025452, -0.8700869911087115, -0.9039892931234433, -0.9329927988347388, -0.9569403357322088, -0.9757021300385286, -0.989176509964781, -0.9972904566786902],
-    [1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969],
-    [1.0, 0.99247953459871, 0.970031253194544, 0.9329927988347388, 0.881921264348355, 0.8175848131515837, 0.7409511253549591, 0.6531728429537768, 0.5555702330196022, 0.4496113296546066, 0.33688985339222005, 0.2191012401568698, 0.0980171403295606, -0.024541228522912288, -0.14673047445536175, -0.26671275747489837, -0.3826834323650898, -0.49289819222978404, -0.5956993044924334, -0.6895405447370669, -0.773010453362737, -0.8448535652497071, -0.9039892931234433, -0.9495281805930367, -0.9807852804032304, -0.9972904566786902, -0.9987954562051724, -0.9852776423889412, -0.9569403357322088, -0.9142097557035307, -0.8577286100002721, -0.7883464276266062, -0.7071067811865476, -0.6152315905806268, -0.5141027441932218, -0.40524131400498986, -0.2902846772544624, -0.17096188876030122, -0.049067674327418015, 0.07356456359966743, 0.19509032201612828, 0.31368174039889146, 0.4275550934302821, 0.5349976198870973, 0.6343932841636455, 0.7242470829514669, 0.8032075314806449, 0.8700869911087115, 0.9238795325112867, 0.9637760657954398, 0.989176509964781, 0.9996988186962042, 0.9951847266721969, 0.9757021300385286, 0.9415440651830208, 0.8932243011955153, 0.8314696123025452, 0.7572088465064846, 0.6715589548470184, 0.5758081914178453, 0.47139673682599764, 0.35989503653498817, 0.2429801799032639, 0.1224106751992162, 0.0, -0.1224106751992162, -0.2429801799032639, -0.35989503653498817, -0.47139673682599764, -0.5758081914178453, -0.6715589548470184, -0.7572088465064846, -0.8314696123025452, -0.8932243011955153, -0.9415440651830208, -0.9757021300385286, -0.9951847266721969, -0.9996988186962042, -0.989176509964781, -0.9637760657954398, -0.9238795325112867, -0.8700869911087115, -0.8032075314806449, -0.7242470829514669, -0.6343932841636455, -0.5349976198870973, -0.4275550934302821, -0.31368174039889146, -0.19509032201612828, -0.07356456359966743, 0.049067674327418015, 0.17096188876030122, 0.2902846772544624, 0.40524131400498986, 0.5141027441932218, 0.6152315905806268, 0.7071067811865476, 0.7883464276266062, 0.8577286100002721, 0.9142097557035307, 0.9569403357322088, 0.9852776423889412, 0.9987954562051724, 0.9972904566786902, 0.9807852804032304, 0.9495281805930367, 0.9039892931234433, 0.8448535652497071, 0.773010453362737, 0.6895405447370669, 0.5956993044924334, 0.49289819222978404, 0.3826834323650898, 0.26671275747489837, 0.14673047445536175, 0.024541228522912288, -0.0980171403295606, -0.2191012401568698, -0.33688985339222005, -0.4496113296546066, -0.5555702330196022, -0.6531728429537768, -0.7409511253549591, -0.8175848131515837, -0.881921264348355, -0.9329927988347388, -0.970031253194544, -0.99247953459871],
-    [1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433, 0.8314696123025452, 0.7409511253549591, 0.6343932841636455, 0.5141027441932218, 0.3826834323650898, 0.2429801799032639, 0.0980171403295606, -0.049067674327418015, -0.19509032201612828, -0.33688985339222005, -0.47139673682599764, -0.5956993044924334, -0.7071067811865476, -0.8032075314806449, -0.881921264348355, -0.9415440651830208, -0.9807852804032304, -0.9987954562051724, -0.9951847266721969, -0.970031253194544, -0.9238795325112867, -0.8577286100002721, -0.773010453362737, -0.6715589548470184, -0.5555702330196022, -0.4275550934302821, -0.2902846772544624, -0.14673047445536175, 0.0, 0.14673047445536175, 0.2902846772544624, 0.4275550934302821, 0.5555702330196022, 0.6715589548470184, 0.773010453362737, 0.8577286100002721, 0.9238795325112867, 0.970031253194544, 0.9951847266721969, 0.9987954562051724, 0.9807852804032304, 0.9415440651830208, 0.881921264348355, 0.8032075314806449, 0.7071067811865476, 0.5956993044924334, 0.47139673682599764, 0.33688985339222005, 0.19509032201612828, 0.049067674327418015, -0.0980171403295606, -0.2429801799032639, -0.3826834323650898, -0.5141027441932218, -0.6343932841636455, -0.7409511253549591, -0.8314696123025452, -0.9039892931234433, -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781, -0.9569403357322088, -0.9039892931234433, -0.8314696123025452, -0.7409511253549591, -0.6343932841636455, -0.5141027441932218, -0.3826834323650898, -0.2429801799032639, -0.0980171403295606, 0.049067674327418015, 0.19509032201612828, 0.33688985339222005, 0.47139673682599764, 0.5956993044924334, 0.7071067811865476, 0.8032075314806449, 0.881921264348355, 0.9415440651830208, 0.9807852804032304, 0.9987954562051724, 0.9951847266721969, 0.970031253194544, 0.9238795325112867, 0.8577286100002721, 0.773010453362737, 0.6715589548470184, 0.5555702330196022, 0.4275550934302821, 0.2902846772544624, 0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624, -0.4275550934302821, -0.5555702330196022, -0.6715589548470184, -0.773010453362737, -0.8577286100002721, -0.9238795325112867, -0.970031253194544, -0.9951847266721969, -0.9987954562051724, -0.9807852804032304, -0.9415440651830208, -0.881921264348355, -0.8032075314806449, -0.7071067811865476, -0.5956993044924334, -0.47139673682599764, -0.33688985339222005, -0.19509032201612828, -0.049067674327418015, 0.0980171403295606, 0.2429801799032639, 0.3826834323650898, 0.5141027441932218, 0.6343932841636455, 0.7409511253549591, 0.8314696123025452, 0.9039892931234433, 0.9569403357322088, 0.989176509964781],
-    [1.0, 0.9852776423889412, 0.9415440651830208, 0.8700869911087115, 0.773010453362737, 0.6531728429537768, 0.5141027441932218, 0.35989503653498817, 0.19509032201612828, 0.024541228522912288, -0.14673047445536175, -0.31368174039889146, -0.47139673682599764, -0.6152315905806268, -0.7409511253549591, -0.8448535652497071, -0.9238795325112867, -0.9757021300385286, -0.9987954562051724, -0.99247953459871, -0.9569403357322088, -0.8932243011955153, -0.8032075314806449, -0.6895405447370669, -0.5555702330196022, -0.40524131400498986, -0.2429801799032639, -0.07356456359966743, 0.0980171403295606, 0.26671275747489837, 0.4275550934302821, 0.5758081914178453, 0.7071067811865476, 0.8175848131515837, 0.9039892931234433, 0.9637760657954398, 0.9951847266721969, 0.9972904566786902, 0.970031253194544, 0.9142097557035307, 0.8314696123025452, 0.7242470829514669, 0.5956993044924334, 0.4496113296546066, 0.2902846772544624, 0.1224106751992162, -0.049067674327418015, -0.2191012401568698, -0.3826834323650898, -0.5349976198870973, -0.6715589548470184, -0.7883464276266062, -0.881921264348355, -0.9495281805930367, -0.989176509964781, -0.9996988186962042, -0.9807852804032304, -0.9329927988347388, -0.8577286100002721, -0.7572088465064846, -0.6343932841636455, -0.49289819222978404, -0.33688985339222005, -0.17096188876030122, 0.0, 0.17096188876030122, 0.33688985339222005, 0.49289819222978404, 0.6343932841636455, 0.7572088465064846, 0.8577286100002721, 0.9329927988347388, 0.9807852804032304, 0.9996988186962042, 0.989176509964781, 0.9495281805930367, 0.881921264348355, 0.7883464276266062, 0.6715589548470184, 0.5349976198870973, 0.3826834323650898, 0.2191012401568698, 0.049067674327418015, -0.1224106751992162, -0.2902846772544624, -0.4496113296546066, -0.5956993044924334, -0.7242470829514669, -0.8314696123025452, -0.9142097557035307, -0.970031253194544, -0.9972904566786902, -0.9951847266721969, -0.9637760657954398, -0.9039892931234433, -0.8175848131515837, -0.7071067811865476, -0.5758081914178453, -0.4275550934302821, -0.26671275747489837, -0.0980171403295606, 0.07356456359966743, 0.2429801799032639, 0.40524131400498986, 0.5555702330196022, 0.6895405447370669, 0.8032075314806449, 0.8932243011955153, 0.9569403357322088, 0.99247953459871, 0.9987954562051724, 0.9757021300385286, 0.9238795325112867, 0.8448535652497071, 0.7409511253549591, 0.6152315905806268, 0.47139673682599764, 0.31368174039889146, 0.14673047445536175, -0.024541228522912288, -0.19509032201612828, -0.35989503653498817, -0.5141027441932218, -0.6531728429537768, -0.773010453362737, -0.8700869911087115, -0.9415440651830208, -0.9852776423889412],
-    [1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304],
-])
-_WELDING_5R_GRID_S = np.array([
-    [0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606, 0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828, 0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624, 0.31368174039889146, 0.33688985339222005, 0.35989503653498817, 0.3826834323650898, 0.40524131400498986, 0.4275550934302821, 0.4496113296546066, 0.47139673682599764, 0.49289819222978404, 0.5141027441932218, 0.5349976198870973, 0.5555702330196022, 0.5758081914178453, 0.5956993044924334, 0.6152315905806268, 0.6343932841636455, 0.6531728429537768, 0.6715589548470184, 0.6895405447370669, 0.7071067811865476, 0.7242470829514669, 0.7409511253549591, 0.7572088465064846, 0.773010453362737, 0.7883464276266062, 0.8032075314806449, 0.8175848131515837, 0.8314696123025452, 0.8448535652497071, 0.8577286100002721, 0.8700869911087115, 0.881921264348355, 0.8932243011955153, 0.9039892931234433, 0.9142097557035307, 0.9238795325112867, 0.9329927988347388, 0.9415440651830208, 0.9495281805930367, 0.9569403357322088, 0.9637760657954398, 0.970031253194544, 0.9757021300385286, 0.9807852804032304, 0.9852776423889412, 0.989176509964781, 0.99247953459871, 0.9951847266721969, 0.9972904566786902, 0.9987954562051724, 0.9996988186962042, 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969, 0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304, 0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088, 0.9495281805930367, 0.9415440651830208, 0.9329927988347388, 0.9238795325112867, 0.9142097557035307, 0.9039892931234433, 0.8932243011955153, 0.881921264348355, 0.8700869911087115, 0.8577286100002721, 0.8448535652497071, 0.8314696123025452, 0.8175848131515837, 0.8032075314806449, 0.7883464276266062, 0.773010453362737, 0.7572088465064846, 0.7409511253549591, 0.7242470829514669, 0.7071067811865476, 0.6895405447370669, 0.6715589548470184, 0.6531728429537768, 0.6343932841636455, 0.6152315905806268, 0.5956993044924334, 0.5758081914178453, 0.5555702330196022, 0.5349976198870973, 0.5141027441932218, 0.49289819222978404, 0.47139673682599764, 0.4496113296546066, 0.4275550934302821, 0.40524131400498986, 0.3826834323650898, 0.35989503653498817, 0.33688985339222005, 0.31368174039889146, 0.2902846772544624, 0.26671275747489837, 0.2429801799032639, 0.2191012401568698, 0.19509032201612828, 0.17096188876030122, 0.14673047445536175, 0.1224106751992162, 0.0980171403295606, 0.07356456359966743, 0.049067674327418015, 0.024541228522912288],
-    [0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175, 0.19509032201612828, 0.2429801799032639, 0.2902846772544624, 0.33688985339222005, 0.3826834323650898, 0.4275550934302821, 0.47139673682599764, 0.5141027441932218, 0.5555702330196022, 0.5956993044924334, 0.6343932841636455, 0.6715589548470184, 0.7071067811865476, 0.7409511253549591, 0.773010453362737, 0.8032075314806449, 0.8314696123025452, 0.8577286100002721, 0.881921264348355, 0.9039892931234433, 0.9238795325112867, 0.9415440651830208, 0.9569403357322088, 0.970031253194544, 0.9807852804032304, 0.989176509964781, 0.9951847266721969, 0.9987954562051724, 1.0, 0.9987954562051724, 0.9951847266721969, 0.989176509964781, 0.9807852804032304, 0.970031253194544, 0.9569403357322088, 0.9415440651830208, 0.9238795325112867, 0.9039892931234433, 0.881921264348355, 0.8577286100002721, 0.8314696123025452, 0.8032075314806449, 0.773010453362737, 0.7409511253549591, 0.7071067811865476, 0.6715589548470184, 0.6343932841636455, 0.5956993044924334, 0.5555702330196022, 0.5141027441932218, 0.47139673682599764, 0.4275550934302821, 0.3826834323650898, 0.33688985339222005, 0.2902846772544624, 0.2429801799032639, 0.19509032201612828, 0.14673047445536175, 0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015, -0.0980171403295606, -0.14673047445536175, -0.19509032201612828, -0.2429801799032639, -0.2902846772544624, -0.33688985339222005, -0.3826834323650898, -0.4275550934302821, -0.47139673682599764, -0.5141027441932218, -0.5555702330196022, -0.5956993044924334, -0.6343932841636455, -0.6715589548470184, -0.7071067811865476, -0.7409511253549591, -0.773010453362737, -0.8032075314806449, -0.8314696123025452, -0.8577286100002721, -0.881921264348355, -0.9039892931234433, -0.9238795325112867, -0.9415440651830208, -0.9569403357322088, -0.970031253194544, -0.9807852804032304, -0.989176509964781, -0.9951847266721969, -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969, -0.989176509964781, -0.9807852804032304, -0.970031253194544, -0.9569403357322088, -0.9415440651830208, -0.9238795325112867, -0.9039892931234433, -0.881921264348355, -0.8577286100002721, -0.8314696123025452, -0.8032075314806449, -0.773010453362737, -0.7409511253549591, -0.7071067811865476, -0.6715589548470184, -0.6343932841636455, -0.5956993044924334, -0.5555702330196022, -0.5141027441932218, -0.47139673682599764, -0.4275550934302821, -0.3826834323650898, -0.33688985339222005, -0.2902846772544624, -0.2429801799032639, -0.19509032201612828, -0.14673047445536175, -0.0980171403295606, -0.049067674327418015],
-    [0.0, 0.07356456359966743, 0.14673047445536175, 0.2191012401568698, 0.2902846772544624, 0.35989503653498817, 0.4275550934302821, 0.49289819222978404, 0.5555702330196022, 0.6152315905806268, 0.6715589548470184, 0.7242470829514669, 0.773010453362737, 0.8175848131515837, 0.8577286100002721, 0.8932243011955153, 0.9238795325112867, 0.9495281805930367, 0.970031253194544, 0.9852776423889412, 0.9951847266721969, 0.9996988186962042, 0.9987954562051724, 0.99247953459871, 0.9807852804032304, 0.9637760657954398, 0.9415440651830208, 0.9142097557035307, 0.881921264348355, 0.8448535652497071, 0.8032075314806449, 0.7572088465064846, 0.7071067811865476, 0.6531728429537768, 0.5956993044924334, 0.5349976198870973, 0.47139673682599764, 0.40524131400498986, 0.33688985339222005, 0.26671275747489837, 0.19509032201612828, 0.1224106751992162, 0.049067674327418015, -0.024541228522912288, -0.0980171403295606, -0.17096188876030122, -0.2429801799032639, -0.31368174039889146, -0.3826834323650898, -0.4496113296546066, -0.5141027441932218, -0.5758081914178453, -0.6343932841636455, -0.6895405447370669, -0.7409511253549591, -0.7883464276266062, -0.8314696123025452, -0.8700869911087115, -0.9039892931234433, -0.9329927988347388, -0.9569403357322088, -0.9757021300385286, -0.989176509964781, -0.9972904566786902, -1.0, -0.9972904566786902, -0.989176509964781, -0.9757021300385286, -0.9569403357322088, -0.9329927988347388, -0.9039892931234433, -0.8700869911087115, -0.8314696123025452, -0.7883464276266062, -0.7409511253549591, -0.6895405447370669, -0.6343932841636455, -0.5758081914178453, -0.5141027441932218, -0.4496113296546066, -0.3826834323650898, -0.31368174039889146, -0.2429801799032639, -0.17096188876030122, -0.0980171403295606, -0.024541228522912288, 0.049067674327418015, 0.1224106751992162, 0.19509032201612828, 0.26671275747489837, 0.33688985339222005, 0.40524131400498986, 0.47139673682599764, 0.5349976198870973, 0.5956993044924334, 0.6531728429537768, 0.7071067811865476, 0.7572088465064846, 0.8032075314806449, 0.8448535652497071, 0.881921264348355, 0.9142097557035307, 0.9415440651830208, 0.9637760657954398, 0.9807852804032304, 0.99247953459871, 0.9987954562051724, 0.9996988186962042, 0.9951847266721969, 0.9852776423889412, 0.970031253194544, 0.9495281805930367, 0.9238795325112867, 0.8932243011955153, 0.8577286100002721, 0.8175848131515837, 0.773010453362737, 0.7242470829514669, 0.6715589548470184, 0.6152315905806268, 0.5555702330196022, 0.49289819222978404, 0.4275550934302821, 0.35989503653498817, 0.2902846772544624, 0.2191012401568698, 0.14673047445536175, 0.07356456359966743],
-    [0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606],
-    [0.0, 0.1224106751992162, 0.2429801799032639, 0.35989503653498817, 0.47139673682599764, 0.5758081914178453, 0.6715589548470184, 0.7572088465064846, 0.8314696123025452, 0.8932243011955153, 0.9415440651830208, 0.9757021300385286, 0.9951847266721969, 0.9996988186962042, 0.989176509964781, 0.9637760657954398, 0.9238795325112867, 0.8700869911087115, 0.8032075314806449, 0.7242470829514669, 0.6343932841636455, 0.5349976198870973, 0.4275550934302821, 0.31368174039889146, 0.19509032201612828, 0.07356456359966743, -0.049067674327418015, -0.17096188876030122, -0.2902846772544624, -0.40524131400498986, -0.5141027441932218, -0.6152315905806268, -0.7071067811865476, -0.7883464276266062, -0.8577286100002721, -0.9142097557035307, -0.9569403357322088, -0.9852776423889412, -0.9987954562051724, -0.9972904566786902, -0.9807852804032304, -0.9495281805930367, -0.9039892931234433, -0.8448535652497071, -0.773010453362737, -0.6895405447370669, -0.5956993044924334, -0.49289819222978404, -0.3826834323650898, -0.26671275747489837, -0.14673047445536175, -0.024541228522912288, 0.0980171403295606, 0.2191012401568698, 0.33688985339222005, 0.4496113296546066, 0.5555702330196022, 0.6531728429537768, 0.7409511253549591, 0.8175848131515837, 0.881921264348355, 0.9329927988347388, 0.970031253194544, 0.99247953459871, 1.0, 0.99247953459871, 0.970031253194544, 0.9329927988347388, 0.881921264348355, 0.8175848131515837, 0.7409511253549591, 0.6531728429537768, 0.5555702330196022, 0.4496113296546066, 0.33688985339222005, 0.2191012401568698, 0.0980171403295606, -0.024541228522912288, -0.14673047445536175, -0.26671275747489837, -0.3826834323650898, -0.49289819222978404, -0.5956993044924334, -0.6895405447370669, -0.773010453362737, -0.8448535652497071, -0.9039892931234433, -0.9495281805930367, -0.9807852804032304, -0.9972904566786902, -0.9987954562051724, -0.9852776423889412, -0.9569403357322088, -0.9142097557035307, -0.8577286100002721, -0.7883464276266062, -0.7071067811865476, -0.6152315905806268, -0.5141027441932218, -0.40524131400498986, -0.2902846772544624, -0.17096188876030122, -0.049067674327418015, 0.07356456359966743, 0.19509032201612828, 0.31368174039889146, 0.4275550934302821, 0.5349976198870973, 0.6343932841636455, 0.7242470829514669, 0.8032075314806449, 0.8700869911087115, 0.9238795325112867, 0.9637760657954398, 0.989176509964781, 0.9996988186962042, 0.9951847266721969, 0.9757021300385286, 0.9415440651830208, 0.8932243011955153, 0.8314696123025452, 0.7572088465064846, 0.6715589548470184, 0.5758081914178453, 0.47139673682599764, 0.35989503653498817, 0.2429801799032639, 0.1224106751992162],
-    [0.0, 0.14673047445536175, 0.2902846772544624, 0.4275550934302821, 0.5555702330196022, 0.6715589548470184, 0.773010453362737, 0.8577286100002721, 0.9238795325112867, 0.970031253194544, 0.9951847266721969, 0.9987954562051724, 0.9807852804032304, 0.9415440651830208, 0.881921264348355, 0.8032075314806449, 0.7071067811865476, 0.5956993044924334, 0.47139673682599764, 0.33688985339222005, 0.19509032201612828, 0.049067674327418015, -0.0980171403295606, -0.2429801799032639, -0.3826834323650898, -0.5141027441932218, -0.6343932841636455, -0.7409511253549591, -0.8314696123025452, -0.9039892931234433, -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781, -0.9569403357322088, -0.9039892931234433, -0.8314696123025452, -0.7409511253549591, -0.6343932841636455, -0.5141027441932218, -0.3826834323650898, -0.2429801799032639, -0.0980171403295606, 0.049067674327418015, 0.19509032201612828, 0.33688985339222005, 0.47139673682599764, 0.5956993044924334, 0.7071067811865476, 0.8032075314806449, 0.881921264348355, 0.9415440651830208, 0.9807852804032304, 0.9987954562051724, 0.9951847266721969, 0.970031253194544, 0.9238795325112867, 0.8577286100002721, 0.773010453362737, 0.6715589548470184, 0.5555702330196022, 0.4275550934302821, 0.2902846772544624, 0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624, -0.4275550934302821, -0.5555702330196022, -0.6715589548470184, -0.773010453362737, -0.8577286100002721, -0.9238795325112867, -0.970031253194544, -0.9951847266721969, -0.9987954562051724, -0.9807852804032304, -0.9415440651830208, -0.881921264348355, -0.8032075314806449, -0.7071067811865476, -0.5956993044924334, -0.47139673682599764, -0.33688985339222005, -0.19509032201612828, -0.049067674327418015, 0.0980171403295606, 0.2429801799032639, 0.3826834323650898, 0.5141027441932218, 0.6343932841636455, 0.7409511253549591, 0.8314696123025452, 0.9039892931234433, 0.9569403357322088, 0.989176509964781, 1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433, 0.8314696123025452, 0.7409511253549591, 0.6343932841636455, 0.5141027441932218, 0.3826834323650898, 0.2429801799032639, 0.0980171403295606, -0.049067674327418015, -0.19509032201612828, -0.33688985339222005, -0.47139673682599764, -0.5956993044924334, -0.7071067811865476, -0.8032075314806449, -0.881921264348355, -0.9415440651830208, -0.9807852804032304, -0.9987954562051724, -0.9951847266721969, -0.970031253194544, -0.9238795325112867, -0.8577286100002721, -0.773010453362737, -0.6715589548470184, -0.5555702330196022, -0.4275550934302821, -0.2902846772544624, -0.14673047445536175],
-    [0.0, 0.17096188876030122, 0.33688985339222005, 0.49289819222978404, 0.6343932841636455, 0.7572088465064846, 0.8577286100002721, 0.9329927988347388, 0.9807852804032304, 0.9996988186962042, 0.989176509964781, 0.9495281805930367, 0.881921264348355, 0.7883464276266062, 0.6715589548470184, 0.5349976198870973, 0.3826834323650898, 0.2191012401568698, 0.049067674327418015, -0.1224106751992162, -0.2902846772544624, -0.4496113296546066, -0.5956993044924334, -0.7242470829514669, -0.8314696123025452, -0.9142097557035307, -0.970031253194544, -0.9972904566786902, -0.9951847266721969, -0.9637760657954398, -0.9039892931234433, -0.8175848131515837, -0.7071067811865476, -0.5758081914178453, -0.4275550934302821, -0.26671275747489837, -0.0980171403295606, 0.07356456359966743, 0.2429801799032639, 0.40524131400498986, 0.5555702330196022, 0.6895405447370669, 0.8032075314806449, 0.8932243011955153, 0.9569403357322088, 0.99247953459871, 0.9987954562051724, 0.9757021300385286, 0.9238795325112867, 0.8448535652497071, 0.7409511253549591, 0.6152315905806268, 0.47139673682599764, 0.31368174039889146, 0.14673047445536175, -0.024541228522912288, -0.19509032201612828, -0.35989503653498817, -0.5141027441932218, -0.6531728429537768, -0.773010453362737, -0.8700869911087115, -0.9415440651830208, -0.9852776423889412, -1.0, -0.9852776423889412, -0.9415440651830208, -0.8700869911087115, -0.773010453362737, -0.6531728429537768, -0.5141027441932218, -0.35989503653498817, -0.19509032201612828, -0.024541228522912288, 0.14673047445536175, 0.31368174039889146, 0.47139673682599764, 0.6152315905806268, 0.7409511253549591, 0.8448535652497071, 0.9238795325112867, 0.9757021300385286, 0.9987954562051724, 0.99247953459871, 0.9569403357322088, 0.8932243011955153, 0.8032075314806449, 0.6895405447370669, 0.5555702330196022, 0.40524131400498986, 0.2429801799032639, 0.07356456359966743, -0.0980171403295606, -0.26671275747489837, -0.4275550934302821, -0.5758081914178453, -0.7071067811865476, -0.8175848131515837, -0.9039892931234433, -0.9637760657954398, -0.9951847266721969, -0.9972904566786902, -0.970031253194544, -0.9142097557035307, -0.8314696123025452, -0.7242470829514669, -0.5956993044924334, -0.4496113296546066, -0.2902846772544624, -0.1224106751992162, 0.049067674327418015, 0.2191012401568698, 0.3826834323650898, 0.5349976198870973, 0.6715589548470184, 0.7883464276266062, 0.881921264348355, 0.9495281805930367, 0.989176509964781, 0.9996988186962042, 0.9807852804032304, 0.9329927988347388, 0.8577286100002721, 0.7572088465064846, 0.6343932841636455, 0.49289819222978404, 0.33688985339222005, 0.17096188876030122],
-    [0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828],
-])
-_WELDING_5R_START = np.array([
-    [0.61, -0.37, 0.53, 0.29, 0.71, -0.43],
-    [-0.31, 0.47, 0.59, 0.67, -0.23, 0.41],
-])
-
-
-@_inner
-def _welding_5r_follow(T, K):
-    """T K for rigid transforms, twelve numbers each, in place."""
-    for i in range(0, 12, 4):
-        a, b, c = T[i], T[i + 1], T[i + 2]
-        for j in range(3):
-            T[i + j] = a * K[j] + b * K[4 + j] + c * K[8 + j]
-        T[i + 3] += a * K[3] + b * K[7] + c * K[11]
-
-
-@_inner
-def _welding_5r_invert(A):
-    """The inverse of a rigid transform."""
-    B = np.empty(12)
-    for i in range(3):
-        for j in range(3):
-            B[4 * i + j] = A[4 * j + i]
-        B[4 * i + 3] = -(A[i] * A[3] + A[4 + i] * A[7] + A[8 + i] * A[11])
-    return B
-
-
-@_inner
-def _welding_5r_turn(T, c, s):
-    """T Rz, in place."""
-    for i in range(3):
-        x, y = T[4 * i], T[4 * i + 1]
-        T[4 * i] = x * c + y * s
-        T[4 * i + 1] = y * c - x * s
-
-
-@_inner
-def _welding_5r_move(T, joint, c, s):
-    """The motion of a joint, by cosine and sine or by a length that stands in the sine's place."""
-    _welding_5r_turn(T, c, s)
-
-
-@_inner
-def _welding_5r_close(T):
-    """The loop: K0 ... K4 and its pose P = L T R, in arm sizes; in its place L stands before, then R."""
-    links, first = np.empty((7, 12)), (0, 1, 2, 3, 4, 5, 6)
-    for i in range(7):
-        _take(links[i], _WELDING_5R_CONSTANTS[first[i]])
-    _welding_5r_follow(links[5], T)
-    _welding_5r_follow(links[5], links[6])
-    for i in range(3):
-        links[5, 4 * i + 3] *= 1.7328289312343783
-    return links
-
-
-@_inner
-def _welding_5r_unit(c, s):
-    """A cosine and a sine without their common factor, which is told while it has a square."""
-    length = math.sqrt(c * c + s * s)
-    if not 1e-150 < length < math.inf:
-        return 1.0, 0.0
-    return c / length, s / length
-
-
-@_inner
-def _welding_5r_reflect(M, first, rest, column):
-    """Reflect the first row and the rows from `rest` on so that `column` stays in the first only."""
-    rows, columns = M.shape
-    head = M[first, column]
-    square = head * head
-    for i in range(rest, rows):
-        square += M[i, column] * M[i, column]
-    length = math.copysign(math.sqrt(square), head)
-    head += length
-    factor = 1.0 / (length * head + 1e-300)
-    for j in range(column + 1, columns):
-        total = head * M[first, j]
-        for i in range(rest, rows):
-            total += M[i, column] * M[i, j]
-        total *= factor
-        M[first, j] -= head * total
-        for i in range(rest, rows):
-            M[i, j] -= M[i, column] * total
-    for i in range(rest, rows):
-        M[i, column] = 0.0
-    M[first, column] = -length
-    return -length
-
-
-@_apart("float64[:, ::1](int64, float64[:, ::1])")
-def _welding_5r_around(form, loop):
-    """The links L0 ... L5 of a formulation."""
-    links = np.empty((6, 12))
-    for i in range(6):
-        joint = _WELDING_5R_JOINTS[form, i]
-        if _WELDING_5R_SIGNS[form] > 0.0:
-            _take(links[i], loop[joint] if joint < 5 else _welding_5r_invert(loop[5]))
-        else:
-            _take(links[i], _welding_5r_invert(loop[joint - 1]) if joint > 0 else loop[5])
-    return links
-
-
-@_apart("void(float64[::1], float64[:, ::1])")
-def _welding_5r_act(K, x):
-    """The features of a point and a direction, for all columns of x: 1, l, p, p.p, p.l, p x l and
-    (p.p) l - 2 (p.l) p, as a rigid motion acts on them, in place."""
-    t0, t1, t2 = K[3], K[7], K[11]
-    square = t0 * t0 + t1 * t1 + t2 * t2
-    for k in range(x.shape[1]):
-        for at in (1, 4, 9, 12):
-            a, b, c = x[at, k], x[at + 1, k], x[at + 2, k]
-            for i in range(3):
-                x[at + i, k] = K[4 * i] * a + K[4 * i + 1] * b + K[4 * i + 2] * c
-        u0, u1, u2, q0, q1, q2 = x[1, k], x[2, k], x[3, k], x[4, k], x[5, k], x[6, k]
-        v0, v1, v2, one = x[9, k], x[10, k], x[11, k], x[0, k]
-        along = t0 * u0 + t1 * u1 + t2 * u2
-        x[7, k] += 2.0 * (t0 * q0 + t1 * q1 + t2 * q2) + square * one
-        x[8, k] += along
-        twice = 2.0 * x[8, k]
-        x[4, k] += t0 * one
-        x[5, k] += t1 * one
-        x[6, k] += t2 * one
-        x[9, k] += t1 * u2 - t2 * u1
-        x[10, k] += t2 * u0 - t0 * u2
-        x[11, k] += t0 * u1 - t1 * u0
-        x[12, k] += square * u0 - twice * t0 - 2.0 * (t1 * v2 - t2 * v1)
-        x[13, k] += square * u1 - twice * t1 - 2.0 * (t2 * v0 - t0 * v2)
-        x[14, k] += square * u2 - twice * t2 - 2.0 * (t0 * v1 - t1 * v0)
-
-
-@_apart("float64[:, ::1](float64[::1], float64[:, ::1], int64, boolean)")
-def _welding_5r_pass(K, x, joint, powers):
-    """Columns of features pass a link, and each becomes three by what the joint before it does: the
-    coefficients of 1, cos and sin, or with `powers` of y^2, y and 1 for y = tan(phi/2), times
-    1 + y^2, or for the length of a slide. Column a columns + k is part a of column k."""
-    n = x.shape[1]
-    _welding_5r_act(K, x)
-    to = np.zeros((15, 3 * n))
-    for i in range(15):
-        for k in range(n):
-            to[i, k] = x[i, k]
-    for at in (1, 4, 9, 12):
-        for k in range(n):
-            to[at, k] = to[at + 1, k] = 0.0
-            to[at, n + k] = to[at + 1, 2 * n + k] = x[at, k]
-            to[at + 1, n + k] = x[at + 1, k]
-            to[at, 2 * n + k] = -x[at + 1, k]
-    if powers:
-        for i in range(15):
-            for k in range(n):
-                one, cosine, sine = to[i, k], to[i, n + k], to[i, 2 * n + k]
-                to[i, k], to[i, n + k], to[i, 2 * n + k] = one - cosine, 2.0 * sine, one + cosine
-    return to
-
-
-@_apart("float64[:, ::1](int64[::1], float64[:, ::1])")
-def _welding_5r_equations(joints, links):
-    """The six equations of a formulation: columns 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3,
-    1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths."""
-    right, left = np.zeros((15, 1)), np.zeros((15, 1))
-    right[0, 0] = right[3, 0] = left[0, 0] = left[3, 0] = 1.0  # the origin and z
-    for i in (3, 4):
-        right = _welding_5r_pass(_welding_5r_invert(links[i]), right, joints[i + 1], False)
-    for i in (2, 1, 0):
-        left = _welding_5r_pass(links[i], left, joints[i], i > 0)
-    _welding_5r_act(links[5], left)
-    work = np.empty((14, 35))
-    for i in range(14):
-        for k in range(8):
-            work[i, k] = right[1 + i, 1 + k]
-        for k in range(27):
-            # the constant column of the right side, times 1 + x2^2 and 1 + x3^2
-            work[i, 8 + k] = left[1 + i, k] - right[1 + i, 0] * left[0, k]
-    for column in range(8):
-        _welding_5r_reflect(work, column, column + 1, column)
-    E = np.empty((6, 27))
-    for i in range(6):
-        for k in range(27):
-            E[i, k] = work[8 + i, 8 + k]
-    return E
-
-
-@_merged
-def _welding_5r_reflect_all(M, columns, first, rest, column, determinant):
-    """Reflect, at all angles at once, the first row and the rows from `rest` on so that `column` stays
-    in the first only; what it holds elsewhere means nothing afterwards."""
-    head = carray(_room(24), 24)
-    factor = carray(_room(24), 24)
-    for k in range(24):
-        square = M[first, column, k] * M[first, column, k]
-        for i in range(rest, 6):
-            square += M[i, column, k] * M[i, column, k]
-        length = math.copysign(math.sqrt(square), M[first, column, k])
-        head[k] = M[first, column, k] + length
-        factor[k] = 1.0 / (length * head[k] + 1e-300)
-        determinant[k] *= -length
-        M[first, column, k] = -length
-    for j in range(column + 1, columns):
-        for k in range(24):
-            total = head[k] * M[first, j, k]
-            for i in range(rest, 6):
-                total += M[i, column, k] * M[i, j, k]
-            total *= factor[k]
-            M[first, j, k] -= head[k] * total
-            for i in range(rest, 6):
-                M[i, j, k] -= M[i, column, k] * total
-
-
-@_apart("float64[:, :, ::1](float64[:, ::1], float64[::1], float64[::1], float64[::1])")
-def _welding_5r_fold(E, c, s, determinant):
-    """The determinant at 24 hidden angles; returns the upper triangular matrices whose null vectors are
-    (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
-    [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6.
-
-    Each reflection stands by itself: where its rows are known the loops over angles become vectors.
-    """
-    M, W, factor = np.empty((6, 9, 24)), np.zeros((6, 9, 24)), np.empty((6, 6, 24))
-    for r in range(6):
-        for j in range(9):
-            at = 3 * (j % 3) + j // 3
-            one, cosine, sine = E[r, at], E[r, 9 + at], E[r, 18 + at]
-            for k in range(24):
-                M[r, j, k] = one + cosine * c[k] + sine * s[k]
-    for k in range(24):
-        determinant[k] = 1.0
-    _welding_5r_reflect_all(M, 9, 0, 1, 0, determinant)
-    _welding_5r_reflect_all(M, 9, 1, 2, 1, determinant)
-    _welding_5r_reflect_all(M, 9, 2, 3, 2, determinant)
-    # now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0
-    for r in range(3):
-        for j in range(9):
-            for k in range(24):
-                W[r, j, k] = M[r, j, k]
-        for j in range(6):
-            for k in range(24):
-                W[3 + r, j, k] = factor[3 + r, j, k] = M[3 + r, 3 + j, k]
-    _welding_5r_reflect_all(W, 9, 0, 3, 0, determinant)
-    _welding_5r_reflect_all(W, 9, 1, 3, 1, determinant)
-    _welding_5r_reflect_all(W, 9, 2, 3, 2, determinant)
-    for r in range(3):
-        for j in range(6):
-            for k in range(24):
-                factor[r, j, k] = W[3 + r, 3 + j, k]
-    _welding_5r_reflect_all(factor, 6, 0, 1, 0, determinant)
-    _welding_5r_reflect_all(factor, 6, 1, 2, 1, determinant)
-    _welding_5r_reflect_all(factor, 6, 2, 3, 2, determinant)
-    _welding_5r_reflect_all(factor, 6, 3, 4, 3, determinant)
-    _welding_5r_reflect_all(factor, 6, 4, 5, 4, determinant)
-    for k in range(24):
-        determinant[k] *= factor[5, 5, k]
-    return factor
-
-
-@_inner
-def _welding_5r_at(f, x):
-    """f, f', f'' at an angle; f holds a_0 ... a_8, b_1 ... b_8."""
-    value, slope, bend = f[0], 0.0, 0.0
-    cosine, sine = math.cos(x), math.sin(x)
-    c, s = cosine, sine
-    for m in range(1, 9):
-        even, odd = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
-        value += even
-        slope += m * odd
-        bend -= m * m * even
-        c, s = c * cosine - s * sine, s * cosine + c * sine
-    return value, slope, bend
-
-
-@_inner
-def _welding_5r_fit(samples):
-    """The coefficients from 24 samples, the largest sample, and the harmonics beyond the eighth."""
-    h = np.zeros(24)
-    scale = 0.0
-    for k in range(24):
-        scale = max(scale, abs(samples[k]))
-        for j in range(24):
-            h[j] += samples[k] * _WELDING_5R_HARMONICS[k, j]
-    beyond = 0.0
-    for j in range(17, 24):
-        beyond = max(beyond, abs(h[j]))
-    return h, scale, beyond / scale if scale > 0.0 else 1.0
-
-
-@_inner
-def _welding_5r_grid(f):
-    """f, f', f'', a row each, at the edges of the cells; the first edge stands at the end again."""
-    grid = np.empty((3, 257))
-    value, slope, bend = grid
-    for i in range(128):
-        even = uneven = even_slope = uneven_slope = even_bend = uneven_bend = 0.0
-        for m in range(1, 9):
-            c, s = _WELDING_5R_GRID_C[m - 1, i], _WELDING_5R_GRID_S[m - 1, i]
-            along, across = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
-            if m % 2 == 0:
-                even, even_slope = even + along, even_slope + m * across
-                even_bend -= m * m * along
-            else:
-                uneven, uneven_slope = uneven + along, uneven_slope + m * across
-                uneven_bend -= m * m * along
-        # even multiples are the same half a turn on, odd ones the opposite
-        opposite = i + 128
-        value[i], value[opposite] = f[0] + even + uneven, f[0] + even - uneven
-        slope[i], slope[opposite] = even_slope + uneven_slope, even_slope - uneven_slope
-        bend[i], bend[opposite] = even_bend + uneven_bend, even_bend - uneven_bend
-    for k in range(3):
-        grid[k, 256] = grid[k, 0]
-    return grid
-
-
-@_inner
-def _welding_5r_rootless(grid, zero):
-    """In which cells f has no root, as `_welding_5r_kind` tells it one by one: most of them."""
-    value, slope, bend = grid
-    h, square = 0.02454369260617026 / 5.0, 0.02454369260617026 * 0.02454369260617026 / 20.0
-    rootless = np.empty(256)  # truth values of another width would end the vectors
-    for i in range(256):
-        b0, b5 = value[i], value[i + 1]
-        b1, b4 = b0 + h * slope[i], b5 - h * slope[i + 1]
-        b2 = b0 + 2.0 * h * slope[i] + square * bend[i]
-        b3 = b5 - 2.0 * h * slope[i + 1] + square * bend[i + 1]
-        above = (b0 > zero) & (b1 > zero) & (b2 > zero) & (b3 > zero) & (b4 > zero) & (b5 > zero)
-        below = (b0 < -zero) & (b1 < -zero) & (b2 < -zero) & (b3 < -zero) & (b4 < -zero) & (b5 < -zero)
-        rootless[i] = 1.0 if above | below else 0.0
-    return rootless
-
-
-@_inner
-def _welding_5r_kind(low, high, h, scale, rounding, touching):
-    """0: no root between two angles; 1: nothing but rounding; 2: one extremum at most; 3: none of
-    these. The Bernstein coefficients of the quintic through f, f', f'' at both ends and their
-    differences bound f, f' and f''."""
-    part = h / 0.02454369260617026
-    doubt = rounding + scale * 2e-09 * part**6
-    b0, b5 = low[0], high[0]
-    b1 = b0 + h * low[1] / 5.0
-    b2 = b0 + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0
-    b3 = b5 - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0
-    b4 = b5 - h * high[1] / 5.0
-    least, most = min(b0, b1, b2, b3, b4, b5), max(b0, b1, b2, b3, b4, b5)
-    zero = max(doubt, touching)
-    if least > zero or most < -zero:
-        return 0
-    if least >= -rounding and most <= rounding:
-        return 1
-    d0, d1, d2, d3, d4 = b1 - b0, b2 - b1, b3 - b2, b4 - b3, b5 - b4
-    if min(d0, d1, d2, d3, d4) > doubt * part or max(d0, d1, d2, d3, d4) < -doubt * part:
-        return 2
-    e0, e1, e2, e3 = d1 - d0, d2 - d1, d3 - d2, d4 - d3
-    bound = doubt * part * part
-    return 2 if min(e0, e1, e2, e3) > bound or max(e0, e1, e2, e3) < -bound else 3
-
-
-@_apart("float64(float64[::1], int64, float64, float64, boolean)")
-def _welding_5r_between(f, order, low, high, rising):
-    """Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs:
-    Newton, with bisection where it leaves. `rising` says that it is negative at the lower one."""
-    x = 0.5 * (low + high)
-    for _ in range(48):
-        at = _welding_5r_at(f, x)
-        value, slope = (at[1], at[2]) if order else (at[0], at[1])
-        if (value < 0.0) == rising:
-            low = x
-        else:
-            high = x
-        step = -value / slope if slope != 0.0 else high - low
-        if not low < x + step < high:
-            step = 0.5 * (low + high) - x
-        x += step
-        if abs(step) < 1e-09:
-            break  # what follows is rounding
-    return x
-
-
-@_inner
-def _welding_5r_few(f, rounding, touching, near, low, at_low, high, at_high, roots, counts):
-    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double).
-    Extrema that are lifted by `touching` count as double."""
-    middle, at_middle = high, at_high[0]
-    if at_low[1] * at_high[1] < 0.0:
-        middle = _welding_5r_between(f, 1, low, high, at_low[1] < 0.0)
-        at_middle, _, bend = _welding_5r_at(f, middle)
-        lifted = at_middle * bend > 0.0 and abs(at_middle) <= max(abs(bend) * near, touching)
-        if abs(at_middle) <= rounding or lifted:
-            _welding_5r_add_root(roots, counts, 1, middle)
-            return
-        if (at_middle < 0.0) != (at_high[0] < 0.0):
-            x = _welding_5r_between(f, 0, middle, high, at_middle < 0.0)
-            _welding_5r_add_root(roots, counts, 0, x)
-    if (at_low[0] < 0.0) != (at_middle < 0.0):
-        _welding_5r_add_root(roots, counts, 0, _welding_5r_between(f, 0, low, middle, at_low[0] < 0.0))
-
-
-@_apart("void(float64[:, ::1], int64[::1], int64, float64)")
-def _welding_5r_add_root(roots, counts, twice, x):
-    """Add a root; counts[2] says that nothing was given up."""
-    if twice:
-        for i in range(counts[1]):
-            gap = abs(x - roots[1, i])
-            if min(gap, 6.283185307179586 - gap) < 0.02454369260617026 / 64.0:
-                return  # neighbouring cells that were given up together
-    if counts[twice] == 24:
-        counts[2] = 0
-        return
-    roots[twice, counts[twice]] = x
-    counts[twice] += 1
-
-
-@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64, int64, int64, float64)")
-def _welding_5r_find_roots(f, scale, rounding, middle, reach, near):
-    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]], in so many
-    cells on both sides of the middle one. Two complex roots count as a double one where the value of
-    a parabola over its bend is below `near`."""
-    roots = np.empty((2, 24))
-    counts = np.array([0, 0, 1, 0])
-    grid = _welding_5r_grid(f)
-    touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
-    rootless = _welding_5r_rootless(grid, max(rounding + scale * 2e-09, touching))
-    budget = 100  # against an f that is next to nothing for long stretches
-    edge = np.empty(16)  # the upper edges still to come
-    at, at_low = np.empty((16, 3)), np.empty(3)
-    depth = np.zeros(16, dtype=np.int64)
-    for i in range(256):
-        if rootless[i] != 0.0 or min(abs(i - middle), 256 - abs(i - middle)) > reach:
-            continue
-        low = i * 0.02454369260617026
-        edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
-        for k in range(3):
-            at_low[k], at[0, k] = grid[k, i], grid[k, i + 1]
-        waiting = 1
-        while waiting > 0:
-            top = waiting - 1
-            h = edge[top] - low
-            kind = _welding_5r_kind(at_low, at[top], h, scale, rounding, touching)
-            if kind == 2:
-                _welding_5r_few(
-                    f, rounding, touching, near, low, at_low, edge[top], at[top], roots, counts
-                )
-            elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
-                counts[2] = 0
-                _welding_5r_add_root(roots, counts, 1, low + 0.5 * h)
-            elif kind == 3:
-                budget -= 1
-                edge[waiting] = low + 0.5 * h
-                depth[top] += 1
-                depth[waiting] = depth[top]
-                at[waiting, 0], at[waiting, 1], at[waiting, 2] = _welding_5r_at(f, edge[waiting])
-                waiting += 1
-                continue
-            low = edge[top]
-            for k in range(3):
-                at_low[k] = at[top, k]
-            waiting -= 1
-    return roots, counts
-
-
-# A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle maps the
-# circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where all roots
-# lie together, as near the boundary of reach, f drowns in rounding without it.
-
-
-@_inner
-def _welding_5r_through(x, y, c, s):
-    """Cosine and sine of phi from those of psi, and |1 + conj(a) w|^16, which makes of f a polynomial
-    in psi."""
-    u, v, d, e = c + x, s + y, 1.0 + x * c + y * s, x * s - y * c
-    square = d * d + e * e
-    return (u * d + v * e) / square, (v * d - u * e) / square, square**8
-
-
-@_inner
-def _welding_5r_spread(samples):
-    """The lens under which the roots are spread, from samples without one; 0, 0 when they are already.
-    log |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
-    the circle, that of its mirror image for z outside."""
-    x = y = 0.0
-    for k in range(12):
-        ratio = math.log((abs(samples[k]) + 1e-300) / (abs(samples[k + 12]) + 1e-300))
-        x += ratio * _WELDING_5R_SAMPLE_C[k]
-        y += ratio * _WELDING_5R_SAMPLE_S[k]
-    x, y = -0.005208333333333333 * x, -0.005208333333333333 * y
-    square = x * x + y * y
-    if not square > 0.12249999999999998:
-        return 0.0, 0.0
-    part = min(1.0, 0.9 / math.sqrt(square))
-    return part * x, part * y
-
-
-@_inner
-def _welding_5r_behind(x, y, roots, counts):
-    """The roots as they are without the lens."""
-    for twice in range(2):
-        for i in range(counts[twice]):
-            c, s, _ = _welding_5r_through(x, y, math.cos(roots[twice, i]), math.sin(roots[twice, i]))
-            roots[twice, i] = math.atan2(s, c)
-
-
-@_inner
-def _welding_5r_seen(samples, x, y, middle, reach, near):
-    """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts)."""""
-    f, scale, noise = _welding_5r_fit(samples)
-    rounding = scale * (3e-15 + 64.0 * noise)
-    roots, counts = _welding_5r_find_roots(f, scale, rounding, middle, reach, near)
-    _welding_5r_behind(x, y, roots, counts)
-    return noise, roots, counts
-
-
-@_inner
-def _welding_5r_near(x, middle):
-    """Whether an angle is as near to another as a closer look reaches."""
-    return math.cos(x - middle) >= 0.9980487804878049
-
-
-@_apart("void(float64[:, ::1], int64[::1], float64[:, ::1], int64[::1], float64)")
-def _welding_5r_replace(roots, counts, closer, closer_counts, middle):
-    """Of the roots those near to an angle are replaced by what a closer look shows there."""
-    for twice in range(2):
-        kept = 0
-        for i in range(counts[twice]):
-            if not _welding_5r_near(roots[twice, i], middle):
-                roots[twice, kept] = roots[twice, i]
-                kept += 1
-        for i in range(closer_counts[twice]):
-            if _welding_5r_near(closer[twice, i], middle) and kept < 24:
-                roots[twice, kept] = closer[twice, i]
-                kept += 1
-        counts[twice] = kept
-
-
-@_inner
-def _welding_5r_any_near(roots, counts, middle):
-    """Whether any root is near to an angle."""
-    near = False
-    for twice in range(2):
-        for i in range(counts[twice]):
-            near = near or _welding_5r_near(roots[twice, i], middle)
-    return near
-
-
-@_inner
-def _welding_5r_next_double(roots, counts, seen, looks):
-    """The first double root that nothing has looked at more closely; their count if there is none."""
-    for i in range(counts[1]):
-        near = False
-        for k in range(looks):
-            near = near or _welding_5r_near(roots[1, i], seen[k])
-        if not near:
-            return i
-    return counts[1]
-
-
-@_inner
-def _welding_5r_inverse_iteration(U, inverse, x):
-    """x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
-    its length: the reciprocal of the square of the smallest singular value, in the end."""
-    for i in range(6):
-        for j in range(i):
-            x[i] -= U[j, i] * x[j]
-        x[i] *= inverse[i]
-    square = 0.0
-    for i in range(5, -1, -1):
-        for j in range(i + 1, 6):
-            x[i] -= U[i, j] * x[j]
-        x[i] *= inverse[i]
-        square += x[i] * x[i]
-    length = math.sqrt(square) + 1e-300
-    for i in range(6):
-        x[i] *= 1.0 / length
-    return length
-
-
-@_apart("int64(float64[:, ::1], int64, float64[:, ::1], int64)")
-def _welding_5r_split(n, shift, out, count):
-    """Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
-    null vectors n go to `out`. The shift, by 3 for x3 or by 1 for x2, takes `down` to `up`."""
-    A, G, H = np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((2, 2))
-    for i in range(2):
-        for j in range(2):
-            for k in range(3 if shift == 3 else 4):
-                up = k if shift == 3 else k + k // 2
-                A[i, j] += n[i, up + shift] * n[j, up]
-                G[i, j] += n[i, up + shift] * n[j, up + shift]
-                H[i, j] += n[i, up] * n[j, up]
-    det = G[0, 0] * G[1, 1] - G[0, 1] * G[0, 1]
-    det_h = H[0, 0] * H[1, 1] - H[0, 1] * H[0, 1]
-    if det < det_h:  # 1/x is the better unknown
-        A[0, 1], A[1, 0] = A[1, 0], A[0, 1]
-        G, det = H, det_h
-    if det < 1e-24:
-        return count
-    a = (G[1, 1] * A[0, 0] - G[0, 1] * A[1, 0]) / det
-    b = (G[1, 1] * A[0, 1] - G[0, 1] * A[1, 1]) / det
-    c = (G[0, 0] * A[1, 0] - G[0, 1] * A[0, 0]) / det
-    d = (G[0, 0] * A[1, 1] - G[0, 1] * A[0, 1]) / det
-    spread = math.sqrt(max(0.25 * (a - d) * (a - d) + b * c, 0.0))
-    for sign in (-1.0, 1.0):
-        # (M - x) w = 0 from the longer of its rows
-        x = 0.5 * (a + d) + sign * spread
-        upper = abs(a - x) + abs(b) > abs(d - x) + abs(c)
-        w0, w1 = (b, x - a) if upper else (d - x, -c)
-        for i in range(6):
-            out[count, i] = w0 * n[0, i] + w1 * n[1, i]
-        count += 1
-    return count
-
-
-@_apart("Tuple((int64, boolean))(float64[:, :, ::1], int64, boolean, float64[:, ::1])")
-def _welding_5r_null_vectors(factors, at, double, out):
-    """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
-    which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many, and whether
-    the matrix is regular: then there is no root. It has no singular value that is next to nothing,
-    and not two small ones, as where so many roots crowd that the determinant does not tell. The
-    matrix is one of those of `_welding_5r_fold`."""
-    factor, inverse = carray(_room(36), (6, 6)), carray(_room(6), 6)
-    n = _WELDING_5R_START.copy()
-    length = second = squares = 0.0
-    for i in range(6):
-        for j in range(i, 6):
-            factor[i, j] = factors[i, j, at]
-            squares += factor[i, j] * factor[i, j]
-    most = 0.0
-    for i in range(6):
-        most = max(most, abs(factor[i, i]))
-    least = most * 1e-15 + 1e-300
-    for i in range(6):  # kept finite where the diagonal is next to nothing
-        d = factor[i, i]
-        inverse[i] = 1.0 / (d if abs(d) > least else math.copysign(least, d))
-    for _ in range(4 if double else 2):
-        length = _welding_5r_inverse_iteration(factor, inverse, n[0])
-        if double:
-            second = _welding_5r_inverse_iteration(factor, inverse, n[1])
-            along = 0.0
-            for i in range(6):
-                along += n[0, i] * n[1, i]
-            for i in range(6):
-                n[1, i] -= along * n[0, i]
-    for i in range(6):
-        out[0, i] = n[0, i]
-    regular = length * squares < 9.999999999999999e+17 and second * squares < 1000000000000.0
-    if not double:
-        return 1, regular
-    square = 0.0
-    for i in range(6):
-        square += n[1, i] * n[1, i]
-    for i in range(6):
-        n[1, i] /= math.sqrt(square) + 1e-300
-    count = 1
-    for shift in (3, 1):
-        count = _welding_5r_split(n, shift, out, count)
-    return count, regular
-
-
-@_inner
-def _welding_5r_middle(K, M, value):
-    """c and s of phi5 from invariants of B = Rz K Rz(phi5) M Rz, `value` = l_z, p_z, p.l, p.p / 2 and
-    (p x l)_z, by least squares."""
-    t0, t1, t2 = K[3], K[7], K[11]
-    e0, e1, e2, u0, u1, u2 = M[2], M[6], M[10], M[3], M[7], M[11]
-    axis = (K[8], K[9], K[10])
-    foot = (
-        K[0] * t0 + K[4] * t1 + K[8] * t2,
-        K[1] * t0 + K[5] * t1 + K[9] * t2,
-        K[2] * t0 + K[6] * t1 + K[10] * t2,
-    )
-    side = (K[4] * t0 - K[0] * t1, K[5] * t0 - K[1] * t1, K[6] * t0 - K[2] * t1)
-    e, u = (e0, e1, e2), (u0, u1, u2)
-    v = (u1 * e2 - u2 * e1, u2 * e0 - u0 * e2, u0 * e1 - u1 * e0)
-    pairs = ((axis, e), (axis, u), (foot, e), (foot, u), (axis, v))
-    rest = (
-        0.0,
-        t2,
-        u0 * e0 + u1 * e1 + u2 * e2,
-        0.5 * (t0 * t0 + t1 * t1 + t2 * t2 + u0 * u0 + u1 * u1 + u2 * u2),
-        side[2] * e2,
-    )
-    aa = ab = bb = ar = br = 0.0
-    for i in range(5):
-        left, right = pairs[i]
-        a = left[0] * right[0] + left[1] * right[1]
-        b = left[1] * right[0] - left[0] * right[1]
-        r = value[i] - rest[i] - left[2] * right[2]
-        if i == 4:
-            a += side[0] * e0 + side[1] * e1
-            b += side[1] * e0 - side[0] * e1
-        aa += a * a
-        ab += a * b
-        bb += b * b
-        ar += a * r
-        br += b * r
-    return _welding_5r_unit(bb * ar - ab * br, aa * br - ab * ar)
-
-
-@_apart("void(int64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1])")
-def _welding_5r_angles(joints, links, n, c, s):
-    """The cosines and sines of phi_2 ... phi_6 from phi_1 and a null vector, in place; the length of a
-    slide stands in the sine's place."""
-    up = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
-    down = n[3] * n[3] + n[4] * n[4] + n[5] * n[5]
-    row = n[:3] if up > down else n[3:]
-    sign = math.copysign(1.0, row[0] + row[2])
-    c[1], s[1] = _welding_5r_unit(sign * (row[2] - row[0]), sign * 2.0 * row[1])
-    top = n[0] * row[0] + n[1] * row[1] + n[2] * row[2]
-    bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
-    c[2], s[2] = _welding_5r_unit(bottom * bottom - top * top, 2.0 * top * bottom)
-    G = carray(_room(12), 12)
-    _take(G, links[5])
-    for i in range(3):
-        _welding_5r_move(G, joints[i], c[i], s[i])
-        _welding_5r_follow(G, links[i])
-    B = _welding_5r_invert(G)
-    l0, l1, q0, q1 = B[2], B[6], B[3], B[7]
-    square = G[3] * G[3] + G[7] * G[7] + G[11] * G[11]
-    value = (B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0)
-    c[4], s[4] = _welding_5r_middle(links[3], links[4], value)
-    C = carray(_room(12), 12)
-    _take(C, links[3])
-    _welding_5r_turn(C, c[4], s[4])
-    _welding_5r_follow(C, links[4])
-    c[3], s[3] = _welding_5r_unit(
-        C[2] * l0 + C[6] * l1 + C[3] * q0 + C[7] * q1, C[2] * l1 - C[6] * l0 + C[3] * q1 - C[7] * q0
-    )
-    cosine = sine = 0.0
-    for i in range(2):
-        for j in range(2):
-            # columns of Rz(phi_4) C against columns of B
-            x, y = c[3] * C[j] - s[3] * C[4 + j], s[3] * C[j] + c[3] * C[4 + j]
-            along = x * B[i] + y * B[4 + i] + C[8 + j] * B[8 + i]
-            if i == j:
-                cosine += along
-            else:
-                sine += -along if i else along
-    c[5], s[5] = _welding_5r_unit(cosine, sine)
-
-
-@_inner
-def _welding_5r_marked(marks):
-    """How many marks are set."""
-    count = 0
-    for mark in marks:
-        count += mark
-    return count
-
-
-@_inner
-def _welding_5r_error(links, c, s, J):
-    """The square of the loop's error; J takes the Jacobian with the error, translation and rotation
-    vector, as seventh column."""
-    P = links[5]
-    T = carray(_room(12), 12)
-    T[:] = 0.0
-    T[0] = T[5] = T[10] = 1.0
-    for k in range(6):
-        if k:
-            _welding_5r_follow(T, links[k - 1])
-        for i in range(3):
-            J[3 + i, k] = T[4 * i + 2]
-            J[i, k] = T[4 * i + 3]
-        _welding_5r_move(T, k, c[k], s[k])
-    for k in range(6):
-        z0, z1, z2 = J[3, k], J[4, k], J[5, k]
-        r0, r1, r2 = T[3] - J[0, k], T[7] - J[1, k], T[11] - J[2, k]
-        J[0, k], J[1, k], J[2, k] = z1 * r2 - z2 * r1, z2 * r0 - z0 * r2, z0 * r1 - z1 * r0
-    S = carray(_room(9), (3, 3))
-    for i in range(3):
-        for j in range(3):
-            S[i, j] = P[4 * i] * T[4 * j] + P[4 * i + 1] * T[4 * j + 1] + P[4 * i + 2] * T[4 * j + 2]
-        J[i, 6] = P[4 * i + 3] - T[4 * i + 3]
-    J[3, 6] = 0.5 * (S[2, 1] - S[1, 2])
-    J[4, 6] = 0.5 * (S[0, 2] - S[2, 0])
-    J[5, 6] = 0.5 * (S[1, 0] - S[0, 1])
-    square = 0.0
-    for i in range(6):
-        square += J[i, 6] * J[i, 6]
-    # half a turn away the skew part vanishes too: the trace tells
-    return square + 1.0 if S[0, 0] + S[1, 1] + S[2, 2] < 0.0 else square
-
-
-@_inner
-def _welding_5r_step(J, x):
-    """A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
-    next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
-    largest."""
-    for column in range(5):
-        _welding_5r_reflect(J, column, column + 1, column)
-    most = least = abs(J[0, 0])
-    for i in range(1, 6):
-        most, least = max(most, abs(J[i, i])), min(least, abs(J[i, i]))
-    for i in range(5, -1, -1):
-        total = J[i, 6]
-        for j in range(i + 1, 6):
-            total -= J[i, j] * x[j]
-        x[i] = 0.0
-        if abs(J[i, i]) > most * 1e-09:
-            x[i] = max(min(total / J[i, i], 1.0), -1.0)
-    return least / most if most > 0.0 else 0.0
-
-
-@_inner
-def _welding_5r_damped_step(J, damping, x):
-    """The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error."""
-    A = carray(_room(42), (6, 7))
-    for i in range(6):
-        for j in range(i, 7):
-            total = 0.0
-            for k in range(6):
-                total += J[k, i] * J[k, j]
-            A[i, j] = total
-        A[i, i] += damping + 1e-30
-    for i in range(6):
-        for j in range(i + 1, 6):
-            factor = A[i, j] / A[i, i]
-            for k in range(j, 7):
-                A[j, k] -= factor * A[i, k]
-    for i in range(5, -1, -1):
-        total = A[i, 6]
-        for j in range(i + 1, 6):
-            total -= A[i, j] * x[j]
-        x[i] = max(min(total / A[i, i], 1.0), -1.0)
-
-
-@_inner
-def _welding_5r_polish(links, c, s, afar):
-    """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
-    J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
-    tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    _take(tc, c)
-    _take(ts, s)
-    least = now = _welding_5r_error(links, c, s, J)
-    for _ in range(40 if afar else 4):
-        if least < 1e-29:
-            break
-        if afar:
-            _welding_5r_damped_step(J, 0.01 * min(now, 1.0), x)
-        else:
-            _welding_5r_step(J, x)
-        for i in range(6):
-            # a turn by 2 atan(x/2), without trigonometry
-            u = 0.25 * x[i] * x[i]
-            dc, ds = (1.0 - u) / (1.0 + u), x[i] / (1.0 + u)
-            tc[i], ts[i] = tc[i] * dc - ts[i] * ds, ts[i] * dc + tc[i] * ds
-        now = _welding_5r_error(links, tc, ts, J)
-        if now < least:
-            least = now
-            for i in range(6):
-                c[i], s[i] = tc[i], ts[i]
-    return math.sqrt(least)
-
-
-@_inner
-def _welding_5r_gap(a, b):
-    """The largest difference of two joint vectors, modulo turns."""
-    most = 0.0
-    for i in range(6):
-        gap = abs(a[i] - b[i])
-        most = max(most, min(gap, 6.283185307179586 - gap))
-    return most
-
-
-@_inner
-def _welding_5r_merge(q, residual, singular, count):
-    """Singular solutions are known less well: those that lie together become one."""
-    kept = 0
-    for i in range(count):
-        known = False
-        if singular[i]:
-            for j in range(kept):
-                if singular[j] and _welding_5r_gap(q[i], q[j]) < 0.001:
-                    known = True
-        if not known:
-            residual[kept], singular[kept] = residual[i], singular[i]
-            for k in range(6):
-                q[kept, k] = q[i, k]
-            kept += 1
-    return kept
-
-
-@_inner
-def _welding_5r_begun(q, c, s):
-    """The cosines and sines in the loop of joint values; a length stands in the sine's place."""
-    for i in range(6):
-        cosine, sine = math.cos(q[i]), math.sin(q[i])
-        c[i] = cosine * _WELDING_5R_ADVANCE_C[i] + sine * _WELDING_5R_ADVANCE_S[i]
-        s[i] = sine * _WELDING_5R_ADVANCE_C[i] - cosine * _WELDING_5R_ADVANCE_S[i]
-
-
-@_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
-def _welding_5r_offer(links, c, s, afar, doubtful, q, residual, singular, count):
-    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
-    missing = _welding_5r_polish(links, c, s, afar)
-    if not missing <= 1e-10:
-        return -1, count
-    theta = carray(_room(6), 6)
-    for i in range(6):
-        cosine, sine = _WELDING_5R_ADVANCE_C[i], _WELDING_5R_ADVANCE_S[i]
-        theta[i] = math.atan2(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine)
-        # half a turn is +pi, also when rounding says otherwise
-        if theta[i] < -3.141592653589783:
-            theta[i] = 3.141592653589793
-    place = count
-    for k in range(count):
-        if _welding_5r_gap(q[k], theta) < 1e-06:
-            place = k
-            break
-    if place == 16:
-        return -1, count
-    if place == count:
-        count += 1
-        singular[place] = 0
-        residual[place] = math.inf
-    if missing < residual[place]:
-        residual[place] = missing
-        for i in range(6):
-            q[place, i] = theta[i]
-    if doubtful:
-        J = carray(_room(42), (6, 7))
-        _welding_5r_error(links, c, s, J)
-        if _welding_5r_step(J, theta) < 1e-06:
-            singular[place] = 1
-    return place, count
-
-
-@_inner
-def _welding_5r_sample(E, x, y, samples):
-    """The determinant at the sample angles, through a lens."""
-    c = carray(_room(24), 24)
-    s = carray(_room(24), 24)
-    weight = carray(_room(24), 24)
-    for k in range(24):
-        c[k], s[k], weight[k] = _welding_5r_through(x, y, _WELDING_5R_SAMPLE_C[k], _WELDING_5R_SAMPLE_S[k])
-    _welding_5r_fold(E, c, s, samples)
-    for k in range(24):
-        samples[k] *= weight[k]
-
-
-@_inner
-def _welding_5r_real_roots(of):
-    """All real roots: (whether the polynomial does not vanish identically, roots, counts).
-
-    Where roots may be double they are replaced by what a closer look shows, if it shows all: values
-    that are computed there have the digits that the fit of f lacks. What was given up stands among
-    them. Behind them stand, as many as the last of the counts, places where that shows no root: the
-    values lack the digits that the equations behind f lack.
-    """
-    samples = np.empty(24)
-    _welding_5r_sample(of, 0.0, 0.0, samples)
-    largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
-    x, y = _welding_5r_spread(samples)
-    if x != 0.0 or y != 0.0:
-        _welding_5r_sample(of, x, y, samples)
-    noise, roots, counts = _welding_5r_seen(samples, x, y, 0, 128, 5e-09)
-    good = noise <= 1e-06 and largest > 1e-26
-    if not good or max(counts[0], counts[1]) == 24:
-        return good, roots, counts
-    seen, looks, clear = np.empty(4), 0, True
-    unseen = np.empty(4)
-    i = _welding_5r_next_double(roots, counts, seen, looks)
-    while i < counts[1] and looks < 4:
-        middle = seen[looks] = roots[1, i]
-        looks += 1
-        x, y = 0.8823529411764706 * math.cos(middle), 0.8823529411764706 * math.sin(middle)
-        _welding_5r_sample(of, x, y, samples)
-        turns = middle / 6.283185307179586
-        cell = int(256 * (turns - math.floor(turns))) % 256
-        blur, closer, closer_counts = _welding_5r_seen(
-            samples, x, y, cell, 38, 1.28e-06
-        )
-        if blur <= 1e-10 and closer_counts[2]:
-            _welding_5r_replace(roots, counts, closer, closer_counts, middle)
-            if not _welding_5r_any_near(roots, counts, middle):
-                unseen[counts[3]] = middle
-                counts[3] += 1
-        else:
-            clear = False
-        i = _welding_5r_next_double(roots, counts, seen, looks)
-    counts[3] = min(counts[3], 24 - counts[1])
-    for k in range(counts[3]):
-        roots[1, counts[1] + k] = unseen[k]
-    if clear and i == counts[1]:
-        counts[2] = 1
-    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
-        counts[2] = 0
-    return good, roots, counts
-
-
-@_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
-def _welding_5r_attempt(form, loop, q, residual, singular, doubles_met, count):
-    """Find what a formulation finds: (whether that is certainly everything, the count).
-
-    The certificate: every simple root leads to a solution, there is another one for each of them and
-    two more for each double root, or a singular one; and regular solutions come in pairs. Where the
-    determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
-    of the equations may lift it off a double root, which nothing but they tell. What an attempt
-    before took for double roots is none then; whether the arm is singular there is looked at.
-    """
-    doubted = doubles_met[0] > 0
-    joints, links = _WELDING_5R_JOINTS[form], _welding_5r_around(form, loop)
-    E = _welding_5r_equations(joints, links)
-    good, roots, counts = _welding_5r_real_roots(E)
-    if not good:
-        return False, count
-    simple, touching, complete = counts[0], counts[1] + counts[3], counts[2] == 1
-    # simple roots, pairs of them that nearly meet, double roots
-    angles = np.empty(96)
-    total = simple
-    for i in range(simple):
-        angles[i] = roots[0, i]
-        for j in range(i):
-            gap = math.cos(0.5 * (roots[0, i] - roots[0, j]))
-            if 4.0 * gap * gap > 3.999999 and total < 72:
-                middle = 0.5 * (roots[0, i] + roots[0, j])
-                angles[total] = middle if gap > 0.0 else middle + 3.141592653589793
-                total += 1
-    first_double = total
-    for i in range(touching):
-        angles[total] = roots[1, i]
-        total += 1
-    met = np.zeros(16, dtype=np.int64)
-    cosines, sines, determinant = np.empty(24), np.empty(24), np.empty(24)
-    c, s = carray(_room(6), 6), carray(_room(6), 6)
-    tc, ts = carray(_room(6), 6), carray(_room(6), 6)
-    vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
-    for i in range(total):
-        at = i % 24
-        if at == 0:
-            for k in range(24):
-                angle = angles[min(i + k, total - 1)]
-                cosines[k], sines[k] = math.cos(angle), math.sin(angle)
-            factors = _welding_5r_fold(E, cosines, sines, determinant)
-        cosine, sine = cosines[at], sines[at]
-        met_here = singular_here = False
-        ways, regular = _welding_5r_null_vectors(factors, at, i >= simple, vectors)
-        for n in range(ways):
-            c[0], s[0] = cosine, sine
-            _welding_5r_angles(joints, links, vectors[n], c, s)
-            for k in range(6):
-                tc[joints[k]], ts[joints[k]] = c[k], _WELDING_5R_SIGNS[form] * s[k]
-            place, count = _welding_5r_offer(
-                loop, tc, ts, False, doubted or i >= simple, q, residual, singular, count
-            )
-            if place >= 0:
-                met[place] = 1
-                met_here = True
-                singular_here = singular_here or singular[place] == 1
-            elif i < simple:
-                complete = False
-        if i >= first_double and (met_here or not regular):
-            expected += 1 if singular_here else 2
-            true_doubles += 1
-    regular = count - _welding_5r_marked(singular)
-    complete = complete and _welding_5r_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]
-    return complete, count
-
-
-@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
-def _welding_5r_try(loop, q, residual, singular, doubles_met):
-    """Find what the methods find, one after the other, until that is certainly everything."""
-    for i in range(16):
-        singular[i] = 0
-    complete, count = False, np.int64(0)
-    for form in range(2):
-        if not complete:
-            complete, count = _welding_5r_attempt(form, loop, q, residual, singular, doubles_met, count)
-    return complete, count
-
-
-@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64)")
-def _welding_5r_from_nearby(loop, q, residual, singular, count):
-    """Solve poses close by, and follow their solutions back: (whether that is all, the count).
-
-    Where two solutions meet they are on one side only: both sides have to have as many as are
-    found. Around a singular pose none of them has to have all solutions: then all are looked at.
-    """
-    followed = False
-    before = -1
-    c, s = np.empty(6), np.empty(6)
-    other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
-    for n in range(10):
-        nearby = loop.copy()
-        _welding_5r_follow(nearby[5], _WELDING_5R_NUDGES[n])
-        complete, found = _welding_5r_try(
-            nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
-        )
-        met = np.zeros(16, dtype=np.int64)
-        singular_here = False
-        for i in range(found):
-            _welding_5r_begun(other[i], c, s)
-            place, count = _welding_5r_offer(
-                loop, c, s, True, True, q, residual, singular, count
-            )
-            if place < 0:
-                complete = False
-            else:
-                met[place] = 1
-                singular_here = singular_here or singular[place] == 1
-        marked = _welding_5r_marked(singular)
-        agreed = -1
-        if complete and found > 0:
-            agreed = found if _welding_5r_marked(met) == found else -1
-            followed = followed or singular_here
-        alike = n % 2 == 1 and before == count and agreed == count
-        if alike and marked == 0 and count % 2 == 0:
-            return True, count
-        before = agreed
-    return followed and (count - _welding_5r_marked(singular)) % 2 == 0, count
-
-
-@_inner
-def _welding_5r_before(a, b):
-    """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
-    next."""
-    for i in range(6):
-        if abs(a[i] - b[i]) > 1e-09:
-            return a[i] < b[i]
-    return False
-
-
-@_apart("int64(float64[::1], float64[:, ::1], float64[::1])")
-def welding_5r_general(T, q, residual):
-    """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16.
-
-    Args:
-        T: A rigid transform, twelve numbers.
-        q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on.
-        residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
-
-    Returns:
-        How many; -1 - count when it is not certain that these are all: for want of a certificate of
-        its own (where every polynomial vanishes identically there may be a continuum, which poses
-        close by do not have), or because roots met or the arm is singular at a solution, or nearly,
-        so that steps did not make it exact.
-    """
-    loop = _welding_5r_close(T)
-    P = loop[5]
-    if P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004:
-        return 0
-    found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
-    doubles_met = np.zeros(1, dtype=np.int64)
-    certified, count = _welding_5r_try(loop, found, missing, singular, doubles_met)
-    complete = certified
-    if not complete:
-        complete, count = _welding_5r_from_nearby(loop, found, missing, singular, count)
-    if not complete:
-        seed = 1
-        c, s = np.empty(6), np.empty(6)
-        for _ in range(128):
-            start = np.empty(6)
-            for i in range(6):
-                seed = (seed * 1103515245 + 12345) % 2147483648
-                start[i] = (seed / 1073741824.0 - 1.0) * 3.141592653589793
-            _welding_5r_begun(start, c, s)
-            _, count = _welding_5r_offer(
-                loop, c, s, True, True, found, missing, singular, count
-            )
-    count = _welding_5r_merge(found, missing, singular, count)
-    order = np.empty(16, dtype=np.int64)
-    for i in range(count):
-        j = i
-        while j > 0 and _welding_5r_before(found[i], found[order[j - 1]]):
-            order[j] = order[j - 1]
-            j -= 1
-        order[j] = i
-    for i in range(count):
-        for k in range(6):
-            q[i, k] = found[order[i], k]
-        residual[i] = missing[order[i]]
-    regular = _welding_5r_marked(singular) == 0 and doubles_met[0] == 0
-    for i in range(count):
-        regular = regular and residual[i] <= 1e-12
-    return count if certified and regular else -1 - count
-
-
-_FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-_ZERO = np.array([0.0, 0.0, 0.0, 0.0, 0.0])
-
-
-@_apart("Tuple((float64[:, ::1], boolean[::1], boolean[::1]))(UniTuple(float64, 12), float64[::1])")
-def _all_joints(pose, seed):
-    """All solutions, which rows hold one, and where a joint was indeterminate and follows the seed."""
-    flat, T = np.empty(12), np.empty((3, 4))
+def _upper_rows(pose):
+    """A pose as a matrix (3, 4)."""
+    T = np.empty((3, 4))
     for i in range(3):
         for j in range(4):
-            flat[4 * i + j] = T[i, j] = pose[4 * i + j]
-    angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(5)
-    # Any turn about the tool's axis serves (T. Duff et al., 2017: an orthonormal basis of z).
-    x, y, z = T[0, 2], T[1, 2], T[2, 2]
-    side = math.copysign(1.0, z)
-    a = -1.0 / (side + z)
-    flat[0], flat[4], flat[8] = 1.0 + side * x * x * a, side * x * y * a, -side * x
-    flat[1], flat[5], flat[9] = x * y * a, side + y * y * a, -y
-    known = welding_5r_general(flat, angles, residual)
-    q = np.zeros((16, 5))
-    found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)
-    kept, kinds, count = np.empty((16, 5)), np.empty(16, np.int64), 0
-    near, u = np.empty(5), np.empty(5)
-    for j in range(5):
-        near[j] = seed[_SOLVED[j]] / _UNIT[j]
-    for k in range(16):
-        kinds[k] = -1
-    if known < 0:
-        _take(u, near)
-        if _descend(T, joints, u) <= 1e-10:
-            count = _keep(T, joints, near, kept, kinds, count, u)
-    for k in range(-1 - known if known < 0 else known):
-        for j in range(5):
-            u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
-        if known < 0:
-            _descend(T, joints, u)  # where solutions meet it is exact that tells them apart
-            count = _keep(T, joints, near, kept, kinds, count, u)
-        else:
-            _wrap_angles(u)
-            _take(kept[count], u)
-            count += 1
-    if known < 0:
-        for k in range(1, 12):
-            _start_of(k, near, u)
-            if _descend(T, joints, u) <= 1e-10:
-                count = _keep(T, joints, near, kept, kinds, count, u)
-    _sorted_rows(kept, kinds, count, joints, q, found, chosen)
-    return q, found, chosen
+            T[i, j] = pose[4 * i + j]
+    return T
+
+
+@_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
+def _tighten_rows(T, exact, miss, q, held):
+    """Tightens the rows; ends those that miss the pose then, and all but one that have become the
+    same."""
+    moved, first = np.zeros(8, np.bool_), miss.copy()
+    for row in range(8):
+        if held[row]:
+            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    enough = 10.0 * exact
+    for row in range(8):
+        held[row] = held[row] and miss[row] <= enough
+    for row in range(8):
+        if moved[row] and _repeats(q, held, first, row):
+            held[row] = False
 
 
 @_inner
-def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others."""
-    # all joints: the general 6R loop
-    solution_roots, solution_found, solution_chosen = _all_joints(pose, seed)
+def _tighten(pose, q, status):
+    """Tightens the rows that have a solution; some may have none then."""
+    exact = _exactness(pose)
+    worst, miss = 0.0, carray(_room(8), 8)
+    for row in range(8):
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
+    if worst <= exact:
+        return
+    rows, held = q.copy(), np.empty(8, np.bool_)
+    for row in range(8):
+        held[row] = status[row] != UNREACHABLE
+    _tighten_rows(_upper_rows(pose), exact, miss, rows, held)
+    for row in range(8):
+        if not held[row]:
+            status[row] = UNREACHABLE
+        for i in range(5):
+            q[row, i] = rows[row, i] if held[row] else math.nan
 
-    for i1 in range(16):  # root1 to root16
-        q1 = solution_roots[i1, 0]
-        q2 = solution_roots[i1, 1]
-        q3 = solution_roots[i1, 2]
-        q4 = solution_roots[i1, 3]
-        q5 = solution_roots[i1, 4]
-        found = solution_found[i1]
-        chosen = solution_chosen[i1]
-        # all joints: the general 6R loop
-        if not found:
+
+@_inner
+def _solve(pose, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others.
+
+    The first value of a row that is _LOST says how far it is from a solution (negative).
+    """
+    _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
+
+    # theta1, type 9: U1[3, 4] and U1[3, 3]
+    v1 = ex * T23
+    v2 = ex * T13
+    v3 = ez * T23 - T24
+    v4 = T14 - ez * T13
+    v5 = v1 * v1
+    v6 = v2 * v2
+    v7 = v3 * v3
+    v8 = v4 * v4
+    v9 = v3 * k2
+    v10 = v4 * k2
+    v11 = k1 * (v5 + v6) + (k3 + k1 * (v7 + v8))
+    v12 = k1 * (v5 - v6) + k1 * (v7 - v8)
+    v13 = v3 * v4 - v1 * v2
+    v14 = v11 - k4
+    v15 = abs(v14) + abs(v9) + abs(v10) + abs(v12) + abs(v13)
+    free1 = v15 <= free_limit2
+    v16 = square_rounding * (v11 + k4)
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v14, -1.0 if free1 else -v9, 0.0 if free1
+        else -v10, 0.0 if free1 else v12, 0.0 if free1 else v13, v16, moved)
+    v19 = math.cos(seed[0]) * math.cos(seed[0]) - math.sin(seed[0]) * math.sin(seed[0])
+    v20 = 2.0 * (math.cos(seed[0]) * math.sin(seed[0]))
+    v21 = 2.0 * v13
+    v22 = 2.0 * v12
+    v24 = v15 * near_limit
+    v25 = v19 * v21 + (v9 * math.sin(seed[0]) - v10 * math.cos(seed[0])) - v20 * v22
+    v26 = (
+        abs(v14 + (v13 * v20 + (v12 * v19 - (v9 * math.cos(seed[0]) + v10 * math.sin(seed[0]))))) <=
+        v16 + v15 * double_root
+    )
+
+    # theta234, type 3: U1[2, 3] and U1[1, 3]
+    v28 = seed[1] + seed[2] + seed[3]
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v30 = T34 - d1
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x1 = x1_roots[i1]
+        # theta1
+        if not (x1 <= 4.0):
             continue  # out of reach
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        q[row, 4] = q5
-        status[row] = FREE_JOINT if chosen else OK
+        v17 = math.cos(x1)
+        v18 = math.sin(x1)
+        v23 = (v17 * v17 - v18 * v18) * v21 + (v9 * v18 - v10 * v17) - 2.0 * (v17 * v18) * v22
+        near1 = abs(v23) <= v24
+        same1 = (
+            -(double_root * (v15 * v15)) <= v23 * v25 and 0.0 < v17 * math.cos(seed[0]) + v18 *
+            math.sin(seed[0]) and abs(v17 * math.sin(seed[0]) - v18 * math.cos(seed[0])) <=
+            near_limit and near1 and v26
+        )
+        v27 = seed[0] if same1 else x1
+        q1 = seed[0] if free1 else v27
+        c1 = math.cos(q1)
+        s1 = math.sin(q1)
+
+        # theta5, type 3: U1[3, 4] and U1[3, 3]
+        Z2_5 = T13 * s1 - T23 * c1
+        s5 = (d4 - (T14 * s1 - T24 * c1) + ez * Z2_5) * k5
+        c5 = ex * Z2_5 * k5
+        q5 = _atan2(s5, c5)
+
+        # theta234
+        S234 = s5 * T33
+        C234 = s5 * (T13 * c1 + T23 * s1)
+        w234 = math.sqrt(S234 * S234 + C234 * C234)
+        free234 = w234 <= free_limit_squared
+        near234 = w234 <= near_limit_squared
+        factor234 = 1.0 / (1.0 if free234 else w234)
+        c234 = math.cos(v28) if free234 else C234 * factor234
+        s234 = math.sin(v28) if free234 else S234 * factor234
+        theta234 = _atan2(s234, c234)
+
+        # theta3
+        v29 = ex * c5 + ez * s5
+        Z1_3 = c234 * d5 - s234 * v29 + v30
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - (c234 * v29 + s234 * d5)
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+        K3 = N3 - k6
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            if near1:
+                status[2 * i1] = _NEARLY + 1
+                q[2 * i1, 0] = D3
+                q[2 * i1, 1] = v27
+            if free1:
+                status[2 * i1] = _LOST + 1
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _LOST + 2
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _LOST + 3
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _LOST + 4
+                q[2 * i1, 0] = D3
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        c3 = K3 * k7
+
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        X1_2 = L2 + L3 * c3
+        v31 = Z1_3 * X1_2
+        v32 = Z2_3 * X1_2
+
+        for i2 in range(2):  # down, up
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if (
+                e2 < 0.0 and (not apart3 or (near1 and not (shortest3_clear < N3 and N3 <
+                longest3_clear)))
+            ):
+                continue  # both signs give the same
+            s3 = w3 * e2 * k7
+            q3 = _atan2(s3, c3)
+
+            # theta2
+            Y1_2 = L3 * s3
+            S2 = v31 - Z2_3 * Y1_2
+            C2 = v32 + Z1_3 * Y1_2
+            w2 = math.sqrt(S2 * S2 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            near2 = w2 <= near_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            q2 = _atan2(s2, c2)
+
+            # joint values
+            q4 = _wrap(theta234 - (q3 + q2))
+            free2_ = free234 or free2
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            status[row] = (
+                FREE_JOINT if free1 or free2_ or free234 or free234 else _CLOSE if x1_close[i1] or
+                near1 or near234 or near2 else OK
+            )
 
 
 @_njit(forceinline=True)
@@ -2261,6 +1153,353 @@ def _beyond_limits(values):
     for i in range(5):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % turn, angle)
+
+
+_CHOOSABLE = (3, 2, 1, 0,)  # joints, from 0, that may be free
+
+
+@_inner
+def _serves(search, q, status):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
+        return False
+    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
+
+
+@_inner
+def _shortfall(pose, row, q, status):
+    """How far a row is from a solution: 0 if it is solved.
+    """
+    if status[row] >= _LOST:
+        return q[row, 0]
+    return -math.inf if status[row] == UNREACHABLE else 0.0
+
+
+@_inner
+def _attempt(pose, seed, search, moved, q, status):
+    """Solves with a joint moved: 0 if it serves, else less.
+
+    A search is a row, the joint that had been chosen, whether limits count, and by how much roots
+    are moved.
+    """
+    row, joint = search[0], search[1]
+    for i in range(8):
+        status[i] = UNREACHABLE
+    kept = seed[joint]
+    seed[joint] = kept + moved
+    _solve(pose, seed, search[3], q, status)
+    seed[joint] = kept
+    result = _shortfall(pose, row, q, status)
+    return -_beyond_limits(q[row]) if search[2] and result == 0.0 else result
+
+
+@_inner
+def _peak(pose, seed, search, low, high, q, status):
+    """Golden section for the move between low and high that comes nearest, or one that serves."""
+    for _ in range(52):
+        third = 0.3819660112501051 * (high - low)
+        left = _attempt(pose, seed, search, low + third, q, status)
+        right = _attempt(pose, seed, search, high - third, q, status)
+        if left == 0.0 or right == 0.0:
+            return low + third if left == 0.0 else high - third
+        if left >= right:
+            high -= third
+        else:
+            low += third
+    return low
+
+
+@_inner
+def _summit(pose, seed, search, low, high, q, status):
+    """A move between low and high that serves; NaN if there is none."""
+    top = _peak(pose, seed, search, low, high, q, status)
+    if _attempt(pose, seed, search, top, q, status) == 0.0:
+        return top
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (top - 1e-09, top + 1e-09):
+        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, search, top, q, status)
+    return top if _serves(search, q, status) else math.nan
+
+
+@_inner
+def _serving(pose, seed, search, q, status):
+    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+
+    A fan of values shows where it serves or nearly so, golden section finds what lies between two
+    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
+    one.
+    """
+    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
+        return 0.0
+    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
+    after = _attempt(pose, seed, search, -32.0 * step, q, status)
+    for k in range(-32, 32 + 1):
+        before, here = here, after
+        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
+        outer = k * step
+        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
+        if here < 0.0 and here >= before and here > after:
+            low, high = outer - step, outer + step
+            outer = _summit(pose, seed, search, low, high, q, status)
+            if math.isnan(outer):
+                continue
+        elif here < 0.0 or (before if k > 0 else after) == 0.0:
+            continue
+        for _ in range(52):
+            middle = 0.5 * (inner + outer)
+            if _attempt(pose, seed, search, middle, q, status) == 0.0:
+                outer = middle
+            else:
+                inner = middle
+        if not abs(outer) >= abs(nearest) - 1e-09:
+            nearest = outer
+    return nearest
+
+
+@_inner
+def _serving_digits(pose, seed, search, q, status):
+    """The same for a joint that is nearly free: its angle is known to few digits.
+
+    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
+    to rounding of what it was taken from, `_solve` takes it as it would take its own.
+    """
+    before, past = np.full(2, -math.inf), np.zeros(2)
+    moved = 1e-15
+    while moved < 0.1:
+        for way in range(2):
+            there = -moved if way else moved
+            here = _attempt(pose, seed, search, there, q, status)
+            if here == 0.0:
+                return there
+            if here < 2.0 * before[way] and past[way] == 0.0:
+                past[way] = 1.0
+                low = 0.25 * there
+                top = _summit(pose, seed, search, low, there, q, status)
+                if not math.isnan(top):
+                    return top
+            before[way] = here
+        moved *= 2.0
+    return math.nan
+
+
+@_inner
+def _choose_again(pose, given, row, q, status):
+    """A free joint took the seed's value, and then the arm could not reach.
+
+    The joint takes the nearest value that serves.
+    """
+    nearly = status[row] > _NEARLY
+    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False, 0.0
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    if nearly:
+        seed[search[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, search, trial, result)
+    else:
+        seed[search[1]] = _without_turns(seed[search[1]])
+        moved = _serving(pose, seed, search, trial, result)
+    _attempt(pose, seed, search, moved, trial, result)
+    served = not math.isnan(moved) and _serves(search, trial, result)
+    status[row] = result[row] if served else UNREACHABLE
+    for i in range(5):
+        q[row, i] = trial[row, i] if served else math.nan
+
+
+@_inner
+def _hopeless(pose, seed, search, q, status):
+    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
+    row = search[0]
+    _attempt(pose, seed, search, 0.0, q, status)
+    if _shortfall(pose, row, q, status) < 0.0:
+        return False
+    values = q[row].copy()
+    _attempt(pose, seed, search, 0.1, q, status)
+    if _shortfall(pose, row, q, status) < 0.0:
+        return False
+    for i in range(5):
+        if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:
+            return True
+    return False
+
+
+@_inner
+def _keep_limits(pose, given, row, q, status):
+    """A free joint took the seed's value, and that puts one beyond its limits.
+
+    It takes the nearest value that keeps all of them, if there is one. Where several joints are
+    free the others take the seed's values as far as their limits allow.
+    """
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    for i in range(5):
+        seed[i] -= _overshoot(i, seed[i])
+    for joint in _CHOOSABLE:
+        inside, search = seed[joint], (row, joint, True, 0.0)
+        seed[joint] = _without_turns(given[joint])
+        if not _hopeless(pose, seed, search, trial, result):
+            moved = _serving(pose, seed, search, trial, result)
+            # beside the solution of another row this one has none
+            start = _attempt(pose, seed, search, 0.0, trial, result)
+            own = abs(moved) >= 1e-06 or not math.isinf(start)
+            if own and not math.isnan(moved):
+                _attempt(pose, seed, search, moved, trial, result)
+                for i in range(5):
+                    q[row, i] = trial[row, i]
+                status[row] = result[row]
+                return
+        seed[joint] = inside
+
+
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
+def _other_choices(pose, seed, q, status):
+    """Other values for free joints, in rows that the seed's do not serve."""
+    for row in range(8):
+        if status[row] >= _LOST:
+            _choose_again(pose, seed, row, q, status)
+        if status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0:
+            _keep_limits(pose, seed, row, q, status)
+
+
+@_inner
+def _choose(pose, seed, q, status):
+    """The same where there is a row that needs it."""
+    served = True
+    for row in range(8):
+        served = served and status[row] < _LOST
+        served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
+    if served:
+        return
+    # arrays of the caller may have any layout
+    values, rows, kinds = np.empty(5), np.empty((8, 5)), np.empty(8, np.uint8)
+    for row in range(8):
+        kinds[row] = status[row]
+        for i in range(5):
+            values[i], rows[row, i] = seed[i], q[row, i]
+    _other_choices(pose, values, rows, kinds)
+    for row in range(8):
+        status[row] = kinds[row]
+        for i in range(5):
+            q[row, i] = rows[row, i]
+
+
+@_inner
+def _solves(T, steps, exact, q):
+    """Whether joint values are a solution.
+
+    Beside a singular place they may miss the pose by next to nothing and be far from any.
+    """
+    ahead = np.empty(1)
+    return _descended(T, steps, exact, q, ahead) <= exact and ahead[0] <= 0.0001
+
+
+@_inner
+def _is_new(known, count, q):
+    """Whether a solution is none of those."""
+    for k in range(count):
+        if _gap_between(known[k], q) < 0.001:
+            return False
+    return True
+
+
+@_inner
+def _keep(known, count, q):
+    """Puts a solution behind those that are known, unless it is one of them; how many there are."""
+    if not _is_new(known, count, q):
+        return count
+    _take(known[count], q)
+    return count + 1
+
+
+@_inner
+def _leads(pose, T, seed, angle, row, exact, end):
+    """Whether the row of a root that is moved leads to a solution, and to which."""
+    q, kind = np.empty((8, 5)), np.empty(8, np.uint8)
+    kind[:] = UNREACHABLE
+    _solve(pose, seed, angle, q, kind)
+    if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
+        return False
+    _take(end, q[row])
+    return _solves(T, 72, exact, end)
+
+
+_BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
+
+
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
+def _beside(pose, seed, q, status):
+    """Solutions for the rows that stand between two of them, which are known by no more than that.
+
+    Steps from a row lead to one; the root of the other is as far from it on the other side.
+    """
+    T, exact = _upper_rows(pose), _exactness(pose)
+    known, count = np.empty((16, 5)), 0
+    doubtful = np.zeros(8, np.bool_)
+    for row in range(8):
+        if status[row] == _CLOSE:
+            doubtful[row] = not _solves(T, 0, exact, q[row].copy())
+            status[row] = OK
+        if status[row] != UNREACHABLE and not doubtful[row]:
+            _take(known[count], q[row])
+            count += 1
+    others, after = count, count
+    other = np.empty(5)
+    for row in range(8):
+        if not doubtful[row]:
+            continue
+        end = q[row].copy()
+        # long steps may lead to solutions of other roots, which are known
+        found = _solves(T, 72, exact, end) and _is_new(known, others, end)
+        for angle in _BESIDE:
+            if found or not _leads(pose, T, seed, angle, row, exact, end):
+                continue
+            found = _is_new(known, others, end)
+        if not found:
+            continue
+        status[row] = UNREACHABLE
+        count = _keep(known, count, end)
+        off = 0.0
+        off += end[0] - q[row, 0]
+        off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
+        for part in (-1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
+            if not _leads(pose, T, seed, part * off, row, exact, other):
+                continue
+            if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
+                count = _keep(known, count, other)
+                break
+    for k in range(after, count):  # whichever roots rounding told apart: the row that was nearest
+        place, least = -1, math.inf
+        for row in range(8 - 1, -1, -1):
+            gap = math.inf if math.isnan(q[row, 0]) else _gap_between(q[row], known[k])
+            if status[row] == UNREACHABLE and gap <= least:
+                place, least = row, gap
+        if place >= 0:
+            _take(q[place], known[k])
+            status[place] = OK
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            q[row, :] = math.nan
+
+
+@_inner
+def _both_sides(pose, seed, q, status):
+    """Solutions for the rows of roots that nearly meet, which may stand between two."""
+    close = False
+    for row in range(8):
+        close = close or status[row] == _CLOSE
+    if not close:
+        return
+    rows, kinds = q.copy(), status.copy()
+    _beside(pose, seed.copy(), rows, kinds)
+    for row in range(8):
+        status[row] = kinds[row]
+        for i in range(5):
+            q[row, i] = rows[row, i]
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
@@ -2418,16 +1657,201 @@ def _stand(pose, row, rows, status):
             q[i] = x[i]
 
 
+# Between which values starts lie.
+_SPAN_LOW = np.array([
+    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+])
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(5):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
+    that is right may be long, and what it leaves, half of its square, far more than was missed.
+    """
+    e, A = np.empty(6), np.empty((6, 5))
+    least, best, step, little = math.inf, u.copy(), np.empty(5), 1e-13
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        slow = length >= max(0.5 * last, left)
+        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
+        if slow and least <= 1e-06:
+            little = 1e-26
+        if length < least:
+            least = length
+            _take(best, u)
+        if stalled:
+            break
+        _damped_step(A, e, length, little, step)
+        _shorten(step)
+        way = 0.0
+        for j in range(5):
+            u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
+    _take(u, best)
+    return least
+
+
+@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
+def _sought(pose, seed, least, q):
+    """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
+
+    Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
+
+    Several joints may be free at once, and few of their values serve. Steps of damped least squares
+    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose.
+    """
+    T, exact = _upper_rows(pose), _exactness(pose)
+    joints, near = seed.copy(), np.empty(5)
+    for j in range(5):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    u, end = np.empty(5), np.empty(5)
+    for k in range(12):
+        if least == 0:
+            break
+        _start_of(k, near, u)
+        if _descend(T, joints, u) > 0.01:
+            continue
+        _take(end, joints)
+        for j in range(5):
+            end[_SOLVED[j]] = _UNIT[j] * u[j]
+        miss = _escaped(T, exact, end)
+        if miss > 10.0 * exact:
+            continue
+        if _beyond_limits(end) > 0.0:
+            _settled(pose, math.nan, math.inf, end)
+        fault = 2 * (miss > exact) + (_beyond_limits(end) > 0.0)
+        if fault < least:
+            least = fault
+            _take(q, end)
+    return least
+
+
+@_inner
+def _seek(pose, seed, begun, q, status):
+    """The same into a row, if there is none, or none
+    inside the limits."""
+    before, chosen = 4, -1
+    for row in range(8 - 1, -1, -1):
+        fault, is_open = 0, status[row] == FREE_JOINT
+        if status[row] == UNREACHABLE:
+            continue
+        fault += _beyond_limits(q[row]) > 0.0
+        before = min(before, fault)
+        chosen = row if is_open else chosen
+    if before == 0 or (before < 4 and chosen < 0):
+        return
+    found = np.empty(5)
+    least = _sought(pose, seed.copy(), before, found)
+    if least == before:
+        return
+    if before < 4 and before // 2 == least // 2:  # other rows are no less exact
+        for i in range(5):
+            q[chosen, i] = found[i]
+        return
+    for row in range(8):
+        status[row] = FREE_JOINT if row == begun else UNREACHABLE
+        for i in range(5):
+            q[row, i] = found[i] if row == begun else math.nan
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _are_one(T, half):
+    """Whether rounding alone tells two solutions that lie to both sides of joint values.
+
+    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
+    the pose is from one at which both meet.
+    """
+    held = np.zeros(5, np.bool_)
+    for _ in range(3):
+        _add_step(held, 1e-13, _miss(T, half)[0], half)
+    return _miss(T, half)[1] <= 1e-14
+
+
+@_inner
+def _tell_once(pose, q, status):
+    """Ends rows that rounding alone tells from earlier ones.
+
+    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
+    """
+    half = np.empty(5)
+    for row in range(1, 8):
+        for k in range(row):
+            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
+                continue
+            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
+                status[row] = UNREACHABLE
+                for i in range(5):
+                    q[row, i] = math.nan
+
+
+@_inner
+def _stay(pose, seed, q, status):
+    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
+
+    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    it, that of one which it is told from by nothing, one that is left, or any.
+    """
+    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
+    nearest = 0.001
+    for i in range(5):
+        x[i] = seed[i] - _overshoot(i, seed[i])
+    if not _settle(pose, 1e-12, 0.15, x):
+        return
+    if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
+        return
+    for row in range(8 - 1, -1, -1):
+        between = 1e-06
+        if status[row] != UNREACHABLE:
+            off = _half_way(x, q[row], half)
+            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
+            if off < nearest and _beyond_limits(q[row]) == 0.0:
+                place, nearest, least = row, off, -1.0  # its own
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
+    if least >= 0.0:
+        status[place] = FREE_JOINT
+    if nearest > 1e-06:
+        for i in range(5):
+            q[place, i] = x[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(16):
+    for row in range(8):
         status[row] = UNREACHABLE
         for i in range(5):
             q[row, i] = math.nan
-    _solve(pose, seed, q, status)
+    _solve(pose, seed, 0.0, q, status)
+    begun = -1  # the first row that was not simply out of reach
+    for row in range(8 - 1, -1, -1):
+        if status[row] != UNREACHABLE:
+            begun = row
+    _choose(pose, seed, q, status)
+    _both_sides(pose, seed, q, status)
+    _tighten(pose, q, status)
+    if begun >= 0:
+        _seek(pose, seed, begun, q, status)
+    _tell_once(pose, q, status)
+    _stay(pose, seed, q, status)
     count = 0
-    for row in range(16):
+    for row in range(8):
         if status[row] == UNREACHABLE:
             continue
         _stand(pose, row, q, status)
@@ -2444,8 +1868,8 @@ def _whole(pose, seed, q, status):
 @_merged
 def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (16, 5) or status.shape != (16,):
-        raise ValueError("T, q and status must have shapes (4, 4), (16, 5), (16,)")
+    if T.shape != (4, 4) or q.shape != (8, 5) or status.shape != (8,):
+        raise ValueError("T, q and status must have shapes (4, 4), (8, 5), (8,)")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -2486,8 +1910,8 @@ def ik_into(T, q, status, q_seed=None):
 
     Args:
         T: Pose (4, 4), float64.
-        q: Filled with joint values (16, 5), NaN where there is no solution; float64.
-        status: Filled with what each row holds (16,); uint8.
+        q: Filled with joint values (8, 5), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
         q_seed: Values for joints that are indeterminate (5,), float64; zeros without it.
 
     Returns:
@@ -2510,8 +1934,8 @@ def ik_into(T, q, status, q_seed=None):
 def _look_at(T, q, status, q_seed):
     """ValueError where an array is none that `ik_into` takes."""
     _demand_array("T", T, (4, 4), _FLOAT)
-    _demand_array("q", q, (16, 5), _FLOAT)
-    _demand_array("status", status, (16,), _BYTE)
+    _demand_array("q", q, (8, 5), _FLOAT)
+    _demand_array("status", status, (8,), _BYTE)
     if q_seed is not None:
         _demand_array("q_seed", q_seed, (5,), _FLOAT)
     if not (q.flags.writeable and status.flags.writeable):
@@ -2538,7 +1962,7 @@ def _ik_into(T, q, status, q_seed=None):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (16, 5) and status (16,).
+    """All solutions: q (8, 5) and status (8,).
 
     Row b is always branch BRANCHES[b].
 
@@ -2549,7 +1973,7 @@ def ik_all(T, q_seed=None):
     Raises:
         ValueError: An argument has the wrong shape, or the seed is not finite.
     """
-    q, status = _empty((16, 5)), _empty(16, _BYTE)
+    q, status = _empty((8, 5)), _empty(8, _BYTE)
     given = T
     try:
         T = _contiguous(T)
@@ -2613,7 +2037,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     """
     if not isinstance(limits, (bool, np.bool_)):
         raise ValueError(f"limits must be True or False, not {limits!r}")
-    first, last = (0, 16) if branch is None else _span(branch)
+    first, last = (0, 8) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or its z axis not of length one to six digits")
@@ -2643,7 +2067,7 @@ def ik_batch(T, *, cores=None, out=None):
             memory can cost more time than the solutions.
 
     Returns:
-        q (N, 16, 5) and status (N, 16).
+        q (N, 8, 5) and status (N, 8).
 
     Raises:
         ValueError: An argument has the wrong shape, or cores is not a whole number from 1.
@@ -2660,7 +2084,7 @@ def ik_batch(T, *, cores=None, out=None):
 
 def warm_up():
     """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
-    q, status = np.empty((16, 5)), np.empty(16, _BYTE)
+    q, status = np.empty((8, 5)), np.empty(8, _BYTE)
     T = fk(_ZEROS)
     jacobian(_ZEROS)
     ik_into(T, q, status)
@@ -2673,7 +2097,7 @@ def warm_up():
 
 def _results(out, count):
     """The rows and the statuses of so many poses: the caller's arrays, or new ones."""
-    rows, row = (count, 16, 5), (count, 16)
+    rows, row = (count, 8, 5), (count, 8)
     if out is None:
         return np.empty(rows), np.empty(row, _BYTE)
     if not isinstance(out, (tuple, list)) or len(out) != 2:

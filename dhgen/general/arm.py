@@ -59,17 +59,6 @@ def is_general(chain: Chain) -> bool:
     return asked and fits
 
 
-def is_better_polished(chain: Chain) -> bool:
-    """Whether the general algorithm is to be preferred to a quartic without Newton steps.
-
-    Where the tool only points, or two joints slide, a quartic's roots meet in fours at right
-    angles; rounding then leaves four of sixteen digits, and every step after it inherits that.
-    """
-    pointing = _only_points(chain)
-    of_four_turns = len(slides_of(chain)) == SLIDES_OF_FOUR_TURNS
-    return is_general(chain) and (pointing or of_four_turns)
-
-
 def slides_of(chain: Chain) -> tuple[int, ...]:
     """Which of the joints that are solved for slide, from 0."""
     kinds = enumerate(joint.kind for joint in chain.solved)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.errors import UnsolvedError
-from dhgen.general.arm import general_kernel, is_better_polished
+from dhgen.general.arm import general_kernel
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.no_arm_angle import demand_arm_angle
 from dhgen.method import Method
@@ -89,8 +89,7 @@ def _by_steps(search: Search, pool: Pool) -> Derivation | None:
 
 def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:
     """With the view from the tool back to the base, by steps or by a general algorithm."""
-    kinds = CLOSED if is_better_polished(chain) else QUARTIC
-    found = _by_steps(Search(pool, kinds), pool)
+    found = _by_steps(Search(pool, QUARTIC), pool)
     if found is not None and not _is_frail(found):
         return found
     kernel = general_kernel(chain)

@@ -10,6 +10,7 @@ import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.method import Method
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
@@ -78,4 +79,28 @@ def test_every_solution_is_found(tmp_path: Path, kind: str, first: int, slide: i
             assert apart.max(axis=1).min() < 1e-6
         np.testing.assert_allclose(
             arm.pose(found), np.broadcast_to(pose, (len(found), 4, 4)), atol=1e-11
+        )
+
+
+@pytest.mark.parametrize("first", [1, 2, 3])
+def test_five_joints_that_point_about_parallel_axes(tmp_path: Path, first: int) -> None:
+    """By a quartic: the tool's turn about its own axis need not be found with the joints."""
+    path = tmp_path / "arm.yaml"
+    *rows, _ = structured_arm("parallel", first, None).rstrip("\n").splitlines()
+    tool = "task: pointing", "tool: {xyz: [0.05, 0.02, 0.2], rpy: [0, 40 deg, 0]}"
+    path.write_text("\n".join([*rows, *tool]), encoding="utf-8")
+    robot = load(path)
+    chain = build_chain(robot)
+    derivation = derive(chain)
+    assert derivation.method is Method.QUARTIC
+    arm = numeric_arm(chain)
+    poses = arm.pose(np.random.default_rng(first).uniform(-2.8, 2.8, (POSES, 5)))
+    rows_of = interpret(lower(derivation), poses)
+    for number, pose in enumerate(poses):
+        found = rows_of.q[number][rows_of.solved[number]]
+        expected = all_solutions(robot, pose)
+        assert len(found) == len(expected)
+        reached = arm.pose(found)[:, :3, 2:]
+        np.testing.assert_allclose(
+            reached, np.broadcast_to(pose[:3, 2:], reached.shape), atol=1e-11
         )
