@@ -9,13 +9,13 @@ from tests.kinematics.values import axes
 
 
 @cache
-def written() -> str:
-    """Three parallel axes, slanted, between two others."""
+def written(third: float = 0.3) -> str:
+    """Three parallel axes, slanted, between two others; where the middle one is."""
     return made_for(
         axes(
             "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
             "type: revolute, direction: [0, 1, 1], point: [0, 0, 0.3]",
-            "type: revolute, direction: [0, 1, 1], point: [0.3, 0, 0.3]",
+            f"type: revolute, direction: [0, 1, 1], point: [{third}, 0, 0.3]",
             "type: revolute, direction: [0, 1, 1], point: [0.6, 0, 0.3]",
             "type: revolute, direction: [1, 0, 0], point: [0.6, 0.1, 0.3]",
             "type: revolute, direction: [0, 0, 1], point: [0.9, 0.1, 0.3]",
@@ -33,6 +33,7 @@ def test_entries_of_the_pose_and_points_of_axes_have_letters_of_their_own() -> N
 
 def test_lengths_that_cancel_are_left_out() -> None:
     text = written()
-    reach = r"$\sqrt{Z_1^2 + Z_2^2}$ is greater than $p_{4x}$ or less than $2 p_{3x} - p_{4x}$"
-    assert reach in text
+    assert r"$\sqrt{Z_1^2 + Z_2^2}$ is greater than $p_{4x}$. The two" in text  # never less than 0
+    reach = r"is greater than $p_{4x}$ or less than $2 p_{3x} - p_{4x}$"
+    assert reach in written(0.4)
     assert "| $K^2 = Y^2$ | $s_3 = 0$ |" in text

@@ -201,7 +201,7 @@ def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
     )
     text = made_of(*rows)
     assert r"every $\theta_1$ works" not in text
-    told = r"this equation holds for every $\theta_1$, the others for all, a few or none of them"
+    told = r"this equation holds for every $\theta_1$, and the others decide which values work"
     assert told in text
     assert "every $" in document("spherical")
     assert "this equation holds for every" not in document("spherical")
@@ -218,7 +218,7 @@ def test_what_the_pose_leaves_of_a_slide_is_said() -> None:
     )
     text = made_of(*rows)
     assert "every $r_3$ works" not in text
-    assert "this equation holds for every $r_3$ if $Y = 0$, the others for all, a few" in text
+    assert "this equation holds for every $r_3$ if $Y = 0$, and the others decide" in text
 
 
 def test_numbers_of_a_frame_are_not_called_its_entries() -> None:

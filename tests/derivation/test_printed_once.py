@@ -58,9 +58,9 @@ def test_columns_that_are_said_to_be_another_s_are(name: str) -> None:
             first, second = told.split(" is " if " is " in told else " are ")
             new, old = (letters[re.sub(r".* of |;.*", "", part)] for part in (first, second))
             columns = [int(each) for each in re.findall(r"\d", first.split(" of ")[0])]
-            others = re.findall(r"column (\d)(, with the opp)?", second.split(" of ")[0])
-            pairs = others or [(str(column), "") for column in columns]
-            for column, (other, turned) in zip(columns, pairs, strict=True):
+            others = re.findall(r"(minus )?column (\d)", second.split(" of ")[0])
+            pairs = others or [("", str(column)) for column in columns]
+            for column, (turned, other) in zip(columns, pairs, strict=True):
                 sign = -1.0 if turned else 1.0
                 np.testing.assert_allclose(
                     new[:3, column - 1], sign * old[:3, int(other) - 1], atol=1e-12

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.form import Length
 from dhgen.paul.step import Kind
-from dhgen.program.ir import Guard
+from dhgen.program.ir import Failure, Guard
 from dhgen.targets.derivation.notation.names import joint_symbol, single, theta
 from dhgen.targets.derivation.text.blocks import joined, say
 from dhgen.targets.derivation.text.formula import ONE, ZERO, equal, minus
@@ -14,6 +14,37 @@ from dhgen.targets.derivation.text.formula import ONE, ZERO, equal, minus
 if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.text.blocks import Prose
+
+
+OTHERS_DECIDE = "the others decide which values work (all, a few or none); the row has one"
+THE_REST = ", and where a few work, rows that are left have the rest"
+
+
+def others_decide(context: StepContext) -> str:
+    """What the rows hold where the other equations decide."""
+    return OTHERS_DECIDE + THE_REST if is_left_to_the_pose(context) else OTHERS_DECIDE
+
+
+def is_left_to_the_pose(context: StepContext) -> bool:
+    """Whether rows are compared with the whole pose, which tells a value of this angle from others.
+
+    An arm of fewer joints than the pose has numbers may take it by some values only.
+    """
+    joints = open_joints(context)
+    return any(
+        isinstance(each, Guard)
+        and each.failure is Failure.INCONSISTENT
+        and any(choice.joint in joints for choice in each.chosen)
+        for each in context.story.program.body
+    )
+
+
+def nothing_said(context: StepContext) -> str:
+    """What is left of an angle where the equations hold for every value of it."""
+    if _decides(context, open_joints(context)):
+        told = "these equations say" if len(context.step.forms) > 1 else "this equation says"
+        return f"{told} nothing about {{}}"
+    return "every {} works"
 
 
 def merged_effect(context: StepContext) -> Prose:
@@ -46,9 +77,11 @@ def free_effect(context: StepContext) -> Prose:
     if len(joints) > 1 and not on_a_line:
         parts.append(say("the joints themselves follow from it"))
     if context.step.roots == 2:
-        parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
+        rows = "are left for other values" if is_left_to_the_pose(context) else "stay empty"
+        parts.append(say(f"the rows with {{}} {rows}", equal(context.sign, minus(ONE))))
     elif context.step.kind is Kind.CIRCLE:
-        parts.append(say("the rows of the other roots stay empty"))
+        rows = "are left for other values" if is_left_to_the_pose(context) else "stay empty"
+        parts.append(say(f"the rows of the other roots {rows}"))
     remembered = context.remembered if context.step.kind is Kind.ANGLE else None
     if remembered is not None:
         parts.append(say("{}", equal(remembered.letter, ZERO)))

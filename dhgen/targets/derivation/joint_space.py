@@ -9,8 +9,11 @@ from dhgen.kinematics.chain import Turn, parallel_groups
 from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
-from dhgen.program.ir import Failure, Guard
-from dhgen.targets.derivation.effects import open_joints
+from dhgen.targets.derivation.effects import (
+    is_left_to_the_pose,
+    nothing_said,
+    others_decide,
+)
 from dhgen.targets.derivation.notation.names import single, theta
 from dhgen.targets.derivation.text.blocks import Given, say
 from dhgen.targets.derivation.text.words import joined, many
@@ -21,18 +24,15 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.text.blocks import Prose
 
-OTHERS_DECIDE = "the others for all, a few or none of them; the row holds one"
-THE_REST = " and, of a few, rows that are left the rest"
-
 
 def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
     """What the arm looks like where an angle of type 2 with Z = 0 is free."""
     parallel = _parallel_around(context.story.algebra, joints)
     if parallel is not None and not context.step.silent:
         return _sum_that_is_left(context.story.algebra, *parallel)
-    works = "every {} works"
+    works = nothing_said(context)
     if context.step.silent or is_left_to_the_pose(context):
-        works = f"this equation holds for every {{}}, {others_decide(context)}"
+        works = f"this equation holds for every {{}}, and {others_decide(context)}"
     if _is_about_first_axis(context):
         text = "{} lies on axis 1, and " + works
         return say(text, point_name(context), theta(context.angle))
@@ -63,25 +63,6 @@ def meaning_of_root(context: StepContext) -> Prose:
     given = [str(joint) for joint in context.story.algebra.chain.free]
     ending = f", with {many('joint', given)} as given" if given else ""
     return say(f"the arm is at the edge of its reach{ending}")
-
-
-def others_decide(context: StepContext) -> str:
-    """What the rows hold where the other equations decide."""
-    return OTHERS_DECIDE + THE_REST if is_left_to_the_pose(context) else OTHERS_DECIDE
-
-
-def is_left_to_the_pose(context: StepContext) -> bool:
-    """Whether rows are compared with the whole pose, which tells a value of this angle from others.
-
-    An arm of fewer joints than the pose has numbers may take it by some values only.
-    """
-    joints = open_joints(context)
-    return any(
-        isinstance(each, Guard)
-        and each.failure is Failure.INCONSISTENT
-        and any(choice.joint in joints for choice in each.chosen)
-        for each in context.story.program.body
-    )
 
 
 def _is_about_first_axis(context: StepContext) -> bool:

@@ -1,4 +1,4 @@
-"""The sine and cosine of an angle that a step has found, as later steps take them."""
+"""The sines and cosines of angles that a step has found, as later steps take them."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import used_places
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
+from dhgen.targets.derivation.sections.joints import as_sum
 from dhgen.targets.derivation.text.blocks import Display, paragraph
 from dhgen.targets.derivation.text.formula import Call, Relation
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from dhgen.paul.step import Step
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.text.blocks import Block
 
@@ -33,6 +35,28 @@ def with_functions(context: StepContext, blocks: Iterable[Block]) -> list[Block]
             continue
         every.insert(place + 1, paragraph(TAKEN, sine(angle), cosine(angle)))
     return every
+
+
+def implied(context: StepContext) -> list[Block]:
+    """Joints' angles that follow from a step's by addition, where later steps need them."""
+    story = context.story
+    before, now = story.knowledge[context.number - 1 : context.number + 1]
+    solved = [u for step in story.steps[: context.number] for u in step.unknowns]
+    later = set().union(*(places_of(step) for step in story.steps[context.number :]))
+    blocks: list[Block] = []
+    for angle in story.algebra.angles:
+        places = {story.algebra.index[name] for name in (angle.cosine, angle.sine)}
+        if len(angle.terms) > 1 or angle in solved or not places & later:
+            continue
+        if now.knows(angle) and not before.knows(angle):
+            sums = [each for each in solved if isinstance(each, AngleSum)]
+            blocks.append(paragraph("With it {} is known, too.", as_sum(story, angle, sums)))
+    return blocks
+
+
+def places_of(step: Step) -> set[int]:
+    """The generators that a step's coefficients hold."""
+    return set().union(*(used_places(form) for _, form in step.coefficients))
 
 
 def _first_sides(block: Block) -> Iterable[object]:
@@ -59,4 +83,4 @@ def _used(context: StepContext, angle: AngleSum) -> bool:
     joints = {joint for joint, _ in angle.terms}
     parts = [a for a in algebra.angles if joints <= {j for j, _ in a.terms} and a not in own]
     places = {algebra.index[name] for part in parts for name in (part.cosine, part.sine)}
-    return any(places & used_places(form) for step in later for _, form in step.coefficients)
+    return any(places & places_of(step) for step in later)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.known_functions import with_functions
+from dhgen.targets.derivation.known_functions import implied, with_functions
 from dhgen.targets.derivation.notation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.origins import where_from
 from dhgen.targets.derivation.step_context import StepContext
@@ -30,21 +30,24 @@ def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Sin
     """One step, with the singular places it brings."""
     step = story.steps[number - 1]
     context = StepContext(story, number, step)
+    blocks: list[Block]
     text = PRINTERS[step.kind](context)
     where, rewriting = where_from(step), _rewriting(context)
     direct = step.kind is Kind.ANGLE_PAIR and is_direct(context)
     if direct and not rewriting and all(origin.row for origin in step.origins):
         # the elements have the equations, of which these are the solved form
         where = say("{}, of which each holds the sine or the cosine alone:", where)
-        return (Paragraph(where, lead=_lead(context)), *text.blocks), text.singularities
+        blocks = [Paragraph(where, lead=_lead(context)), *text.blocks, *implied(context)]
+        return tuple(blocks), text.singularities
     told = [paragraph("Each equation holds the sine or the cosine alone:")] if direct else []
-    blocks: list[Block] = [
+    blocks = [
         Paragraph(say("{}:", where), lead=_lead(context)),
         display(*quoted(story, number)),
         *rewriting,
         *told,
     ]
-    return (*blocks, *with_functions(context, text.blocks)), text.singularities
+    blocks += [*with_functions(context, text.blocks), *implied(context)]
+    return tuple(blocks), text.singularities
 
 
 def leaves_a_joint_free(story: Story) -> bool:

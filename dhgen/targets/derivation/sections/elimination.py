@@ -20,11 +20,6 @@ if TYPE_CHECKING:
 
 
 PHI, HALF = Symbol(r"\varphi", "φ"), Symbol(r"\tan\frac{\varphi}{2}", "tan(φ/2)")
-OFFSET_WRIST = (
-    "This arm has an offset wrist: axes 1 and 2 and axes 4 and 5 meet at right angles, axes 2 and "
-    "3 are parallel. Its polynomial in {} is known in closed form and is tried first; no "
-    "determinant is needed where it succeeds."
-)
 
 
 def elimination(kernel: GeneralKernel, chain: Chain) -> list[Block]:
@@ -94,9 +89,9 @@ def _polynomial(kernel: GeneralKernel, chain: Chain) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(
             say(
-                f"With the {_variables(kernel)} of {{}} and {{}}, and each equation also "
-                "multiplied by the first of them, there are twelve linear equations in twelve "
-                "monomials. They have a solution where the determinant vanishes,",
+                f"With {_variables(kernel)}, and each equation also multiplied by the first of "
+                "them, there are twelve linear equations in twelve monomials. They have a solution "
+                "where the determinant vanishes,",
                 one,
                 two,
             ),
@@ -105,9 +100,9 @@ def _polynomial(kernel: GeneralKernel, chain: Chain) -> list[Block]:
         Display(
             (
                 Symbol(
-                    r"f(\varphi) = \det M(\varphi) = \sum_{m=0}^{8} a_m \cos m\varphi + "
-                    r"b_m \sin m\varphi = 0,",
-                    "f(φ) = det M(φ) = Σ a_m cos mφ + b_m sin mφ = 0,  m = 0 … 8,",
+                    r"f(\varphi) = \det M(\varphi) = \sum_{m=0}^{8} \lambda_m \cos m\varphi + "
+                    r"\mu_m \sin m\varphi = 0,",
+                    "f(φ) = det M(φ) = Σ λₘ cos mφ + μₘ sin mφ = 0,  m = 0 … 8,",
                 ),
             )
         ),
@@ -124,8 +119,6 @@ def _polynomial(kernel: GeneralKernel, chain: Chain) -> list[Block]:
     ]
     if kernel.hides_a_slide:
         blocks.append(_hidden_slide(kernel, chain))
-    if kernel.wrist is not None:
-        blocks.append(paragraph(OFFSET_WRIST, joint_symbol(kernel, 5)))
     return blocks
 
 
@@ -149,9 +142,13 @@ def _hidden_slide(kernel: GeneralKernel, chain: Chain) -> Block:
 
 
 def _variables(kernel: GeneralKernel) -> str:
-    if kernel.slides_beside:
-        return "half-angle tangent and the length"
-    return "half-angle tangents"
+    """In which the equations are polynomials: of both partners of the hidden joint."""
+    slide = [place in kernel.loop.slides for place in kernel.first.joints[1:3]]
+    if not any(slide):
+        return "the half-angle tangents of {} and {}"
+    return " and ".join(
+        "the length {}" if each else "the half-angle tangent of {}" for each in slide
+    )
 
 
 def _null_vectors() -> Block:

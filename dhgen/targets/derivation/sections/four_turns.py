@@ -51,9 +51,9 @@ _OUTER = (
     ),
 )
 _POLYNOMIAL = Symbol(
-    r"f(\varphi) = w\,(U^2 - V^2 \Delta) = \sum_{m=0}^{4} a_m \cos m\varphi + "
-    r"b_m \sin m\varphi = 0,",
-    "f(φ) = w (U² − V² Δ) = Σ a_m cos mφ + b_m sin mφ = 0,  m = 0 … 4,",
+    r"f(\varphi) = w\,(U^2 - V^2 \Delta) = \sum_{m=0}^{4} \lambda_m \cos m\varphi + "
+    r"\mu_m \sin m\varphi = 0,",
+    "f(φ) = w (U² − V² Δ) = Σ λₘ cos mφ + μₘ sin mφ = 0,  m = 0 … 4,",
 )
 
 
@@ -145,7 +145,7 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
             "signs where {} vanishes. Its coefficients come from its values at 24 angles; bounds "
             "on the circle isolate all its real roots.",
             *(PHI, turns[0], HALF),
-            *(Symbol(r"w\,g", "w g"), Symbol("U", "U"), Symbol("V", "V"), W, G, W),
+            *(Symbol(r"w\,g", "w g"), Symbol(r"w\,U", "w U"), Symbol(r"w\,V", "w V"), W, G, W),
         ),
     ]
 

@@ -126,7 +126,7 @@ def _wrist(story: Story) -> list[Prose]:
     return [
         say(
             text + "the wrist is spherical. Turning its joints does not move that point, so its "
-            "position hangs on the joints before the wrist alone, and the orientation gives the "
+            "position depends on the joints before the wrist alone, and the orientation gives the "
             "wrist afterwards."
         )
     ]

@@ -14,6 +14,7 @@ from dhgen.targets.derivation.sections.general_loop import (
 )
 from dhgen.targets.derivation.sections.near import near_blocks
 from dhgen.targets.derivation.sections.no_turn import check, one_more_turn
+from dhgen.targets.derivation.sections.offset_wrist import offset_wrist
 from dhgen.targets.derivation.text.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.text.words import joined, numeral
 
@@ -28,7 +29,9 @@ POINTING = (
     "axis open. That turn, {}, is taken as a sixth joint behind the tool: with any choice of the x "
     "and y axes the pose is then complete, and the value of the sixth joint is not needed."
 )
-UNRELATED = "No three neighbouring axes are parallel or meet in one point"
+UNRELATED = "No three neighbouring axes{} are parallel or meet in one point"
+_FIRST = "an equation for the last of them, which this wrist allows, or by "
+OF_MOVING = " of the joints that move"
 
 
 def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
@@ -46,6 +49,8 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         Display((loop_that_closes(kernel),)),
         loop_letters(kernel),
     ]
+    if kernel.wrist is not None:
+        blocks += offset_wrist(kernel, kernel.wrist, unit)
     if kernel.eliminations:
         blocks += elimination(kernel, chain)
     else:
@@ -62,10 +67,11 @@ def _why(kernel: GeneralKernel) -> str:
     """Why the joints do not come one after the other, and what finds them."""
     steps = "order of the equations of Paul's method gives the joints one after the other."
     if kernel.eliminations:
-        beginning = f"No {steps}" if kernel.pointing else f"{UNRELATED}, and no {steps}"
+        unrelated = UNRELATED.format(OF_MOVING if kernel.given else "")
+        beginning = f"No {steps}" if kernel.pointing else f"{unrelated}, and no {steps}"
         return (
-            f"{beginning} {_joints(kernel)} are found together{_given(kernel)}, by the "
-            "elimination of M. Raghavan and B. Roth (1993)."
+            f"{beginning} {_joints(kernel)} are found together{_given(kernel)}, by "
+            f"{_FIRST if kernel.wrist else ''}the elimination of M. Raghavan and B. Roth (1993)."
         )
     return (
         f"No {steps} {_joints(kernel)}, four turns and two slides, are found "

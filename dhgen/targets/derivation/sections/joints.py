@@ -53,14 +53,18 @@ def _sums(story: Story) -> list[Formula]:
     for joint in _turning(story):
         if single(joint) in solved:
             continue
-        parts = path_of(story, joint, solved)
-        lines.append(
-            equal(
-                theta(single(joint)),
-                add(*(theta(a) if sign > 0 else minus(theta(a)) for a, sign in parts)),
-            )
-        )
+        lines.append(as_sum(story, single(joint), solved))
     return lines
+
+
+def as_sum(story: Story, angle: AngleSum, solved: list[AngleSum]) -> Formula:
+    """theta_4 = theta_234 - theta_3 - theta_2, from sums that are solved."""
+    ((joint, _),) = angle.terms
+    parts = path_of(story, joint, solved)
+    return equal(
+        theta(angle),
+        add(*(theta(each) if sign > 0 else minus(theta(each)) for each, sign in parts)),
+    )
 
 
 def _turning(story: Story) -> list[int]:
@@ -122,10 +126,11 @@ def _check(story: Story) -> Block:
     """A pose with more numbers than the arm has joints."""
     chain = story.algebra.chain
     asked, own = chain.task.dimension, chain.dof - chain.given
+    joints = counted(own, "joint") + (" to solve for" if chain.given else "")
     return paragraph(
-        f"The task has {numeral(asked)} independent numbers, the arm {counted(own, 'joint')}, so "
-        "it cannot take every pose. Each solution is put into the forward model; where an entry "
-        "differs from the given one, the arm cannot take the pose and the row stays empty."
+        f"The task has {numeral(asked)} independent numbers, the arm {joints}, so it cannot take "
+        "every pose. Each solution is put into the forward model; where an entry differs from the "
+        "given one, the arm cannot take the pose and the row stays empty."
     )
 
 

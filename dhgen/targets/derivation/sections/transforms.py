@@ -80,14 +80,13 @@ def _shared(transform: Transform, before: Transform) -> dict[int, tuple[int, int
 
 
 def _told(shared: dict[int, tuple[int, int]], name: Formula, earlier: Formula) -> Prose:
-    """Columns 2 and 4 of T_5^0 are column 3, with the opposite sign, and column 4 of T_4^0."""
+    """Columns 2 and 4 of T_5^0 are minus column 3 and column 4 of T_4^0."""
     new = many("Column", [str(n) for n in shared])
     verb = "are" if len(shared) > 1 else "is"
     if all(where == (n, 1) for n, where in shared.items()):
         old = "those" if len(shared) > 1 else "that"
     else:
-        turned = ", with the opposite sign,"
-        old = listed([f"column {m}{turned if sign < 0 else ''}" for m, sign in shared.values()])
+        old = listed([f"{'minus ' if sign < 0 else ''}column {m}" for m, sign in shared.values()])
     return say(f"{new} of {{}} {verb} {old} of {{}}", name, earlier)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.transform import identity
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.steps import has_number_in_002, step_blocks
 from dhgen.targets.derivation.text.blocks import Table, joined, paragraph, say
@@ -53,6 +54,7 @@ _FORMS = {
 }
 
 CAPITALS = frozenset("KPQRVWXYZ")  # those of matrices and of signed roots are others
+FRAME_APART = "; the base frame of the same letter is a matrix"
 _BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
@@ -71,9 +73,14 @@ def types_table(story: Story) -> list[Block]:
         f"and E. Dombre (2002{beyond}): {length}{{}} and {{}} are the cosine "
         "and sine of an unknown angle, and capitals are known."
     )
+    turned = [str(k.value) for k in kinds if k in {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED}]
+    if turned:
+        text += f" An angle of type {' or '.join(turned)} may be one that is counted backwards."
     own = sorted({each.text[0] for each in symbols_of(_steps(story))} & CAPITALS)
     if own:
-        text += " Each step defines {} anew."
+        chain = story.algebra.chain
+        frame = "Z" in own and chain.base != identity(chain.ring)
+        text += f" Each step defines {{}} anew{FRAME_APART if frame else ''}."
     if any(has_number_in_002(story, number) for number in range(1, len(story.steps) + 1)):
         text += " Document 002 counts four types in its own way; its number stands in parentheses."
     letters = *slides, Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")

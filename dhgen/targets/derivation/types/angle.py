@@ -11,7 +11,7 @@ from dhgen.targets.derivation.joint_space import meaning_of_root
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
-from dhgen.targets.derivation.text.blocks import display, paragraph
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
 from dhgen.targets.derivation.text.formula import (
     ONE,
     ZERO,
@@ -29,7 +29,11 @@ from dhgen.targets.derivation.text.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.types.angle_free import cancelled, free_without_right_side, with_free
+from dhgen.targets.derivation.types.angle_free import (
+    cancelled,
+    free_with_right_side,
+    free_without_right_side,
+)
 from dhgen.targets.derivation.types.second import ADDED, Second
 
 if TYPE_CHECKING:
@@ -179,14 +183,20 @@ def _general(context: StepContext) -> StepText:
     ]
     if context.vanishes("Z") and not context.is_constant("X", "Y"):
         return cancelled(context, blocks, remembered)
+    free = free_with_right_side(context)
+    meaning = meaning_of_root(context)
     met = Singularity(
         context.number,
         equal(remembered.letter, ZERO),
         condition_in_joints(context, other_combination(context)),
-        meaning_of_root(context),
+        meaning if free is None else say("{}, unless {}", meaning, free.condition),
         merged_effect(context),
     )
     text = "No solution when {}. The two solutions meet when {}: {}. Then {}."
     far = relation(SQUARES, "<", square(Z))
     blocks.append(paragraph(text, far, met.condition, met.meaning, met.effect))
-    return with_free(context, blocks, met)
+    if free is None:
+        return StepText(tuple(blocks), (met,))
+    text = "Degenerate when {}: {}. Then {}."
+    blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
+    return StepText(tuple(blocks), (met, free))

@@ -70,12 +70,12 @@ def cancelled(context: StepContext, blocks: list[Block], remembered: Remembered)
     return StepText((*blocks, paragraph(text, *shown)), (free,))
 
 
-def with_free(context: StepContext, blocks: list[Block], met: Singularity) -> StepText:
-    """What happens where X, Y and Z vanish together, if they may."""
+def free_with_right_side(context: StepContext) -> Singularity | None:
+    """Where X, Y and Z vanish together, if they may."""
     factors = [context.polynomial(name) for name in "XYZ"]
     if are_never_zero(context.story.algebra, *factors):
-        return StepText(tuple(blocks), (met,))
-    free = Singularity(
+        return None
+    return Singularity(
         context.number,
         equal(X, Y, Z, ZERO),
         _nothing_said(context),
@@ -83,9 +83,6 @@ def with_free(context: StepContext, blocks: list[Block], met: Singularity) -> St
         free_effect(context),
         frees=True,
     )
-    text = "Degenerate when {}: {}. Then {}."
-    blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
-    return StepText(tuple(blocks), (met, free))
 
 
 def _nothing_said(context: StepContext) -> Formula | Prose | None:

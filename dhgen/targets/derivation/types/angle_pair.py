@@ -9,8 +9,8 @@ from dhgen.kinematics.ring import constant_value
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
 from dhgen.targets.derivation.conditions import vanishing
-from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.joint_space import others_decide, point_name
+from dhgen.targets.derivation.effects import free_effect, nothing_said, others_decide
+from dhgen.targets.derivation.joint_space import point_name
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
@@ -139,9 +139,9 @@ def _is_fixed(context: StepContext, name: str) -> bool:
 def _free(context: StepContext, *, together: bool) -> Singularity:
     """Where the angle is free: vectors vanish together, or at least the determinant does."""
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
-    works = "every {} works"
+    works = nothing_said(context)
     if context.step.silent:
-        works = f"these equations hold for every {{}}, {others_decide(context)}"
+        works = f"these equations hold for every {{}}, and {others_decide(context)}"
     meaning = say(works, theta(context.angle))
     if about is not None and together and all(o.column == 4 for o in context.step.origins):
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.robot.task import TaskKind
-from dhgen.targets.derivation.effects import free_effect
+from dhgen.targets.derivation.effects import free_effect, nothing_said
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
@@ -73,7 +73,7 @@ def print_circle(context: StepContext) -> StepText:
         context.number,
         say("all coefficients of the equation vanish at once"),
         None,
-        say("every {} works", theta(kept)),
+        say(nothing_said(context), theta(kept)),
         free_effect(context),
         frees=True,
     )

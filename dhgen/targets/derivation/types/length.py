@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.joint_space import is_left_to_the_pose, others_decide
+from dhgen.targets.derivation.effects import free_effect, is_left_to_the_pose, others_decide
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
 from dhgen.targets.derivation.text.formula import ZERO, equal, over, times
@@ -43,7 +42,7 @@ def print_length(context: StepContext) -> StepText:
     none = equal(Y, ZERO)
     meaning = say("every {} works if {}, and none otherwise", r, none)
     if is_left_to_the_pose(context):
-        told = f"this equation holds for every {{}} if {{}}, {others_decide(context)}"
+        told = f"this equation holds for every {{}} if {{}}, and {others_decide(context)}"
         meaning = say(f"{told}; otherwise none works", r, none)
     free = Singularity(
         context.number, equal(X, ZERO), None, meaning, free_effect(context), frees=True

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.effects import free_effect
+from dhgen.targets.derivation.effects import free_effect, nothing_said
 from dhgen.targets.derivation.notation.names import cosine, sine, theta, unknown_symbol
 from dhgen.targets.derivation.step_context import Singularity, StepText
 from dhgen.targets.derivation.text.blocks import Given, display, paragraph, say
@@ -21,7 +21,7 @@ def print_polar(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     (full_u, u), (full_v, v) = _quotient(context, "1"), _quotient(context, "2")
     axis = Given(str(context.angle.terms[-1][0]))
-    text = "the slide is drawn in as far as axis {}, and every {} works"
+    text = "the slide is drawn in as far as axis {}, and " + nothing_said(context)
     meaning = say(text, axis, theta(context.angle))
     zero = equal(r, ZERO)
     free = Singularity(context.number, zero, zero, meaning, free_effect(context), frees=True)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value
 from dhgen.targets.derivation.conditions import unsigned, without_lengths
-from dhgen.targets.derivation.effects import free_effect, merged_effect
+from dhgen.targets.derivation.effects import free_effect, merged_effect, nothing_said
 from dhgen.targets.derivation.joint_space import point_name
 from dhgen.targets.derivation.never_zero import are_never_zero
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
@@ -187,7 +187,7 @@ def _free(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity | N
     lengths = [math.hypot(*(constant_value(algebra, part) for part in parts)) for parts in fixed]
     if len(lengths) == 2 and abs(lengths[0] - lengths[1]) > CLOSE * sum(lengths):
         return None
-    text = "two links of equal length are folded upon each other, and every {} works"
+    text = "two links of equal length are folded upon each other, and " + nothing_said(context)
     meaning = say(text, theta(context.angle))
     named = [letter_ for letter_, part in ((X, x), (Y, y)) if part]
     condition = equal(*named, K, ZERO)
@@ -200,6 +200,8 @@ def _reach(context: StepContext) -> Prose:
         return say("")
     (v, v_value), (w, w_value) = _length(context, "V"), _length(context, "W")
     longest, shortest = add(v, w), subtract(v, w) if v_value >= w_value else subtract(w, v)
+    if v_value == w_value:
+        return say(": {} is greater than {}", root(REACH), longest)
     first, second = _signed(context, "V"), _signed(context, "W")
     if first is not None and second is not None:
         longest = _collected(context, first + second, longest)

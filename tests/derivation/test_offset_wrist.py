@@ -1,0 +1,43 @@
+"""What is told of an offset wrist holds for any joint values, by the axes where they stand."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.numeric import numeric_arm
+from tests.derivation.stories import story
+from tests.derivation.test_wording import text_of
+
+
+@pytest.mark.parametrize("name", ["xarm6", "abb_gofa_5", "fanuc_crx10ia", "yaskawa_hc10"])
+def test_the_polynomial_vanishes_at_the_sixth_angle(name: str) -> None:
+    text = text_of(name)
+    said = re.search(r"\$a\$ is ([\d.]+) m, \$r\$ is ([\d.]+) m and \$\\psi = ([-\d.]+)\^", text)
+    assert said
+    upper, lower, degrees = map(float, said.groups())
+    C, S = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    arm = numeric_arm(story(name).algebra.chain)
+    draw = np.random.default_rng(6)
+    for q in draw.uniform(-3.0, 3.0, (20, 6)):
+        e, points = arm.axes(q)
+        W = meeting(e[3], points[3], e[4], points[4]) - meeting(e[0], points[0], e[1], points[1])
+        w, c, h, k = W @ W, W @ e[4], W @ e[0], e[0] @ e[4]
+        rho2, m = w - h * h, k * w - h * c
+        Q, D = w - upper**2 + lower**2, 4 * upper**2 * w - (upper**2 - lower**2 + w) ** 2
+        U = c**2 * rho2 * (Q**2 * C**2 + D * S**2) - m**2 * (Q**2 * S**2 + D * C**2)
+        V = Q * 2 * S * C * (c**2 * rho2 + m**2)
+        size = (c**2 * rho2 + m**2) * (Q**2 + abs(D))
+        assert abs(U * U - V * V * D) < 1e-5 * size**2  # the lengths are told with six digits
+        if "U = c" in text and "which serves" in text:
+            assert abs(U) < 1e-5 * size
+
+
+def meeting(e: np.ndarray, p: np.ndarray, f: np.ndarray, o: np.ndarray) -> np.ndarray:
+    """The point where two lines meet."""
+    along = np.linalg.lstsq(np.stack([e, -f], axis=1), o - p, rcond=None)[0]
+    assert np.linalg.norm(p + along[0] * e - o - along[1] * f) < 1e-9
+    return np.asarray(p + along[0] * e)
