@@ -200,13 +200,13 @@ def _reach(context: StepContext) -> Prose:
         return say("")
     (v, v_value), (w, w_value) = _length(context, "V"), _length(context, "W")
     longest, shortest = add(v, w), subtract(v, w) if v_value >= w_value else subtract(w, v)
-    if v_value == w_value:
-        return say(": {} is greater than {}", root(REACH), longest)
     first, second = _signed(context, "V"), _signed(context, "W")
     if first is not None and second is not None:
         longest = _collected(context, first + second, longest)
         difference = first - second if v_value >= w_value else second - first
         shortest = _collected(context, difference, shortest)
+    if abs(v_value - w_value) <= CLOSE * (v_value + w_value):
+        return say(": {} is greater than {}", root(REACH), longest)
     text = ": {} is greater than {} or less than {}"
     return say(text, root(REACH), longest, shortest)
 
