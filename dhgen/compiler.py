@@ -24,10 +24,7 @@ from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
-from dhgen.program.lowering.arm_angle import arm_angle_program, plane_miss_program
-from dhgen.program.lowering.forward import forward_program, jacobian_program
-from dhgen.program.lowering.lower import lower
-from dhgen.program.reuse import reusing
+from dhgen.program.lowering.programs import robot_programs
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
@@ -99,26 +96,20 @@ def _module(
     robot: Robot, derivation: Derivation, source: str, precision: Precision
 ) -> SolverModule:
     """The programs of a robot for some arithmetic, under the name that they bear there."""
-    chain = derivation.problem.algebra.chain
     name = robot.name + precision.suffix
-    angle = arm_angle_program(derivation, precision.tolerances, RESERVED)
-    solver = lower(derivation, precision.tolerances, RESERVED)
-    tight = solver.tightened is not None
-    plane = plane_miss_program(derivation, precision.tolerances, RESERVED) if tight else None
-    forward = reusing(forward_program(chain, RESERVED), solver)
-    jacobian = reusing(jacobian_program(chain, RESERVED), solver, forward)
+    programs = robot_programs(derivation, name, precision.tolerances, RESERVED)
     return SolverModule(
         name=name,
         title=robot.title,
         source=source,
-        chain=chain,
+        chain=derivation.problem.algebra.chain,
         method=derivation.method,
-        solver=replace(solver, name=name),
-        forward=replace(forward, name=name),
-        jacobian=replace(jacobian, name=name),
+        solver=programs.solver,
+        forward=programs.forward,
+        jacobian=programs.jacobian,
         length_unit=robot.length_unit,
-        arm_angle=None if angle is None else replace(angle, name=name),
-        plane_miss=None if plane is None else replace(plane, name=name),
+        arm_angle=programs.arm_angle,
+        plane_miss=programs.plane_miss,
         precision=precision,
     )
 
