@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from dhgen.paul.problem import Problem
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.checks import Checks
-    from dhgen.program.lowering.roots import EarlierRoot
+    from dhgen.program.lowering.earlier_root import EarlierRoot
     from dhgen.tolerances import Tolerances
 
 

@@ -8,25 +8,11 @@ from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Failure
+from dhgen.program.lowering.earlier_root import EarlierRoot
 
 if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.context import Lowering
-
-
-@dataclass(frozen=True, slots=True)
-class EarlierRoot:
-    """A square root on whose sign later steps hang.
-
-    Attributes:
-        axis: The sign's place.
-        length: Its value without sign, not zero.
-        unit: The arm's size to the power that this has.
-    """
-
-    axis: int
-    length: Node
-    unit: Node
 
 
 @dataclass(frozen=True, slots=True)

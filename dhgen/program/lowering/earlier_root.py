@@ -1,0 +1,24 @@
+"""What later steps need to know of a square root."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.program.building.graph import Node
+
+
+@dataclass(frozen=True, slots=True)
+class EarlierRoot:
+    """A square root on whose sign later steps hang.
+
+    Attributes:
+        axis: The sign's place.
+        length: Its value without sign, not zero.
+        unit: The arm's size to the power that this has.
+    """
+
+    axis: int
+    length: Node
+    unit: Node
