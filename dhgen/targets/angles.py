@@ -18,8 +18,8 @@ class Angles:
         quarter_pi: An eighth of one.
     """
 
-    turn: str = repr(2 * math.pi)
-    pi: str = repr(math.pi)
-    almost_pi: str = repr(math.pi - 1e-14)
-    half_pi: str = repr(math.pi / 2)
-    quarter_pi: str = repr(math.pi / 4)
+    turn: float = 2 * math.pi
+    pi: float = math.pi
+    almost_pi: float = math.pi - 1e-14
+    half_pi: float = math.pi / 2
+    quarter_pi: float = math.pi / 4

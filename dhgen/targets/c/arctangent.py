@@ -39,4 +39,4 @@ class CArctangent:
 
     odd: str = field(default_factory=_coefficients)
     lines: tuple[str, ...] = field(default_factory=_polynomial)
-    tangent: str = repr(STEEP)
+    tangent: float = STEEP

@@ -22,4 +22,4 @@ class GeneralArctangent:
     odd: str = row(arctangent_coefficients())
     highest: int = len(arctangent_coefficients()) - 1
     second_highest: int = len(arctangent_coefficients()) - 2
-    tangent: str = repr(STEEP)
+    tangent: float = STEEP

@@ -35,8 +35,8 @@ class Arm:
     per_root: int
     per_double_root: int
     eliminations: int
-    size: str
-    per_size: str
+    size: float
+    per_size: float
     reach: str
     slides: tuple[int, ...]
 
@@ -52,8 +52,8 @@ def arm(kernel: GeneralKernel) -> Arm:
         per_root=per_root,
         per_double_root=2 * per_root,
         eliminations=len(kernel.eliminations),
-        size=repr(loop.size),
-        per_size=repr(1.0 / loop.size),
+        size=loop.size,
+        per_size=1.0 / loop.size,
         reach="" if isinf(farthest) else repr(farthest),
         slides=loop.slides,
     )

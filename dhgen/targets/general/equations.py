@@ -24,10 +24,10 @@ class HiddenSlide:
     """
 
     order: int
-    unit: str = repr(hidden_slide.UNIT)
-    square: str = repr(hidden_slide.UNIT**2)
-    cosine: str = repr(hidden_slide.ADVANCE[0])
-    sine: str = repr(hidden_slide.ADVANCE[1])
+    unit: float = hidden_slide.UNIT
+    square: float = hidden_slide.UNIT**2
+    cosine: float = hidden_slide.ADVANCE[0]
+    sine: float = hidden_slide.ADVANCE[1]
 
 
 @dataclass(frozen=True, slots=True)

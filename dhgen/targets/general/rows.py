@@ -39,10 +39,10 @@ class Rows:
     solved: int
     pointing: bool
     checked: bool
-    nearly_none: str
-    in_doubt: str
+    nearly_none: float
+    in_doubt: float
     pose: str
-    residual: str
+    residual: float
     starts: int
     given: tuple[GivenPlace, ...]
 
@@ -55,10 +55,10 @@ def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
         solved=chain.dof - chain.given,
         pointing=kernel.pointing,
         checked=kernel.checked,
-        nearly_none=repr(NEARLY_NONE),
-        in_doubt=repr(NEARLY_NONE_IN_DOUBT),
+        nearly_none=NEARLY_NONE,
+        in_doubt=NEARLY_NONE_IN_DOUBT,
         pose="whole" if kernel.pointing else "T",
-        residual=repr(TOLERANCES.consistent if kernel.checked else TOLERANCES.polished),
+        residual=TOLERANCES.consistent if kernel.checked else TOLERANCES.polished,
         starts=FEW_STARTS,
         given=given_places(chain),
     )

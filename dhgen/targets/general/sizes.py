@@ -51,7 +51,7 @@ class Sizes:
     half_cells: int = HALF_CELLS
     edges: int = circle.CELLS + 1
     edges_in_lanes: int = circle.CELLS + 8
-    width: str = repr(circle.WIDTH)
+    width: float = circle.WIDTH
     deepest: int = circle.DEEPEST
     open_cells: int = circle.DEEPEST + 2
     waiting: int = WAITING

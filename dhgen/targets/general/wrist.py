@@ -33,19 +33,19 @@ class Wrist:
         barely: Where the two directions of axis 4 are one.
     """
 
-    shoulder: str
-    wrist_5: str
-    upper_square: str
-    lower: str
-    lower_square: str
-    cosine: str
-    sine: str
-    flip: str
+    shoulder: float
+    wrist_5: float
+    upper_square: float
+    lower: float
+    lower_square: float
+    cosine: float
+    sine: float
+    flip: float
     bent: bool
     degree: int
     sources: str
-    nearly_right: str
-    barely: str
+    nearly_right: float
+    barely: float
 
 
 def wrist(kernel: GeneralKernel) -> Wrist | None:
@@ -58,17 +58,17 @@ def wrist(kernel: GeneralKernel) -> Wrist | None:
     centre = [K2[i][3] + arm.wrist_4 * K2[i][2] for i in range(2)]
     bent = bool(arm.sine)
     return Wrist(
-        shoulder=repr(arm.shoulder),
-        wrist_5=repr(arm.wrist_5),
-        upper_square=repr(arm.upper * arm.upper),
-        lower=repr(arm.lower),
-        lower_square=repr(arm.lower * arm.lower),
-        cosine=repr(arm.cosine),
-        sine=repr(arm.sine),
-        flip=repr(arm.flip),
+        shoulder=arm.shoulder,
+        wrist_5=arm.wrist_5,
+        upper_square=arm.upper * arm.upper,
+        lower=arm.lower,
+        lower_square=arm.lower * arm.lower,
+        cosine=arm.cosine,
+        sine=arm.sine,
+        flip=arm.flip,
         bent=bent,
         degree=8 if bent else 4,
         sources=row([K0[0][2], K0[1][2], *elbow, *centre, K3[0][2], K3[1][2]]),
-        nearly_right=repr(NEARLY_RIGHT),
-        barely=repr(BARELY),
+        nearly_right=NEARLY_RIGHT,
+        barely=BARELY,
     )

@@ -100,7 +100,7 @@ class PythonArctangent:
         polynomial: Its value, as lines.
     """
 
-    tangent: str
+    tangent: float
     polynomial: Sequence[str]
 
 
@@ -196,4 +196,4 @@ def python_arctangent(program: Program) -> PythonArctangent | None:
         return None
     highest, *others = reversed(arctangent_coefficients())
     steps = (f"p = p * u {'-' if c < 0 else '+'} {abs(c)!r}" for c in others)
-    return PythonArctangent(repr(STEEP), [f"p = {highest!r}", *steps])
+    return PythonArctangent(STEEP, [f"p = {highest!r}", *steps])

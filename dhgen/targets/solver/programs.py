@@ -66,6 +66,6 @@ class Circle:
         directions: Points on it where the polynomial is tried.
     """
 
-    turn: str = repr(2.0 * math.pi)
+    turn: float = 2.0 * math.pi
     newton_steps: int = NEWTON_STEPS
     directions: int = DIRECTIONS

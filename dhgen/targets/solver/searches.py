@@ -85,14 +85,14 @@ class Searches:
     cuts: int
     rounding: float
     met: float
-    turn_step: str = repr(2.0 * math.pi / FAN)
+    turn_step: float = 2.0 * math.pi / FAN
     half_fan: int = FAN // 2
     least_move: float = LEAST_MOVE
     most_move: float = MOST_MOVE
     halvings: int = HALVINGS
     golden: float = GOLDEN
     turns: int = TURNS
-    together: str = repr(TOGETHER)
+    together: float = TOGETHER
     steps: int = TIGHTENINGS
     close_fan: int = CLOSE_FAN
     whole_fan: int = CLOSE_FAN + FAN // 2

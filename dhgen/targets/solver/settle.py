@@ -76,13 +76,13 @@ class Settle:
     per_length: str
     miss_weights: str
     paces: str
-    together: str
-    fine: str
+    together: float
+    fine: float
     apart: float
     promised: float
     told_by_nothing: float
-    cautious: str = repr(CAUTIOUS)
-    damping: str = repr(DAMPING)
+    cautious: float = CAUTIOUS
+    damping: float = DAMPING
     rounds: int = ROUNDS
     slow: float = SLOW
     in_vain: int = IN_VAIN
@@ -91,7 +91,7 @@ class Settle:
     led_by_limit: float = LED
     next_inside: float = NEXT_INSIDE
     farthest_inside: float = FARTHEST_INSIDE
-    singular: str = repr(FLOOR)
+    singular: float = FLOOR
     steps_aside: int = 3
     aside: float = ASIDE
     alike: float = ALIKE
@@ -110,8 +110,8 @@ def settle_of(module: SolverModule) -> Settle:
         per_length=length,
         miss_weights=", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         paces=", ".join(_pace(joint, chain) for joint in chain.joints),
-        together=repr(max(TOGETHER, BEYOND_TOLD * tolerances.told)),
-        fine=repr(tolerances.fine),
+        together=max(TOGETHER, BEYOND_TOLD * tolerances.told),
+        fine=tolerances.fine,
         apart=math.sqrt(tolerances.merge),
         promised=max(tolerances.promised, tolerances.exact),
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),

@@ -48,7 +48,7 @@ class Standing:
     beyond_ends: str
     leads_inside: str
     doubts_limits: bool
-    least_whole: str = repr(LEAST_WHOLE)
+    least_whole: float = LEAST_WHOLE
 
 
 def standing_of(module: SolverModule) -> Standing:
