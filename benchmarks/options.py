@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from benchmarks.arms import CHECKOUT
 from benchmarks.report import DOCUMENT, place
+from benchmarks.results import machine
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,7 +40,8 @@ def robot_names() -> list[str]:
 
 
 def show(text: str, mark: str, *, write: bool) -> None:
-    """Prints a table, and puts it into docs/benchmarks.md if asked to."""
+    """Prints a table and whence it is, and puts both into docs/benchmarks.md if asked to."""
+    text = f"{machine()}.\n\n{text}"
     print(f"\n{text}")
     if write:
         place(DOCUMENT, mark, text)

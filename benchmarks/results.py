@@ -113,8 +113,11 @@ def target_table(results: Sequence[Result]) -> str:
     return table(("arm", "called", "target", "least", "÷ target"), rows)
 
 
+VECTORS = {"avx512f": "AVX-512", "avx2": "AVX2"}
+
+
 def machine() -> str:
-    """The processor, the compiler and Python, in a line."""
+    """The processor and its vectors, the compiler and Python, in a line."""
     processor = platform.processor() or platform.machine()
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
@@ -126,5 +129,7 @@ def machine() -> str:
     if compiler:
         done = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=False)
         version = done.stdout.splitlines()[0] if done.stdout else ""
-    parts = [names[0] if names else processor, version, f"Python {platform.python_version()}"]
+    flags = next((set(line.split()) for line in lines if line.startswith("flags")), set())
+    wide = next((word for flag, word in VECTORS.items() if flag in flags), "")
+    parts = [names[0] if names else processor, wide, version, f"Python {platform.python_version()}"]
     return ", ".join(part for part in parts if part)

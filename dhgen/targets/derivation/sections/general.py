@@ -47,7 +47,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
             say("The loop."),
         ),
         Display((loop_that_closes(kernel),)),
-        loop_letters(kernel),
+        loop_letters(kernel, chain),
     ]
     if kernel.wrist is not None:
         blocks += offset_wrist(kernel, kernel.wrist, unit)

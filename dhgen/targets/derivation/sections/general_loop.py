@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.chain import Slide, Turn
 from dhgen.targets.derivation.text.blocks import paragraph
 from dhgen.targets.derivation.text.formula import Symbol
 
 if TYPE_CHECKING:
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
     from dhgen.targets.derivation.text.blocks import Block
 
 
@@ -25,17 +27,26 @@ def loop_that_closes(kernel: GeneralKernel) -> Symbol:
     )
 
 
-def loop_letters(kernel: GeneralKernel) -> Block:
+def loop_letters(kernel: GeneralKernel, chain: Chain) -> Block:
     """What stands between the joints, before the first and behind the last."""
-    between = "constant transforms between the joints"
+    between, places = "constant transforms between the joints", [("K", 0), ("K", 4)]
     if kernel.given:
         between = "transforms between these joints, known with the values that the caller gives"
-    names = (Symbol(f"{x}_{k}", f"{x}{k}") for x, k in (("K", 0), ("K", 4), ("C", 0), ("C", 6)))
+    elif _begin_with_motions(kernel, chain):
+        between += ", {} to {} with their joints at zero"
+        places += [("A", 1), ("A", 5)]
+    places += [("C", 0), ("C", 6)]
     return paragraph(
-        "{} to {} are the " + between + ", {} is that before the first joint, and {} that behind "
-        "the last.",
-        *names,
+        "{} to {} are the " + between + ". {} is the transform before the first joint, and {} "
+        "that behind the last.",
+        *(Symbol(f"{x}_{k}", f"{x}{k}") for x, k in places),
     )
+
+
+def _begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:
+    """Whether what stands between two joints is one link's constant part."""
+    own = kernel.asked == len(chain.links) == len(kernel.numbers)
+    return own and all(isinstance(link[0], Turn | Slide) for link in chain.links)
 
 
 def _motion(kernel: GeneralKernel, place: int) -> Symbol:
