@@ -72,7 +72,7 @@ class Algebra:
         normal: The normal form of this ring.
         angles: Every sum of consecutive parallel axes, single joints included.
         slides: The names of prismatic lengths by joint number.
-        points: Names of the coordinates of points, three for each.
+        points: Names of the coordinates of points.
         index: Position of every generator by name.
     """
 
@@ -81,7 +81,7 @@ class Algebra:
     normal: NormalForm
     angles: tuple[AngleSum, ...]
     slides: dict[int, str]
-    points: tuple[str, ...]
+    points: tuple[tuple[str, str, str], ...]
     index: dict[str, int]
 
     def generator(self, name: str) -> Polynomial:
@@ -95,6 +95,11 @@ class Algebra:
         angle = AngleSum(tuple((joint, sign * each) for joint, each in ordered))
         return self.generator(angle.cosine), sign * self.generator(angle.sine)
 
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of all points' coordinates."""
+        return tuple(name for point in self.points for name in point)
+
     def is_constant(self, polynomial: Polynomial) -> bool:
         """Whether a polynomial is made of the arm's lengths and twists alone."""
         first = len(self.ring.gens) - len(self.chain.ring.gens)
@@ -103,7 +108,7 @@ class Algebra:
     def degree(self, *polynomials: Polynomial) -> int:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
         constants = [constant.name for constant in self.chain.constants if constant.is_length]
-        names = ("t14", "t24", "t34", *self.points, *self.slides.values(), *constants)
+        names = ("t14", "t24", "t34", *self.coordinates, *self.slides.values(), *constants)
         exponents = itemgetter(*(self.index[name] for name in names))
         terms = (monomial for polynomial in polynomials for monomial in polynomial)
         return max(map(sum, map(exponents, terms)), default=0)
@@ -144,8 +149,15 @@ def build_algebra(chain: Chain) -> Algebra:
     shoulder = [name for row in SHOULDER_NAMES for name in row] if chain.arm_angle else []
     # a joint whose value the caller gives may leave one more standing still
     numbers = ("", *range(2, POINTS + chain.given + 1))
-    points = tuple(f"w{number}{axis}" for number in numbers for axis in "xyz")
-    names = [*POSE_NAMES, *points, *shoulder, *trig, *slides.values(), *constants]
+    points = tuple((f"w{each}x", f"w{each}y", f"w{each}z") for each in numbers)
+    names = [
+        *POSE_NAMES,
+        *(name for point in points for name in point),
+        *shoulder,
+        *trig,
+        *slides.values(),
+        *constants,
+    ]
     ring = PolyRing(names, QQ)
     return Algebra(
         chain=chain,

@@ -108,9 +108,7 @@ class _View:
         seen = _transposed(target, offset, algebra)
         known = next((p for p in self.points if p.in_base == (x, y, z)), None)
         if known is None:
-            first = 3 * (self._taken + len(self.points))
-            a, b, c = algebra.points[first : first + 3]
-            known = BasePoint((a, b, c), (x, y, z))
+            known = BasePoint(algebra.points[self._taken + len(self.points)], (x, y, z))
             self.points.append(known)
         u, v, w = (
             algebra.generator(name) if len(entry) > 1 else entry

@@ -97,8 +97,7 @@ def _moved_right(problem: Problem, step: Transform, points: list[Point]) -> Tran
         if point.in_tool == in_tool:
             break
     else:
-        names = algebra.points[3 * len(points) : 3 * len(points) + 3]
-        point = Point((names[0], names[1], names[2]), in_tool)
+        point = Point(algebra.points[len(points)], in_tool)
         points.append(point)
     origin = tuple(
         algebra.generator(name) if len(entry) > 1 else entry

@@ -152,7 +152,7 @@ def build_witnesses(pool: Pool) -> Witnesses:
 def _loose(algebra: Algebra, source: random.Random) -> Values:
     values = np.zeros((len(algebra.ring.gens), LOOSE))
     for column in range(LOOSE):
-        named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *algebra.points)}
+        named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *algebra.coordinates)}
         named |= _lengths(algebra, source, own=True) | _joints(algebra, source)
         if algebra.chain.arm_angle:
             named |= {name: source.uniform(-1.0, 1.0) for row in SHOULDER_NAMES for name in row}

@@ -148,7 +148,7 @@ def symbols(algebra: Algebra) -> dict[str, Symbol]:
     table: dict[str, Symbol] = {}
     for name in POSE_NAMES:
         table[name] = letter("t", "t", name[1:], name)
-    for name in algebra.points:
+    for name in algebra.coordinates:
         table[name] = letter("w", "w", name[1:], name)
     for names in SHOULDER_NAMES if algebra.chain.arm_angle else ():
         table |= {name: letter("b", "b", name[-2:], name) for name in names}

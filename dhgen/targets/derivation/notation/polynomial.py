@@ -69,7 +69,7 @@ def alphabet(algebra: Algebra, letters: Mapping[str, Symbol]) -> Alphabet:
             return 0
         if place < len(POSE_NAMES):
             return 4
-        if place < len(POSE_NAMES) + len(algebra.points):
+        if place < len(POSE_NAMES) + len(algebra.coordinates):
             return 3
         return 2 if place in slides else 1
 
