@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 614f26ab80fcf741"
+_KEY = "franka_panda 44806f1063c3896c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1138,12 +1138,13 @@ def _stay(pose, q_free, seed, q, status):
         return
     if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
+    past = _beyond_limits(x)  # joints that are given
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest and _beyond_limits(q[row]) == 0.0:
+            if off < nearest and _beyond_limits(q[row]) <= past:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row

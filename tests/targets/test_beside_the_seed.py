@@ -290,3 +290,23 @@ def test_rounding_of_single_precision_turns_no_joint_away_from_the_seed(off: flo
         rows, status = in_single(name, T, seed)
         held = rows[np.isin(status, HELD)].astype(float)
         assert np.abs(held - seed).max(axis=1).min() < 0.01
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(("singular", "beside"), [(3, -0.467004), (4, np.pi / 2 - 1e-6)])
+def test_a_given_joint_beyond_its_limit_ends_no_row(
+    language: str, singular: int, beside: float
+) -> None:
+    """The seed is a solution already: it takes its own row, and not that of the one beside it."""
+    name, given = "franka_panda", 6
+    solver, source = Solver(name, language), np.random.default_rng(3)
+    for _ in range(20):
+        q = source.uniform(-2.0, 2.0, 7)
+        q[3], q[5], q[given] = -source.uniform(0.3, 2.8), source.uniform(0.2, 3.0), 2.95
+        q[singular] = beside
+        T = poses_of(name, q[None])[0]
+        rows, status = solver.all(T, q, q[[given]])
+        held = rows[np.isin(status, HELD)]
+        assert gap(held, q).min() < 1e-6
+        apart = [gap(held[:place], row).min(initial=1.0) for place, row in enumerate(held)]
+        assert min(apart) > 1e-7
