@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 92a03d3c3e14c3ac"
+_KEY = "epson_t3 a2f3fc6c8b6e9293"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -927,7 +927,6 @@ def _stay(pose, seed, q, status):
         return
     if _past_ends(x) > 1e-09 and not _lead_inside(pose, math.nan, 0.15, x):
         return
-    past = _past_ends(x)  # joints that are given
     for row in range(2 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
@@ -935,7 +934,7 @@ def _stay(pose, seed, q, status):
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
             for i in range(4):
                 half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= past:
+            if off < nearest and _past_ends(half) <= 0.0:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row

@@ -1093,7 +1093,6 @@ static void stay(
     }
     if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
         return;
-    const double past = past_ends(x); /* joints that are given */
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != KAWASAKI_RS007N_UNREACHABLE) {
@@ -1101,7 +1100,7 @@ static void stay(
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             for (int i = 0; i < 6; i++)
                 half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= past) {
+            if (off < nearest && past_ends(half) <= 0.0) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 4b43679aede420b2"
+_KEY = "stanford e2394b13d7ba1c94"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -926,13 +926,12 @@ def _stay(pose, seed, q, status):
         return
     if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
-    past = _beyond_limits(x)  # joints that are given
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest and _beyond_limits(q[row]) <= past:
+            if off < nearest and _beyond_limits(q[row]) <= 0.0:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row

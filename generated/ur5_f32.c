@@ -964,7 +964,6 @@ static void stay(
     }
     if (!settle(T, 5e-05f, 0.15f, x) || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
         return;
-    const float past = past_ends(x); /* joints that are given */
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;
         if (status[row] != UR5_F32_UNREACHABLE) {
@@ -972,7 +971,7 @@ static void stay(
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
             for (int i = 0; i < 6; i++)
                 half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= past) {
+            if (off < nearest && past_ends(half) <= 0.0f) {
                 nearest = off;
                 place = row;
                 least = -1.0f; /* its own */

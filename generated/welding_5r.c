@@ -1302,13 +1302,12 @@ static void stay(
         x[i] = seed[i] - overshoot(i, seed[i]);
     if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
-    const double past = beyond_limits(x); /* joints that are given */
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != WELDING_5R_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest && beyond_limits(q[row]) <= past) {
+            if (off < nearest && beyond_limits(q[row]) <= 0.0) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */

@@ -10,6 +10,7 @@ from dhgen.targets.derivation.known_functions import TAKEN
 from dhgen.targets.derivation.notation.names import cosine, sine, single
 from dhgen.targets.derivation.steps import step_blocks
 from dhgen.targets.derivation.text.blocks import Paragraph
+from tests.derivation.made import made_of
 from tests.derivation.stories import NAMES, story
 from tests.derivation.test_wording import text_of
 
@@ -48,3 +49,20 @@ def test_sines_and_cosines_that_are_used_are_defined_behind_the_angle() -> None:
     angles = {1: single(1), 2: single(3), 3: single(2), 4: single(4)}
     expected = {number: [(sine(angle), cosine(angle))] for number, angle in angles.items()}
     assert told == {**expected, 5: [], 6: []}
+
+
+def test_an_angle_that_follows_by_a_joint_that_is_given_is_told_before_it_is_used() -> None:
+    rows = (
+        "theta: q, d: 2, alpha: pi/2",
+        "theta: q, a: 3",
+        "theta: q, a: 4",
+        "theta: q, alpha: pi/2",
+        "theta: q, d: 1, alpha: pi/2",
+        "theta: pi/2, d: q, alpha: pi/2",
+        "theta: pi/2, d: q",
+    )
+    text = made_of(*rows, free="[3]")
+    assert re.search(r"With \$\\theta_\{?\d+\}?\$, \$\\theta_\d = .*\$ is known, too\.", text)
+    assert r"With $\theta_5$, $\theta_4 = \theta_{45} - \theta_5$ is known" in text_of(
+        "olson_pprrrr"
+    )

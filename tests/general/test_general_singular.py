@@ -139,7 +139,7 @@ def test_solutions_that_meet_are_found_without_a_seed(name: str, tmp_path: Path)
     assert not missed
 
 
-# A laser arm that points with a tilted tool: at right angles four roots meet.
+# A laser arm that points with a tilted tool: at right angles four roots of its quartic meet.
 LASER = """
 name: arm
 task: pointing
@@ -164,7 +164,7 @@ joints:
   - {theta: q, d: -0.1, alpha: pi}
 tool: {xyz: [0.03, 0, 0.35], rpy: [0, 35 deg, 0]}
 """
-# Another arm that points: four roots meet, and the first look has to see that there may be some.
+# Another arm that points: four roots of its quartic meet.
 POINTING = """
 name: arm
 task: pointing
@@ -214,8 +214,7 @@ joints:
   - {theta: q, d: 0.15}
 tool: {xyz: [0.05, 0, 0.2], rpy: [0, 30 deg, 0]}
 """
-# A welding arm that points. Where its polynomials vanish identically poses close by have as many
-# solutions as it has beside a continuum.
+# A welding arm that points. Where its quartic has no coefficients it has a continuum.
 WELDING = """
 name: arm
 task: pointing

@@ -93,13 +93,14 @@ def test_five_joints_that_point_about_parallel_axes(tmp_path: Path, first: int) 
     chain = build_chain(robot)
     derivation = derive(chain)
     assert derivation.method is Method.QUARTIC
+    assert derivation.branches <= (8 if first == 2 else 16)  # some contradict an equation
     arm = numeric_arm(chain)
     poses = arm.pose(np.random.default_rng(first).uniform(-2.8, 2.8, (POSES, 5)))
     rows_of = interpret(lower(derivation), poses)
     for number, pose in enumerate(poses):
         found = rows_of.q[number][rows_of.solved[number]]
         expected = all_solutions(robot, pose)
-        assert len(found) == len(expected)
+        assert len(found) == len(expected) <= 8
         reached = arm.pose(found)[:, :3, 2:]
         np.testing.assert_allclose(
             reached, np.broadcast_to(pose[:3, 2:], reached.shape), atol=1e-11

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 ALL = sorted(str(path.relative_to(TEMPLATES)) for path in TEMPLATES.rglob("*.jinja"))
-SHORT = tuple(name for name in ALL if "solver" in name)
+SHORT = tuple(name for name in ALL if "solver" in name or name.endswith("rows/rows.py.jinja"))
 # between them all that templates choose from: regular poses, the arm angle, roots that nearly meet,
 # the general algorithm with a determinant and in closed form, families of solutions
 ARMS = (

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Prose
     from dhgen.targets.derivation.text.formula import Formula
 
+NEVER = say("none with the numbers of this arm")
 LONGEST = 9  # terms of a condition in joint angles
 WIDEST = 130  # visible characters of one
 SAME = 1e-9  # how near two values on the witnesses are when they are equal
@@ -88,7 +89,7 @@ def vanishing(context: StepContext, *forms: Polynomial) -> Formula | Prose | Non
             single_joints = without_lengths(algebra, expanded(algebra, joints))
             found.append(min(without_lengths(algebra, joints), single_joints, key=len))
     if any(map(algebra.is_constant, found)) or are_never_zero(algebra, *found):
-        return say("none with the numbers of this arm")
+        return NEVER
     condition = equal(*dict.fromkeys(unsigned(story, form) for form in found), ZERO)
     return condition if found and width(condition) <= WIDEST else None
 

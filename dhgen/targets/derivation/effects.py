@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Prose
 
 
-OTHERS_DECIDE = "the others decide which values work (all, a few or none); the row has one"
-THE_REST = ", and where a few work, rows that are left have the rest"
+OTHERS_DECIDE = "the others decide which values work: all, a few, of which the row has one, or none"
+THE_REST = "; rows that are left have the rest of a few"
 
 
 def others_decide(context: StepContext) -> str:

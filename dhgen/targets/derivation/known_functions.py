@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import used_places
 from dhgen.targets.derivation.notation.names import cosine, sine, theta
-from dhgen.targets.derivation.sections.joints import as_sum
+from dhgen.targets.derivation.sections.joints import as_sum, solved_sums
 from dhgen.targets.derivation.text.blocks import Display, paragraph
 from dhgen.targets.derivation.text.formula import Call, Relation
 
@@ -41,7 +41,7 @@ def implied(context: StepContext) -> list[Block]:
     """Joints' angles that follow from a step's by addition, where later steps need them."""
     story = context.story
     before, now = story.knowledge[context.number - 1 : context.number + 1]
-    solved = [u for step in story.steps[: context.number] for u in step.unknowns]
+    solved = solved_sums(story, context.number)
     later = set().union(*(places_of(step) for step in story.steps[context.number :]))
     blocks: list[Block] = []
     for angle in story.algebra.angles:
@@ -49,8 +49,10 @@ def implied(context: StepContext) -> list[Block]:
         if len(angle.terms) > 1 or angle in solved or not places & later:
             continue
         if now.knows(angle) and not before.knows(angle):
-            sums = [each for each in solved if isinstance(each, AngleSum)]
-            blocks.append(paragraph("With it {} is known, too.", as_sum(story, angle, sums)))
+            found = theta(context.step.angle)
+            blocks.append(
+                paragraph("With {}, {} is known, too.", found, as_sum(story, angle, solved))
+            )
     return blocks
 
 

@@ -13,7 +13,7 @@ from dhgen.tolerances import TOLERANCES
 
 @dataclass(frozen=True, slots=True)
 class Tolerances:
-    """Every tolerance as text; what they mean stands where they come from."""
+    """Every tolerance; what they mean stands where they come from."""
 
     tiny: float = TINY
     huge: float = 1.0 / TINY

@@ -1,1 +1,1 @@
-"""What the templates of the numerical solver are filled in with: finished strings."""
+"""What the templates of the numerical solver are filled in with: strings and numbers."""

@@ -1,1 +1,1 @@
-"""What the templates of a solver name in every language: frozen groups of finished strings."""
+"""What the templates of a solver name in every language: frozen groups of strings and numbers."""

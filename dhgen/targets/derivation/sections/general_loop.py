@@ -29,18 +29,25 @@ def loop_that_closes(kernel: GeneralKernel) -> Symbol:
 
 def loop_letters(kernel: GeneralKernel, chain: Chain) -> Block:
     """What stands between the joints, before the first and behind the last."""
-    between, places = "constant transforms between the joints", [("K", 0), ("K", 4)]
-    if kernel.given:
-        between = "transforms between these joints, known with the values that the caller gives"
-    elif _begin_with_motions(kernel, chain):
-        between += ", {} to {} with their joints at zero"
-        places += [("A", 1), ("A", 5)]
-    places += [("C", 0), ("C", 6)]
-    return paragraph(
-        "{} to {} are the " + between + ". {} is the transform before the first joint, and {} "
-        "that behind the last.",
-        *(Symbol(f"{x}_{k}", f"{x}{k}") for x, k in places),
+    k_0, k_4, c_0, c_6, a_1, a_5 = (
+        Symbol(f"{x}_{k}", f"{x}{k}")
+        for x, k in (("K", 0), ("K", 4), ("C", 0), ("C", 6), ("A", 1), ("A", 5))
     )
+    if kernel.given:
+        return paragraph(
+            "{} to {} are the transforms between these joints, {} is that before the first of "
+            "them, and {} that behind the last, known with the values that the caller gives.",
+            *(k_0, k_4, c_0, c_6),
+        )
+    between, parts = "{} to {} are the constant transforms between the joints", [k_0, k_4]
+    if _begin_with_motions(kernel, chain):
+        between += ", {} to {} with {}"
+        parts += [a_1, a_5, Symbol(r"\theta_i = 0", "θᵢ = 0")]
+        if kernel.loop.slides:
+            between += " or {}"
+            parts.append(Symbol("r_i = 0", "rᵢ = 0"))
+    ends = ". {} is the transform before the first joint, and {} that behind the last."
+    return paragraph(between + ends, *parts, c_0, c_6)
 
 
 def _begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:

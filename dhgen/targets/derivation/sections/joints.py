@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.program.ir import Failure, Guard
 from dhgen.robot.expression import ZERO as NOTHING
 from dhgen.robot.robot import JointKind
 from dhgen.targets.derivation.notation.expressions import expression_symbol
@@ -22,6 +23,13 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Block, Prose
 
 
+COMPARED = (
+    "No step uses all equations, and some combinations of these values contradict the others. Each "
+    "row is put into the forward model; where an entry differs from the given one, the row stays "
+    "empty."
+)
+
+
 def joint_values(story: Story) -> list[Block]:
     """What comes after the steps."""
     lines = [*_sums(story), *_variables(story)]
@@ -31,6 +39,8 @@ def joint_values(story: Story) -> list[Block]:
         blocks.append(display(*lines))
     if story.derivation.problem.overdetermined:
         blocks.append(_check(story))
+    elif is_compared(story.program):
+        blocks.append(paragraph(COMPARED))
     if story.program.tightened is not None:
         blocks.append(_tightening(story.program))
     return blocks
@@ -47,14 +57,20 @@ def _text(story: Story) -> Prose:
 
 def _sums(story: Story) -> list[Formula]:
     """theta_4 = theta_234 - theta_3 - theta_2, for joints that no step gives by themselves."""
-    solved = [u for step in story.steps for u in step.unknowns if isinstance(u, AngleSum)]
-    solved += [single(joint) for joint in story.algebra.chain.free if joint in _turning(story)]
+    solved = solved_sums(story, len(story.steps))
     lines: list[Formula] = []
     for joint in _turning(story):
         if single(joint) in solved:
             continue
         lines.append(as_sum(story, single(joint), solved))
     return lines
+
+
+def solved_sums(story: Story, count: int) -> list[AngleSum]:
+    """What so many steps have solved for, and the angles that the caller gives."""
+    steps = story.steps[:count]
+    solved = [each for step in steps for each in step.unknowns if isinstance(each, AngleSum)]
+    return solved + [single(each) for each in story.algebra.chain.free if each in _turning(story)]
 
 
 def as_sum(story: Story, angle: AngleSum, solved: list[AngleSum]) -> Formula:
@@ -132,6 +148,12 @@ def _check(story: Story) -> Block:
         "every pose. Each solution is put into the forward model; where an entry differs from the "
         "given one, the arm cannot take the pose and the row stays empty."
     )
+
+
+def is_compared(program: Program) -> bool:
+    """Whether rows have to reproduce the pose."""
+    guards = (each for each in program.body if isinstance(each, Guard))
+    return any(each.failure is Failure.INCONSISTENT for each in guards)
 
 
 def _tightening(program: Program) -> Block:

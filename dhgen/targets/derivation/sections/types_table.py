@@ -54,7 +54,7 @@ _FORMS = {
 }
 
 CAPITALS = frozenset("KPQRVWXYZ")  # those of matrices and of signed roots are others
-FRAME_APART = "; the base frame of the same letter is a matrix"
+FRAME_APART = "; the base frame, {} too, is a matrix"
 _BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
@@ -77,15 +77,16 @@ def types_table(story: Story) -> list[Block]:
     if turned:
         text += f" An angle of type {' or '.join(turned)} may be one that is counted backwards."
     own = sorted({each.text[0] for each in symbols_of(_steps(story))} & CAPITALS)
+    chain = story.algebra.chain
+    frame = "Z" in own and chain.base != identity(chain.ring)
     if own:
-        chain = story.algebra.chain
-        frame = "Z" in own and chain.base != identity(chain.ring)
         text += f" Each step defines {{}} anew{FRAME_APART if frame else ''}."
     if any(has_number_in_002(story, number) for number in range(1, len(story.steps) + 1)):
         text += " Document 002 counts four types in its own way; its number stands in parentheses."
     letters = *slides, Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
     capitals = [joined([say("{}", Symbol(each, each)) for each in own])] if own else []
-    return [paragraph(text, *letters, *capitals), Table(header, rows)]
+    apart = [Symbol("Z", "Z")] if frame else []
+    return [paragraph(text, *letters, *capitals, *apart), Table(header, rows)]
 
 
 def _steps(story: Story) -> list[Block]:

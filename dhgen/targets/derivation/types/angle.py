@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
-from dhgen.targets.derivation.conditions import condition_in_joints, other_combination
+from dhgen.targets.derivation.conditions import NEVER, condition_in_joints, other_combination
 from dhgen.targets.derivation.effects import merged_effect
 from dhgen.targets.derivation.joint_space import meaning_of_root
 from dhgen.targets.derivation.never_zero import are_never_zero
@@ -185,11 +185,13 @@ def _general(context: StepContext) -> StepText:
         return cancelled(context, blocks, remembered)
     free = free_with_right_side(context)
     meaning = meaning_of_root(context)
+    if free is not None and free.joints != NEVER:
+        meaning = say("{}, unless {}", meaning, free.condition)
     met = Singularity(
         context.number,
         equal(remembered.letter, ZERO),
         condition_in_joints(context, other_combination(context)),
-        meaning if free is None else say("{}, unless {}", meaning, free.condition),
+        meaning,
         merged_effect(context),
     )
     text = "No solution when {}. The two solutions meet when {}: {}. Then {}."

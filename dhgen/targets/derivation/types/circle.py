@@ -47,14 +47,18 @@ def print_circle(context: StepContext) -> StepText:
     rows = [equal(add(times(p, c), times(q, s), r), ZERO) for p, q, r in letters]
     half = letter("x", "x")
     tangent = equal(half, Call("tan", (over(theta(kept), number(2)),)))
-    names = (cosine(kept), sine(kept), tangent, half, theta(kept), theta(gone))
+    names: list[Formula] = [cosine(kept), sine(kept), tangent, half, theta(kept)]
+    follows = ""
+    if _follows(context, gone):
+        names.append(theta(gone))
+        follows = "; {} follows for each of them"
     blocks: list[Block] = [
         paragraph("These are {} and {}, with {} as the only unknown in", *rows, theta(kept)),
         display(*(_definition(context, f"{x}{n}") for n in "12" for x in "PQR")),
         *_elimination(context, c, s, gone),
         paragraph(
             "This is of degree 2 in {} and {}. With {} it is an equation of degree 4 in {}, and "
-            "its real roots, at most four, give {}; {} follows for each of them. Where the "
+            f"its real roots, at most four, give {{}}{follows}. Where the "
             "coefficient of {} vanishes, half a turn is a value of {} too. The solutions are "
             "ordered by {}, from {} to {}.",
             *names,
@@ -102,6 +106,12 @@ def _eliminated(context: StepContext) -> AngleSum:
     unknowns = context.step.forms[0].unknowns
     angles = [u for u in unknowns if isinstance(u, AngleSum) and u != context.angle]
     return angles[0]
+
+
+def _follows(context: StepContext, gone: AngleSum) -> bool:
+    """Whether a root leaves one value of the other angle."""
+    later = context.story.steps[context.number :]
+    return all(step.roots == 1 for step in later if gone in step.unknowns)
 
 
 def _definition(context: StepContext, name: str) -> Formula:
