@@ -277,7 +277,7 @@ static const double
 static const double m4 = 0.7142857142857144, m5 = 0.09285714285714279, m6 = 0.8333333333333335,
 m7 = 0.10833333333333327;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

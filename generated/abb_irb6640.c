@@ -286,7 +286,7 @@ static const double
 static const double m4 = 0.46511627906976744, m5 = 0.38234372093023233, m6 = 0.050564706643797946,
 m7 = 0.35193035824083363, m8 = 0.2893004797579363, m9 = 0.04156616088476098;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -955,7 +955,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

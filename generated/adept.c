@@ -274,7 +274,7 @@ static const double
 /* coefficients */
 static const double m1 = 330000.0, m2 = 600.0;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T22 = T[5], T23 = T[6], T24 = T[7]; \

@@ -233,7 +233,7 @@ static const double
 /* coefficients */
 static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \

@@ -217,7 +217,7 @@ HELPER void transpose(wide x[LANES])
     ((where_all((x) != (x)) & CARTESIAN_UNREACHABLE) \
         | (where_all(((x) == (x)) & (outside)) & CARTESIAN_OUT_OF_LIMITS))
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \

@@ -266,9 +266,9 @@ static const double
     d6 = 0.135, /* joint offset 6 [m] */
     free_limit_squared2 = 7.540515999999996e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 8.683614454822367e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 2.7459999999999996, /* the arm's size [m] */
     longest3 = 1.824785920858549, /* square of the longest reach [m^2] */
     shortest3 = 0.00241607914145111, /* square of the shortest reach [m^2] */
+    boundary3 = 1.352331582498372e-12, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 1.8247859208584747, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0024160791414538094, /* the shortest, where branches merge [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
@@ -280,11 +280,11 @@ static const double
     k1 = 0.0, /* d2 - d3 [m] */
     k2 = 7.540515999999998e-26, /* reach_slack1 * (d2 - d3 + reach_slack1) [m^2] */
     k3 = 7.540515999999996e-28, /* merge_slack1 * (d2 - d3 + merge_slack1) [m^2] */
-    k4 = 0.8735999999999999, /* 2 * d4 * a2 [m^2] */
-    k5 = 0.259, /* 2 * a3 * a2 [m^2] */
-    k6 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k7 = 3.713502525540529e-12, /* arm_size1 * boundary3 [m^5] */
-    k8 = 1.204444941425193, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k4 = 0.36416605972323385, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.8735999999999999, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.259, /* 2 * a3 * a2 [m^2] */
+    k7 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
+    k8 = 1.204444941425193, /* 1 / (k5^2 + k6^2) [m^-4] */
     doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = -1.2825771957649381, /* a constant angle [rad] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
@@ -292,7 +292,7 @@ static const double
 static const double m1 = 0.7142857142857144, m2 = 0.047427857142857084, m3 = 0.21836586788038748,
 m4 = 0.7365421705803339, m5 = 0.04890566358436353, m6 = 0.01449927526138983;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -435,110 +435,110 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = d1 + (d6 * T33 - T34), Z2_3_p = w1 - a1, v3 = a1 + w1, v4 = Z1_3 * Z1_3,
         N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3,
         D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), v5 = k4 * w1, w3_p = sqrt_wide(D3_p),
         w3_m = sqrt_wide(D3_m);
 
     /* theta2 */
-    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m, v5 = Z1_3 * X1_2_p,
-        v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m, v9 = m1 * Z1_3,
+    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m, v6 = Z1_3 * X1_2_p,
+        v7 = Z1_3 * X1_2_m, v8 = Z2_3_p * X1_2_p, v9 = v3 * X1_2_m, v10 = m1 * Z1_3,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v10 = m3 * Z1_3, v11 = v10 - m4 * Z2_3_p, v12 = m4 - m5 * factor2_p,
-        v13 = m4 - m5 * factor2_m, v14 = m3 - m6 * factor2_p, v15 = m3 - m6 * factor2_m,
-        v16 = Z1_3 * v12 + Z2_3_p * v14, v17 = Z1_3 * v13 - v3 * v15,
-        c2m3_pp = v16 + w3_p * (factor2_p * v11), c2m3_pm = v16 + w3_p * (factor2_p * -v11),
-        v18 = w3_m * (factor2_m * (v10 + m4 * v3)), c2m3_mp = v17 + v18, c2m3_mm = v17 - v18,
-        v19 = m4 * Z1_3, v20 = v19 - m3 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12,
-        v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p)),
-        s2m3_pp = v21 - v23, s2m3_pm = v21 + v23, s2m3_mp = v22 - w3_m * (factor2_m * v20),
-        s2m3_mm = v22 - w3_m * (factor2_m * -v20), v24 = T13 * c1_p - T23 * s1_p,
-        v25 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v24,
-        X4_pm = T33 * s2m3_pm - c2m3_pm * v24, X4_mp = T33 * s2m3_mp - c2m3_mp * v25,
-        X4_mm = T33 * s2m3_mm - c2m3_mm * v25, Y4_p = T23 * c1_p + T13 * s1_p,
-        Y4_m = T23 * c1_m + T13 * s1_m, v26 = Y4_p * Y4_p, v27 = Y4_m * Y4_m,
-        v28 = v26 + X4_pp * X4_pp, v29 = v26 + X4_pm * X4_pm, v30 = v27 + X4_mp * X4_mp,
-        v31 = v27 + X4_mm * X4_mm;
+    const wide v11 = m3 * Z1_3, v12 = v11 - m4 * Z2_3_p, v13 = m4 - m5 * factor2_p,
+        v14 = m4 - m5 * factor2_m, v15 = m3 - m6 * factor2_p, v16 = m3 - m6 * factor2_m,
+        v17 = Z1_3 * v13 + Z2_3_p * v15, v18 = Z1_3 * v14 - v3 * v16,
+        c2m3_pp = v17 + w3_p * (factor2_p * v12), c2m3_pm = v17 + w3_p * (factor2_p * -v12),
+        v19 = w3_m * (factor2_m * (v11 + m4 * v3)), c2m3_mp = v18 + v19, c2m3_mm = v18 - v19,
+        v20 = m4 * Z1_3, v21 = v20 - m3 * v3, v22 = Z1_3 * v15 + Z2_3_p * -v13,
+        v23 = Z1_3 * v16 - v3 * -v14, v24 = w3_p * (factor2_p * (v20 + m3 * Z2_3_p)),
+        s2m3_pp = v22 - v24, s2m3_pm = v22 + v24, s2m3_mp = v23 - w3_m * (factor2_m * v21),
+        s2m3_mm = v23 - w3_m * (factor2_m * -v21), v25 = T13 * c1_p - T23 * s1_p,
+        v26 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v25,
+        X4_pm = T33 * s2m3_pm - c2m3_pm * v25, X4_mp = T33 * s2m3_mp - c2m3_mp * v26,
+        X4_mm = T33 * s2m3_mm - c2m3_mm * v26, Y4_p = T23 * c1_p + T13 * s1_p,
+        Y4_m = T23 * c1_m + T13 * s1_m, v27 = Y4_p * Y4_p, v28 = Y4_m * Y4_m,
+        v29 = v27 + X4_pp * X4_pp, v30 = v27 + X4_pm * X4_pm, v31 = v28 + X4_mp * X4_mp,
+        v32 = v28 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v32 = c1_p * T22 + s1_p * T12, v33 = c1_m * T22 + s1_m * T12,
-        v34 = c1_p * T12 - s1_p * T22, v35 = c1_m * T12 - s1_m * T22, v36 = c1_p * T21 + s1_p * T11,
-        v37 = c1_m * T21 + s1_m * T11, v38 = c1_p * T11 - s1_p * T21, v39 = c1_m * T11 - s1_m * T21,
-        s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp,
-        s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm,
-        s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp,
-        s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm;
+    const wide v33 = c1_p * T22 + s1_p * T12, v34 = c1_m * T22 + s1_m * T12,
+        v35 = c1_p * T12 - s1_p * T22, v36 = c1_m * T12 - s1_m * T22, v37 = c1_p * T21 + s1_p * T11,
+        v38 = c1_m * T21 + s1_m * T11, v39 = c1_p * T11 - s1_p * T21, v40 = c1_m * T11 - s1_m * T21,
+        s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp,
+        s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm,
+        s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp,
+        s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm;
 
     /* joint values */
-    const wide v40 = w3_p * v9, angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40),
-        v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40),
-        v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9,
-        angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
-        angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2, q2_ppp = lowered_wide(v41),
-        q2_pmp = lowered_wide(v42), q2_mpp = lowered_wide(v45), q2_mmp = lowered_wide(v46),
-        angle7 = atan2_wide(w3_p, N3_p - k6), angle8 = atan2_wide(w3_m, N3_m - k6),
-        v47 = angle7 - turn1 - offset3, v48 = offset3 + (turn1 + angle7),
-        v49 = angle8 - turn1 - offset3, v50 = offset3 + (turn1 + angle8), q3_ppp = raised_wide(v47),
-        q3_pmp = only_wide(-v48 <= -half_turn, turn) - v48, q3_mpp = raised_wide(v49),
-        q3_mmp = only_wide(-v50 <= -half_turn, turn) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
+    const wide v41 = w3_p * v10, angle3 = atan2_wide(v6 + w3_p * (m1 * Z2_3_p), v8 - v41),
+        v42 = angle3 - offset2, angle4 = atan2_wide(v6 + w3_p * (m1 * -Z2_3_p), v8 + v41),
+        v43 = angle4 - offset2, v44 = w3_m * (m1 * v3), v45 = w3_m * v10,
+        angle5 = atan2_wide(v7 - v44, -(v9 + v45)), v46 = angle5 - offset2,
+        angle6 = atan2_wide(v7 + v44, v45 - v9), v47 = angle6 - offset2, q2_ppp = lowered_wide(v42),
+        q2_pmp = lowered_wide(v43), q2_mpp = lowered_wide(v46), q2_mmp = lowered_wide(v47),
+        angle7 = atan2_wide(w3_p, N3_p - k7), angle8 = atan2_wide(w3_m, N3_m - k7),
+        v48 = angle7 - turn1 - offset3, v49 = offset3 + (turn1 + angle7),
+        v50 = angle8 - turn1 - offset3, v51 = offset3 + (turn1 + angle8), q3_ppp = raised_wide(v48),
+        q3_pmp = only_wide(-v49 <= -half_turn, turn) - v49, q3_mpp = raised_wide(v50),
+        q3_mmp = only_wide(-v51 <= -half_turn, turn) - v51, angle9 = atan2_wide(Y4_p, -X4_pp),
         angle10 = atan2_wide(Y4_p, -X4_pm), angle11 = atan2_wide(Y4_m, -X4_mp),
-        angle12 = atan2_wide(Y4_m, -X4_mm), v51 = signed_wide(half_turn, Y4_p),
-        v52 = signed_wide(half_turn, Y4_m), v53 = angle9 - offset4, v54 = angle9 - v51 - offset4,
-        v55 = angle10 - offset4, v56 = angle10 - v51 - offset4, v57 = angle11 - offset4,
-        v58 = angle11 - v52 - offset4, v59 = angle12 - offset4, v60 = angle12 - v52 - offset4,
-        angle13 = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24),
-        angle14 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24),
-        angle15 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25),
-        angle16 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25),
-        v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5,
-        v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15,
-        v67 = angle16 - offset5, v68 = offset5 + angle16, q5_ppp = raised_wide(v61),
-        q5_ppm = only_wide(-v62 <= -half_turn, turn) - v62, q5_pmp = raised_wide(v63),
-        q5_pmm = only_wide(-v64 <= -half_turn, turn) - v64, q5_mpp = raised_wide(v65),
-        q5_mpm = only_wide(-v66 <= -half_turn, turn) - v66, q5_mmp = raised_wide(v67),
-        q5_mmm = only_wide(-v68 <= -half_turn, turn) - v68,
-        angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)),
-        angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)),
-        angle19 = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)),
-        angle20 = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)),
-        v69 = angle17 - offset6, v70 = angle17 - signed_wide(half_turn, s6_pp) - offset6,
-        v71 = angle18 - offset6, v72 = angle18 - signed_wide(half_turn, s6_pm) - offset6,
-        v73 = angle19 - offset6, v74 = angle19 - signed_wide(half_turn, s6_mp) - offset6,
-        v75 = angle20 - offset6, v76 = angle20 - signed_wide(half_turn, s6_mm) - offset6;
-    const wide_mask v77 = exceeds(angle1, 1), v78 = exceeds(angle2, 1);
+        angle12 = atan2_wide(Y4_m, -X4_mm), v52 = signed_wide(half_turn, Y4_p),
+        v53 = signed_wide(half_turn, Y4_m), v54 = angle9 - offset4, v55 = angle9 - v52 - offset4,
+        v56 = angle10 - offset4, v57 = angle10 - v52 - offset4, v58 = angle11 - offset4,
+        v59 = angle11 - v53 - offset4, v60 = angle12 - offset4, v61 = angle12 - v53 - offset4,
+        angle13 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pp + s2m3_pp * v25),
+        angle14 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_pm + s2m3_pm * v25),
+        angle15 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mp + s2m3_mp * v26),
+        angle16 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_mm + s2m3_mm * v26),
+        v62 = angle13 - offset5, v63 = offset5 + angle13, v64 = angle14 - offset5,
+        v65 = offset5 + angle14, v66 = angle15 - offset5, v67 = offset5 + angle15,
+        v68 = angle16 - offset5, v69 = offset5 + angle16, q5_ppp = raised_wide(v62),
+        q5_ppm = only_wide(-v63 <= -half_turn, turn) - v63, q5_pmp = raised_wide(v64),
+        q5_pmm = only_wide(-v65 <= -half_turn, turn) - v65, q5_mpp = raised_wide(v66),
+        q5_mpm = only_wide(-v67 <= -half_turn, turn) - v67, q5_mmp = raised_wide(v68),
+        q5_mmm = only_wide(-v69 <= -half_turn, turn) - v69,
+        angle17 = atan2_wide(s6_pp, v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)),
+        angle18 = atan2_wide(s6_pm, v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)),
+        angle19 = atan2_wide(s6_mp, v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)),
+        angle20 = atan2_wide(s6_mm, v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)),
+        v70 = angle17 - offset6, v71 = angle17 - signed_wide(half_turn, s6_pp) - offset6,
+        v72 = angle18 - offset6, v73 = angle18 - signed_wide(half_turn, s6_pm) - offset6,
+        v74 = angle19 - offset6, v75 = angle19 - signed_wide(half_turn, s6_mp) - offset6,
+        v76 = angle20 - offset6, v77 = angle20 - signed_wide(half_turn, s6_mm) - offset6;
+    const wide_mask v78 = exceeds(angle1, 1), v79 = exceeds(angle2, 1);
     const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = angle2 + (w3_m - w3_m);
-    const wide_mask v79 = beyond(q3_ppp, 3) | v77 | beyond(q2_ppp, 2),
-        v80 = beyond(q3_pmp, 3) | v77 | beyond(q2_pmp, 2),
-        v81 = beyond(q3_mpp, 3) | v78 | beyond(q2_mpp, 2),
-        v82 = beyond(q3_mmp, 3) | v78 | beyond(q2_mmp, 2),
-        doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <=
-            m7) | (v29 <= m7) | (v28 <= m7) | (abs_wide(w1 * D3_p) <= k7) | (abs_wide(w1 * D3_m) <=
-            k7);
+    const wide_mask v80 = beyond(q3_ppp, 3) | v78 | beyond(q2_ppp, 2),
+        v81 = beyond(q3_pmp, 3) | v78 | beyond(q2_pmp, 2),
+        v82 = beyond(q3_mpp, 3) | v79 | beyond(q2_mpp, 2),
+        v83 = beyond(q3_mmp, 3) | v79 | beyond(q2_mmp, 2),
+        doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v32 <= m7) | (v31 <=
+            m7) | (v30 <= m7) | (v29 <= m7) | (abs_wide(D3_p * v5) <= boundary3) | (abs_wide(D3_m *
+            v5) <= boundary3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v53); q[4] = q5_ppp;
-    q[5] = raised_wide(v69);
-    kind[0] = kind_of(q[0], v79 | exceeds(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v54); q[10] = q5_ppm;
-    q[11] = raised_wide(v70);
-    kind[1] = kind_of(q[6], v79 | exceeds(q5_ppm, 5));
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v55); q[16] = q5_pmp;
-    q[17] = raised_wide(v71);
-    kind[2] = kind_of(q[12], v80 | exceeds(q5_pmp, 5));
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v56); q[22] = q5_pmm;
-    q[23] = raised_wide(v72);
-    kind[3] = kind_of(q[18], v80 | exceeds(q5_pmm, 5));
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v57); q[28] = q5_mpp;
-    q[29] = raised_wide(v73);
-    kind[4] = kind_of(q[24], v81 | exceeds(q5_mpp, 5));
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v58); q[34] = q5_mpm;
-    q[35] = raised_wide(v74);
-    kind[5] = kind_of(q[30], v81 | exceeds(q5_mpm, 5));
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v59); q[40] = q5_mmp;
-    q[41] = raised_wide(v75);
-    kind[6] = kind_of(q[36], v82 | exceeds(q5_mmp, 5));
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v60); q[46] = q5_mmm;
-    q[47] = raised_wide(v76);
-    kind[7] = kind_of(q[42], v82 | exceeds(q5_mmm, 5));
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v54); q[4] = q5_ppp;
+    q[5] = raised_wide(v70);
+    kind[0] = kind_of(q[0], v80 | exceeds(q5_ppp, 5));
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v55); q[10] = q5_ppm;
+    q[11] = raised_wide(v71);
+    kind[1] = kind_of(q[6], v80 | exceeds(q5_ppm, 5));
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v56); q[16] = q5_pmp;
+    q[17] = raised_wide(v72);
+    kind[2] = kind_of(q[12], v81 | exceeds(q5_pmp, 5));
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v57); q[22] = q5_pmm;
+    q[23] = raised_wide(v73);
+    kind[3] = kind_of(q[18], v81 | exceeds(q5_pmm, 5));
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v58); q[28] = q5_mpp;
+    q[29] = raised_wide(v74);
+    kind[4] = kind_of(q[24], v82 | exceeds(q5_mpp, 5));
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v59); q[34] = q5_mpm;
+    q[35] = raised_wide(v75);
+    kind[5] = kind_of(q[30], v82 | exceeds(q5_mpm, 5));
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v60); q[40] = q5_mmp;
+    q[41] = raised_wide(v76);
+    kind[6] = kind_of(q[36], v83 | exceeds(q5_mmp, 5));
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v61); q[46] = q5_mmm;
+    q[47] = raised_wide(v77);
+    kind[7] = kind_of(q[42], v83 | exceeds(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -564,53 +564,55 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const four Z2_3 = e1 * w1 - a1;
     const double v3 = Z1_3 * Z1_3;
-    const four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(w1 * D3) <= k7;
+    const four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3);
+    const double v4 = k4 * w1;
+    const four w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3 * v4) <= boundary3;
 
     /* theta2 */
-    const four X1_2 = m2 + m1 * N3, v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m1 * (e2 * Z1_3),
+    const four X1_2 = m2 + m1 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m1 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v7 = m3 * Z1_3;
-    const four v8 = v7 - m4 * Z2_3, v9 = m4 - m5 * factor2, v10 = m3 - m6 * factor2,
-        v11 = Z1_3 * v9 + Z2_3 * v10, c2m3 = v11 + w3 * (factor2 * (e2 * v8));
-    const double v12 = m4 * Z1_3;
-    const four v13 = v12 + m3 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9,
-        s2m3 = v14 - w3 * (factor2 * (e2 * v13)), v15 = T13 * c1 - T23 * s1,
-        X4 = T33 * s2m3 - c2m3 * v15, Y4 = T23 * c1 + T13 * s1, v16 = Y4 * Y4, v17 = v16 + X4 * X4;
-    const four_mask doubt3 = v17 <= m7;
+    const double v8 = m3 * Z1_3;
+    const four v9 = v8 - m4 * Z2_3, v10 = m4 - m5 * factor2, v11 = m3 - m6 * factor2,
+        v12 = Z1_3 * v10 + Z2_3 * v11, c2m3 = v12 + w3 * (factor2 * (e2 * v9));
+    const double v13 = m4 * Z1_3;
+    const four v14 = v13 + m3 * Z2_3, v15 = Z1_3 * v11 + Z2_3 * -v10,
+        s2m3 = v15 - w3 * (factor2 * (e2 * v14)), v16 = T13 * c1 - T23 * s1,
+        X4 = T33 * s2m3 - c2m3 * v16, Y4 = T23 * c1 + T13 * s1, v17 = Y4 * Y4, v18 = v17 + X4 * X4;
+    const four_mask doubt3 = v18 <= m7;
 
     /* theta6 */
-    const four v18 = c1 * T22 + s1 * T12, v19 = c1 * T12 - s1 * T22, v20 = c1 * T21 + s1 * T11,
-        v21 = c1 * T11 - s1 * T21, s6 = Y4 * (c2m3 * v21 - s2m3 * T31) - v20 * -X4;
+    const four v19 = c1 * T22 + s1 * T12, v20 = c1 * T12 - s1 * T22, v21 = c1 * T21 + s1 * T11,
+        v22 = c1 * T11 - s1 * T21, s6 = Y4 * (c2m3 * v22 - s2m3 * T31) - v21 * -X4;
 
     /* joint values */
-    const four v24 = signed_four(half_turn, Y4);
+    const four v25 = signed_four(half_turn, Y4);
     const int doubt1 = (N1 <= doubt_limit_squared2) | ((-k2 <= D1) & (D1 <= k3));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k6, 0, 5, 2,
-        7)), ratio2 = ratio_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6),
+    const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k7, 0, 5, 2,
+        7)), ratio2 = ratio_four(v5 + w3 * (m1 * (e2 * Z2_3)), v6 - w3 * v7),
         ratio3 = ratio_four(Y4, -X4),
-        ratio4 = ratio_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32)),
-        ratio5 = ratio_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);
+        ratio4 = ratio_four(s6, v19 * -X4 - Y4 * (c2m3 * v20 - s2m3 * T32)),
+        ratio5 = ratio_four(-sqrt_four(v18), T33 * c2m3 + s2m3 * v16);
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle3 = shuffle(packed1, packed1, 1, 1, 3, 3), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
-    const four v22 = angle2 - offset2, q2_p = lowered_four(v22),
-        v23 = e2 * angle3 - turn1 - offset3, q3_p = raised_four(v23), v25 = angle4 - offset4,
-        v26 = angle4 - v24 - offset4, q4_p = raised_four(v25), q4_m = raised_four(v26),
-        v27 = angle5 - offset5, v28 = offset5 + angle5, q5_p = raised_four(v27),
-        q5_m = only_four(-v28 <= -half_turn, turn) - v28, v29 = angle6 - offset6,
-        v30 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = raised_four(v29),
-        q6_m = raised_four(v30);
-    const four_mask v31 = exceeds_four(angle1, 1);
+    const four v23 = angle2 - offset2, q2_p = lowered_four(v23),
+        v24 = e2 * angle3 - turn1 - offset3, q3_p = raised_four(v24), v26 = angle4 - offset4,
+        v27 = angle4 - v25 - offset4, q4_p = raised_four(v26), q4_m = raised_four(v27),
+        v28 = angle5 - offset5, v29 = offset5 + angle5, q5_p = raised_four(v28),
+        q5_m = only_four(-v29 <= -half_turn, turn) - v29, v30 = angle6 - offset6,
+        v31 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = raised_four(v30),
+        q6_m = raised_four(v31);
+    const four_mask v32 = exceeds_four(angle1, 1);
     const four q1_p = angle1 + (w3 - w3);
-    const four_mask v32 = beyond_four(q3_p, 3) | v31 | beyond_four(q2_p, 2),
-        outside_p = v32 | exceeds_four(q5_p, 5), outside_m = v32 | exceeds_four(q5_m, 5);
+    const four_mask v33 = beyond_four(q3_p, 3) | v32 | beyond_four(q2_p, 2),
+        outside_p = v33 | exceeds_four(q5_p, 5), outside_m = v33 | exceeds_four(q5_m, 5);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -691,7 +693,7 @@ static void solve(
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
     const double Z1_3 = wz + d1;
-    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double v7 = seed[1] + offset2;
@@ -711,12 +713,12 @@ static void solve(
         /* theta3 */
         const double Z2_3 = root1 - a1;
         const double N3 = v3 + Z2_3 * Z2_3;
-        const double K3 = N3 - k6;
+        const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v5 = k4 * K3, v6 = k5 * K3;
+        const double v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4 */
         const double v8 = T13 * c1 - T23 * s1;
@@ -732,7 +734,7 @@ static void solve(
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v5 + k5 * root3) * k8, c3 = k8 * (v6 - k4 * root3);
+            const double s3 = (v5 + k6 * root3) * k8, c3 = k8 * (v6 - k5 * root3);
 
             /* theta2 */
             const double X1_2 = a2 + (a3 * c3 + d4 * s3);
@@ -982,7 +984,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

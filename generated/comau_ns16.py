@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 f62c323afbcab3ab"
+_KEY = "comau_ns16 3a9319d73f8e6a6e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -166,9 +166,9 @@ d4 = 0.624  # joint offset 4 [m]
 d6 = 0.135  # joint offset 6 [m]
 free_limit_squared2 = 7.540515999999996e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 8.683614454822367e-07  # a root of nothing, by rounding [m]
-arm_size1 = 2.7459999999999996  # the arm's size [m]
 longest3 = 1.824785920858549  # square of the longest reach [m^2]
 shortest3 = 0.00241607914145111  # square of the shortest reach [m^2]
+boundary3 = 1.352331582498372e-12  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 1.8247859208584747  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0024160791414538094  # the shortest, where branches merge [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
@@ -180,11 +180,11 @@ offset6 = 3.141592653589793  # offset of joint 6 [rad]
 k1 = 0.0  # d2 - d3 [m]
 k2 = 7.540515999999998e-26  # reach_slack1 * (d2 - d3 + reach_slack1) [m^2]
 k3 = 7.540515999999996e-28  # merge_slack1 * (d2 - d3 + merge_slack1) [m^2]
-k4 = 0.8735999999999999  # 2 * d4 * a2 [m^2]
-k5 = 0.259  # 2 * a3 * a2 [m^2]
-k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
-k7 = 3.713502525540529e-12  # arm_size1 * boundary3 [m^5]
-k8 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
+k4 = 0.36416605972323385  # 1 / arm_size1 [m^-1]
+k5 = 0.8735999999999999  # 2 * d4 * a2 [m^2]
+k6 = 0.259  # 2 * a3 * a2 [m^2]
+k7 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
+k8 = 1.204444941425193  # 1 / (k5^2 + k6^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-08  # square of a length that fixes no angle [m^2]
 turn1 = -1.2825771957649381  # a constant angle [rad]
 high1 = 3.141590001
@@ -533,7 +533,7 @@ def _solve(pose, seed, q, status):
     wz = d6 * T33 - T34
     Z1_3 = wz + d1
     v3 = Z1_3 * Z1_3
-    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     v7 = seed[1] + offset2
@@ -554,14 +554,14 @@ def _solve(pose, seed, q, status):
         # theta3
         Z2_3 = root1 - a1
         N3 = v3 + Z2_3 * Z2_3
-        K3 = N3 - k6
+        K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k7 <= D3 * v4):
+        if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k4 * K3
-        v6 = k5 * K3
+        v5 = k5 * K3
+        v6 = k6 * K3
 
         # theta4
         v8 = T13 * c1 - T23 * s1
@@ -580,8 +580,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (v5 + k5 * root3) * k8
-            c3 = k8 * (v6 - k4 * root3)
+            s3 = (v5 + k6 * root3) * k8
+            c3 = k8 * (v6 - k5 * root3)
 
             # theta2
             X1_2 = a2 + (a3 * c3 + d4 * s3)
@@ -1223,81 +1223,82 @@ def _regular(pose, q, status):
     N3_m = v4 + v3 * v3
     D3_p = (longest3 - N3_p) * (N3_p - shortest3)
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    v5 = k4 * w1
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     X1_2_p = m2 + m1 * N3_p
     X1_2_m = m2 + m1 * N3_m
-    v5 = Z1_3 * X1_2_p
-    v6 = Z1_3 * X1_2_m
-    v7 = Z2_3_p * X1_2_p
-    v8 = v3 * X1_2_m
-    v9 = m1 * Z1_3
+    v6 = Z1_3 * X1_2_p
+    v7 = Z1_3 * X1_2_m
+    v8 = Z2_3_p * X1_2_p
+    v9 = v3 * X1_2_m
+    v10 = m1 * Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v10 = m3 * Z1_3
-    v11 = v10 - m4 * Z2_3_p
-    v12 = m4 - m5 * factor2_p
-    v13 = m4 - m5 * factor2_m
-    v14 = m3 - m6 * factor2_p
-    v15 = m3 - m6 * factor2_m
-    v16 = Z1_3 * v12 + Z2_3_p * v14
-    v17 = Z1_3 * v13 - v3 * v15
-    c2m3_pp = v16 + w3_p * (factor2_p * v11)
-    c2m3_pm = v16 + w3_p * (factor2_p * -v11)
-    v18 = w3_m * (factor2_m * (v10 + m4 * v3))
-    c2m3_mp = v17 + v18
-    c2m3_mm = v17 - v18
-    v19 = m4 * Z1_3
-    v20 = v19 - m3 * v3
-    v21 = Z1_3 * v14 + Z2_3_p * -v12
-    v22 = Z1_3 * v15 - v3 * -v13
-    v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
-    s2m3_pp = v21 - v23
-    s2m3_pm = v21 + v23
-    s2m3_mp = v22 - w3_m * (factor2_m * v20)
-    s2m3_mm = v22 - w3_m * (factor2_m * -v20)
-    v24 = T13 * c1_p - T23 * s1_p
-    v25 = T13 * c1_m - T23 * s1_m
-    X4_pp = T33 * s2m3_pp - c2m3_pp * v24
-    X4_pm = T33 * s2m3_pm - c2m3_pm * v24
-    X4_mp = T33 * s2m3_mp - c2m3_mp * v25
-    X4_mm = T33 * s2m3_mm - c2m3_mm * v25
+    v11 = m3 * Z1_3
+    v12 = v11 - m4 * Z2_3_p
+    v13 = m4 - m5 * factor2_p
+    v14 = m4 - m5 * factor2_m
+    v15 = m3 - m6 * factor2_p
+    v16 = m3 - m6 * factor2_m
+    v17 = Z1_3 * v13 + Z2_3_p * v15
+    v18 = Z1_3 * v14 - v3 * v16
+    c2m3_pp = v17 + w3_p * (factor2_p * v12)
+    c2m3_pm = v17 + w3_p * (factor2_p * -v12)
+    v19 = w3_m * (factor2_m * (v11 + m4 * v3))
+    c2m3_mp = v18 + v19
+    c2m3_mm = v18 - v19
+    v20 = m4 * Z1_3
+    v21 = v20 - m3 * v3
+    v22 = Z1_3 * v15 + Z2_3_p * -v13
+    v23 = Z1_3 * v16 - v3 * -v14
+    v24 = w3_p * (factor2_p * (v20 + m3 * Z2_3_p))
+    s2m3_pp = v22 - v24
+    s2m3_pm = v22 + v24
+    s2m3_mp = v23 - w3_m * (factor2_m * v21)
+    s2m3_mm = v23 - w3_m * (factor2_m * -v21)
+    v25 = T13 * c1_p - T23 * s1_p
+    v26 = T13 * c1_m - T23 * s1_m
+    X4_pp = T33 * s2m3_pp - c2m3_pp * v25
+    X4_pm = T33 * s2m3_pm - c2m3_pm * v25
+    X4_mp = T33 * s2m3_mp - c2m3_mp * v26
+    X4_mm = T33 * s2m3_mm - c2m3_mm * v26
     Y4_p = T23 * c1_p + T13 * s1_p
     Y4_m = T23 * c1_m + T13 * s1_m
-    v26 = Y4_p * Y4_p
-    v27 = Y4_m * Y4_m
-    v28 = v26 + X4_pp * X4_pp
-    v29 = v26 + X4_pm * X4_pm
-    v30 = v27 + X4_mp * X4_mp
-    v31 = v27 + X4_mm * X4_mm
+    v27 = Y4_p * Y4_p
+    v28 = Y4_m * Y4_m
+    v29 = v27 + X4_pp * X4_pp
+    v30 = v27 + X4_pm * X4_pm
+    v31 = v28 + X4_mp * X4_mp
+    v32 = v28 + X4_mm * X4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v32 = c1_p * T22 + s1_p * T12
-    v33 = c1_m * T22 + s1_m * T12
-    v34 = c1_p * T12 - s1_p * T22
-    v35 = c1_m * T12 - s1_m * T22
-    v36 = c1_p * T21 + s1_p * T11
-    v37 = c1_m * T21 + s1_m * T11
-    v38 = c1_p * T11 - s1_p * T21
-    v39 = c1_m * T11 - s1_m * T21
-    s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp
-    s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm
-    s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp
-    s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm
+    v33 = c1_p * T22 + s1_p * T12
+    v34 = c1_m * T22 + s1_m * T12
+    v35 = c1_p * T12 - s1_p * T22
+    v36 = c1_m * T12 - s1_m * T22
+    v37 = c1_p * T21 + s1_p * T11
+    v38 = c1_m * T21 + s1_m * T11
+    v39 = c1_p * T11 - s1_p * T21
+    v40 = c1_m * T11 - s1_m * T21
+    s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp
+    s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm
+    s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
+    s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
 
     # joint values
-    v40 = w3_p * v9
-    v43 = w3_m * (m1 * v3)
-    v44 = w3_m * v9
-    v51 = math.copysign(half_turn, Y4_p)
-    v52 = math.copysign(half_turn, Y4_m)
+    v41 = w3_p * v10
+    v44 = w3_m * (m1 * v3)
+    v45 = w3_m * v10
+    v52 = math.copysign(half_turn, Y4_p)
+    v53 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v29 <=
-        m7 or v28 <= m7 or abs(w1 * D3_p) <= k7 or abs(w1 * D3_m) <= k7
+        (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v32 <= m7 or v31 <= m7 or v30 <=
+        m7 or v29 <= m7 or abs(D3_p * v5) <= boundary3 or abs(D3_m * v5) <= boundary3
     )
 
     # a joint is free, or branches meet
@@ -1307,44 +1308,44 @@ def _regular(pose, q, status):
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
-    room[2] = v5 + w3_p * (m1 * Z2_3_p)
-    room[3] = v5 + w3_p * (m1 * -Z2_3_p)
-    room[4] = v6 - v43
-    room[5] = v6 + v43
+    room[2] = v6 + w3_p * (m1 * Z2_3_p)
+    room[3] = v6 + w3_p * (m1 * -Z2_3_p)
+    room[4] = v7 - v44
+    room[5] = v7 + v44
     room[6] = w3_p
     room[7] = w3_m
     room[8] = Y4_p
     room[9] = Y4_p
     room[10] = Y4_m
     room[11] = Y4_m
-    room[12] = -math.sqrt(v28)
-    room[13] = -math.sqrt(v29)
-    room[14] = -math.sqrt(v30)
-    room[15] = -math.sqrt(v31)
+    room[12] = -math.sqrt(v29)
+    room[13] = -math.sqrt(v30)
+    room[14] = -math.sqrt(v31)
+    room[15] = -math.sqrt(v32)
     room[16] = s6_pp
     room[17] = s6_pm
     room[18] = s6_mp
     room[19] = s6_mm
     room[24] = c1_p
     room[25] = c1_m
-    room[26] = v7 - v40
-    room[27] = v7 + v40
-    room[28] = -(v8 + v44)
-    room[29] = v44 - v8
-    room[30] = N3_p - k6
-    room[31] = N3_m - k6
+    room[26] = v8 - v41
+    room[27] = v8 + v41
+    room[28] = -(v9 + v45)
+    room[29] = v45 - v9
+    room[30] = N3_p - k7
+    room[31] = N3_m - k7
     room[32] = -X4_pp
     room[33] = -X4_pm
     room[34] = -X4_mp
     room[35] = -X4_mm
-    room[36] = T33 * c2m3_pp + s2m3_pp * v24
-    room[37] = T33 * c2m3_pm + s2m3_pm * v24
-    room[38] = T33 * c2m3_mp + s2m3_mp * v25
-    room[39] = T33 * c2m3_mm + s2m3_mm * v25
-    room[40] = v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)
-    room[41] = v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)
-    room[42] = v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)
-    room[43] = v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)
+    room[36] = T33 * c2m3_pp + s2m3_pp * v25
+    room[37] = T33 * c2m3_pm + s2m3_pm * v25
+    room[38] = T33 * c2m3_mp + s2m3_mp * v26
+    room[39] = T33 * c2m3_mm + s2m3_mm * v26
+    room[40] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
+    room[41] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
+    room[42] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
+    room[43] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
     for k in range(20, 24):
         room[k] = room[k + 24] = 1.0
     for k in range(24):
@@ -1371,86 +1372,86 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # joint values
-    v41 = angle3 - offset2
-    v42 = angle4 - offset2
-    v45 = angle5 - offset2
-    v46 = angle6 - offset2
-    q2_ppp = v41 + (-turn if half_turn < v41 else 0.0)
-    q2_pmp = v42 + (-turn if half_turn < v42 else 0.0)
-    q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
-    q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
-    v47 = angle7 - turn1 - offset3
-    v48 = offset3 + (turn1 + angle7)
-    v49 = angle8 - turn1 - offset3
-    v50 = offset3 + (turn1 + angle8)
-    q3_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
-    q3_pmp = (turn if -v48 <= -half_turn else 0.0) - v48
-    q3_mpp = v49 + (turn if v49 <= -half_turn else 0.0)
-    q3_mmp = (turn if -v50 <= -half_turn else 0.0) - v50
-    v53 = angle9 - offset4
-    v54 = angle9 - v51 - offset4
-    v55 = angle10 - offset4
-    v56 = angle10 - v51 - offset4
-    v57 = angle11 - offset4
-    v58 = angle11 - v52 - offset4
-    v59 = angle12 - offset4
-    v60 = angle12 - v52 - offset4
-    q4_ppp = v53 + (turn if v53 <= -half_turn else 0.0)
-    q4_ppm = v54 + (turn if v54 <= -half_turn else 0.0)
-    q4_pmp = v55 + (turn if v55 <= -half_turn else 0.0)
-    q4_pmm = v56 + (turn if v56 <= -half_turn else 0.0)
-    q4_mpp = v57 + (turn if v57 <= -half_turn else 0.0)
-    q4_mpm = v58 + (turn if v58 <= -half_turn else 0.0)
-    q4_mmp = v59 + (turn if v59 <= -half_turn else 0.0)
-    q4_mmm = v60 + (turn if v60 <= -half_turn else 0.0)
-    v61 = angle13 - offset5
-    v62 = offset5 + angle13
-    v63 = angle14 - offset5
-    v64 = offset5 + angle14
-    v65 = angle15 - offset5
-    v66 = offset5 + angle15
-    v67 = angle16 - offset5
-    v68 = offset5 + angle16
-    q5_ppp = v61 + (turn if v61 <= -half_turn else 0.0)
-    q5_ppm = (turn if -v62 <= -half_turn else 0.0) - v62
-    q5_pmp = v63 + (turn if v63 <= -half_turn else 0.0)
-    q5_pmm = (turn if -v64 <= -half_turn else 0.0) - v64
-    q5_mpp = v65 + (turn if v65 <= -half_turn else 0.0)
-    q5_mpm = (turn if -v66 <= -half_turn else 0.0) - v66
-    q5_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
-    q5_mmm = (turn if -v68 <= -half_turn else 0.0) - v68
-    v69 = angle17 - offset6
-    v70 = angle17 - math.copysign(half_turn, s6_pp) - offset6
-    v71 = angle18 - offset6
-    v72 = angle18 - math.copysign(half_turn, s6_pm) - offset6
-    v73 = angle19 - offset6
-    v74 = angle19 - math.copysign(half_turn, s6_mp) - offset6
-    v75 = angle20 - offset6
-    v76 = angle20 - math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v69 + (turn if v69 <= -half_turn else 0.0)
-    q6_ppm = v70 + (turn if v70 <= -half_turn else 0.0)
-    q6_pmp = v71 + (turn if v71 <= -half_turn else 0.0)
-    q6_pmm = v72 + (turn if v72 <= -half_turn else 0.0)
-    q6_mpp = v73 + (turn if v73 <= -half_turn else 0.0)
-    q6_mpm = v74 + (turn if v74 <= -half_turn else 0.0)
-    q6_mmp = v75 + (turn if v75 <= -half_turn else 0.0)
-    q6_mmm = v76 + (turn if v76 <= -half_turn else 0.0)
-    v77 = high1 < abs(angle1)
-    v78 = high1 < abs(angle2)
+    v42 = angle3 - offset2
+    v43 = angle4 - offset2
+    v46 = angle5 - offset2
+    v47 = angle6 - offset2
+    q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
+    q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
+    q2_mpp = v46 + (-turn if half_turn < v46 else 0.0)
+    q2_mmp = v47 + (-turn if half_turn < v47 else 0.0)
+    v48 = angle7 - turn1 - offset3
+    v49 = offset3 + (turn1 + angle7)
+    v50 = angle8 - turn1 - offset3
+    v51 = offset3 + (turn1 + angle8)
+    q3_ppp = v48 + (turn if v48 <= -half_turn else 0.0)
+    q3_pmp = (turn if -v49 <= -half_turn else 0.0) - v49
+    q3_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
+    q3_mmp = (turn if -v51 <= -half_turn else 0.0) - v51
+    v54 = angle9 - offset4
+    v55 = angle9 - v52 - offset4
+    v56 = angle10 - offset4
+    v57 = angle10 - v52 - offset4
+    v58 = angle11 - offset4
+    v59 = angle11 - v53 - offset4
+    v60 = angle12 - offset4
+    v61 = angle12 - v53 - offset4
+    q4_ppp = v54 + (turn if v54 <= -half_turn else 0.0)
+    q4_ppm = v55 + (turn if v55 <= -half_turn else 0.0)
+    q4_pmp = v56 + (turn if v56 <= -half_turn else 0.0)
+    q4_pmm = v57 + (turn if v57 <= -half_turn else 0.0)
+    q4_mpp = v58 + (turn if v58 <= -half_turn else 0.0)
+    q4_mpm = v59 + (turn if v59 <= -half_turn else 0.0)
+    q4_mmp = v60 + (turn if v60 <= -half_turn else 0.0)
+    q4_mmm = v61 + (turn if v61 <= -half_turn else 0.0)
+    v62 = angle13 - offset5
+    v63 = offset5 + angle13
+    v64 = angle14 - offset5
+    v65 = offset5 + angle14
+    v66 = angle15 - offset5
+    v67 = offset5 + angle15
+    v68 = angle16 - offset5
+    v69 = offset5 + angle16
+    q5_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v63 <= -half_turn else 0.0) - v63
+    q5_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v65 <= -half_turn else 0.0) - v65
+    q5_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v67 <= -half_turn else 0.0) - v67
+    q5_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v69 <= -half_turn else 0.0) - v69
+    v70 = angle17 - offset6
+    v71 = angle17 - math.copysign(half_turn, s6_pp) - offset6
+    v72 = angle18 - offset6
+    v73 = angle18 - math.copysign(half_turn, s6_pm) - offset6
+    v74 = angle19 - offset6
+    v75 = angle19 - math.copysign(half_turn, s6_mp) - offset6
+    v76 = angle20 - offset6
+    v77 = angle20 - math.copysign(half_turn, s6_mm) - offset6
+    q6_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
+    q6_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
+    q6_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
+    q6_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
+    q6_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
+    q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
+    q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
+    q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
+    v78 = high1 < abs(angle1)
+    v79 = high1 < abs(angle2)
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle2 + (w3_m - w3_m)
-    v79 = q3_ppp < low3 or high3 < q3_ppp or v77 or q2_ppp < low2 or high2 < q2_ppp
-    v80 = q3_pmp < low3 or high3 < q3_pmp or v77 or q2_pmp < low2 or high2 < q2_pmp
-    v81 = q3_mpp < low3 or high3 < q3_mpp or v78 or q2_mpp < low2 or high2 < q2_mpp
-    v82 = q3_mmp < low3 or high3 < q3_mmp or v78 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v79 or high5 < abs(q5_ppp)
-    outside_ppm = v79 or high5 < abs(q5_ppm)
-    outside_pmp = v80 or high5 < abs(q5_pmp)
-    outside_pmm = v80 or high5 < abs(q5_pmm)
-    outside_mpp = v81 or high5 < abs(q5_mpp)
-    outside_mpm = v81 or high5 < abs(q5_mpm)
-    outside_mmp = v82 or high5 < abs(q5_mmp)
-    outside_mmm = v82 or high5 < abs(q5_mmm)
+    v80 = q3_ppp < low3 or high3 < q3_ppp or v78 or q2_ppp < low2 or high2 < q2_ppp
+    v81 = q3_pmp < low3 or high3 < q3_pmp or v78 or q2_pmp < low2 or high2 < q2_pmp
+    v82 = q3_mpp < low3 or high3 < q3_mpp or v79 or q2_mpp < low2 or high2 < q2_mpp
+    v83 = q3_mmp < low3 or high3 < q3_mmp or v79 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = v80 or high5 < abs(q5_ppp)
+    outside_ppm = v80 or high5 < abs(q5_ppm)
+    outside_pmp = v81 or high5 < abs(q5_pmp)
+    outside_pmm = v81 or high5 < abs(q5_pmm)
+    outside_mpp = v82 or high5 < abs(q5_mpp)
+    outside_mpm = v82 or high5 < abs(q5_mpm)
+    outside_mmp = v83 or high5 < abs(q5_mmp)
+    outside_mmm = v83 or high5 < abs(q5_mmm)
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1802,73 +1803,74 @@ def _in_tiles(T, q, status):
             N3_m = v4 + v3 * v3
             D3_p = (longest3 - N3_p) * (N3_p - shortest3)
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            v5 = k4 * w1
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
             X1_2_p = m2 + m1 * N3_p
             X1_2_m = m2 + m1 * N3_m
-            v5 = Z1_3 * X1_2_p
-            v6 = Z1_3 * X1_2_m
-            v7 = Z2_3_p * X1_2_p
-            v8 = v3 * X1_2_m
-            v9 = m1 * Z1_3
+            v6 = Z1_3 * X1_2_p
+            v7 = Z1_3 * X1_2_m
+            v8 = Z2_3_p * X1_2_p
+            v9 = v3 * X1_2_m
+            v10 = m1 * Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v10 = m3 * Z1_3
-            v11 = v10 - m4 * Z2_3_p
-            v12 = m4 - m5 * factor2_p
-            v13 = m4 - m5 * factor2_m
-            v14 = m3 - m6 * factor2_p
-            v15 = m3 - m6 * factor2_m
-            v16 = Z1_3 * v12 + Z2_3_p * v14
-            v17 = Z1_3 * v13 - v3 * v15
-            c2m3_pp = v16 + w3_p * (factor2_p * v11)
-            c2m3_pm = v16 + w3_p * (factor2_p * -v11)
-            v18 = w3_m * (factor2_m * (v10 + m4 * v3))
-            c2m3_mp = v17 + v18
-            c2m3_mm = v17 - v18
-            v19 = m4 * Z1_3
-            v20 = v19 - m3 * v3
-            v21 = Z1_3 * v14 + Z2_3_p * -v12
-            v22 = Z1_3 * v15 - v3 * -v13
-            v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
-            s2m3_pp = v21 - v23
-            s2m3_pm = v21 + v23
-            s2m3_mp = v22 - w3_m * (factor2_m * v20)
-            s2m3_mm = v22 - w3_m * (factor2_m * -v20)
-            v24 = T13 * c1_p - T23 * s1_p
-            v25 = T13 * c1_m - T23 * s1_m
-            X4_pp = T33 * s2m3_pp - c2m3_pp * v24
-            X4_pm = T33 * s2m3_pm - c2m3_pm * v24
-            X4_mp = T33 * s2m3_mp - c2m3_mp * v25
-            X4_mm = T33 * s2m3_mm - c2m3_mm * v25
+            v11 = m3 * Z1_3
+            v12 = v11 - m4 * Z2_3_p
+            v13 = m4 - m5 * factor2_p
+            v14 = m4 - m5 * factor2_m
+            v15 = m3 - m6 * factor2_p
+            v16 = m3 - m6 * factor2_m
+            v17 = Z1_3 * v13 + Z2_3_p * v15
+            v18 = Z1_3 * v14 - v3 * v16
+            c2m3_pp = v17 + w3_p * (factor2_p * v12)
+            c2m3_pm = v17 + w3_p * (factor2_p * -v12)
+            v19 = w3_m * (factor2_m * (v11 + m4 * v3))
+            c2m3_mp = v18 + v19
+            c2m3_mm = v18 - v19
+            v20 = m4 * Z1_3
+            v21 = v20 - m3 * v3
+            v22 = Z1_3 * v15 + Z2_3_p * -v13
+            v23 = Z1_3 * v16 - v3 * -v14
+            v24 = w3_p * (factor2_p * (v20 + m3 * Z2_3_p))
+            s2m3_pp = v22 - v24
+            s2m3_pm = v22 + v24
+            s2m3_mp = v23 - w3_m * (factor2_m * v21)
+            s2m3_mm = v23 - w3_m * (factor2_m * -v21)
+            v25 = T13 * c1_p - T23 * s1_p
+            v26 = T13 * c1_m - T23 * s1_m
+            X4_pp = T33 * s2m3_pp - c2m3_pp * v25
+            X4_pm = T33 * s2m3_pm - c2m3_pm * v25
+            X4_mp = T33 * s2m3_mp - c2m3_mp * v26
+            X4_mm = T33 * s2m3_mm - c2m3_mm * v26
             Y4_p = T23 * c1_p + T13 * s1_p
             Y4_m = T23 * c1_m + T13 * s1_m
-            v26 = Y4_p * Y4_p
-            v27 = Y4_m * Y4_m
-            v28 = v26 + X4_pp * X4_pp
-            v29 = v26 + X4_pm * X4_pm
-            v30 = v27 + X4_mp * X4_mp
-            v31 = v27 + X4_mm * X4_mm
-            v32 = c1_p * T22 + s1_p * T12
-            v33 = c1_m * T22 + s1_m * T12
-            v34 = c1_p * T12 - s1_p * T22
-            v35 = c1_m * T12 - s1_m * T22
-            v36 = c1_p * T21 + s1_p * T11
-            v37 = c1_m * T21 + s1_m * T11
-            v38 = c1_p * T11 - s1_p * T21
-            v39 = c1_m * T11 - s1_m * T21
-            s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp
-            s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm
-            s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp
-            s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm
-            v40 = w3_p * v9
-            v43 = w3_m * (m1 * v3)
-            v44 = w3_m * v9
-            v51 = math.copysign(half_turn, Y4_p)
-            v52 = math.copysign(half_turn, Y4_m)
+            v27 = Y4_p * Y4_p
+            v28 = Y4_m * Y4_m
+            v29 = v27 + X4_pp * X4_pp
+            v30 = v27 + X4_pm * X4_pm
+            v31 = v28 + X4_mp * X4_mp
+            v32 = v28 + X4_mm * X4_mm
+            v33 = c1_p * T22 + s1_p * T12
+            v34 = c1_m * T22 + s1_m * T12
+            v35 = c1_p * T12 - s1_p * T22
+            v36 = c1_m * T12 - s1_m * T22
+            v37 = c1_p * T21 + s1_p * T11
+            v38 = c1_m * T21 + s1_m * T11
+            v39 = c1_p * T11 - s1_p * T21
+            v40 = c1_m * T11 - s1_m * T21
+            s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp
+            s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm
+            s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
+            s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
+            v41 = w3_p * v10
+            v44 = w3_m * (m1 * v3)
+            v45 = w3_m * v10
+            v52 = math.copysign(half_turn, Y4_p)
+            v53 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or
-                v29 <= m7 or v28 <= m7 or abs(w1 * D3_p) <= k7 or abs(w1 * D3_m) <= k7
+                (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v32 <= m7 or v31 <= m7 or
+                v30 <= m7 or v29 <= m7 or abs(D3_p * v5) <= boundary3 or abs(D3_m * v5) <= boundary3
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1876,49 +1878,49 @@ def _in_tiles(T, q, status):
             work[320 + k] = s6_pm
             work[336 + k] = s6_mp
             work[352 + k] = s6_mm
-            work[368 + k] = v51
-            work[384 + k] = v52
+            work[368 + k] = v52
+            work[384 + k] = v53
             work[400 + k] = doubt1
             work[416 + k] = s1_p
             work[432 + k] = s1_m
-            work[448 + k] = v5 + w3_p * (m1 * Z2_3_p)
-            work[464 + k] = v5 + w3_p * (m1 * -Z2_3_p)
-            work[480 + k] = v6 - v43
-            work[496 + k] = v6 + v43
+            work[448 + k] = v6 + w3_p * (m1 * Z2_3_p)
+            work[464 + k] = v6 + w3_p * (m1 * -Z2_3_p)
+            work[480 + k] = v7 - v44
+            work[496 + k] = v7 + v44
             work[512 + k] = w3_p
             work[528 + k] = w3_m
             work[544 + k] = Y4_p
             work[560 + k] = Y4_p
             work[576 + k] = Y4_m
             work[592 + k] = Y4_m
-            work[608 + k] = -math.sqrt(v28)
-            work[624 + k] = -math.sqrt(v29)
-            work[640 + k] = -math.sqrt(v30)
-            work[656 + k] = -math.sqrt(v31)
+            work[608 + k] = -math.sqrt(v29)
+            work[624 + k] = -math.sqrt(v30)
+            work[640 + k] = -math.sqrt(v31)
+            work[656 + k] = -math.sqrt(v32)
             work[672 + k] = s6_pp
             work[688 + k] = s6_pm
             work[704 + k] = s6_mp
             work[720 + k] = s6_mm
             work[736 + k] = c1_p
             work[752 + k] = c1_m
-            work[768 + k] = v7 - v40
-            work[784 + k] = v7 + v40
-            work[800 + k] = -(v8 + v44)
-            work[816 + k] = v44 - v8
-            work[832 + k] = N3_p - k6
-            work[848 + k] = N3_m - k6
+            work[768 + k] = v8 - v41
+            work[784 + k] = v8 + v41
+            work[800 + k] = -(v9 + v45)
+            work[816 + k] = v45 - v9
+            work[832 + k] = N3_p - k7
+            work[848 + k] = N3_m - k7
             work[864 + k] = -X4_pp
             work[880 + k] = -X4_pm
             work[896 + k] = -X4_mp
             work[912 + k] = -X4_mm
-            work[928 + k] = T33 * c2m3_pp + s2m3_pp * v24
-            work[944 + k] = T33 * c2m3_pm + s2m3_pm * v24
-            work[960 + k] = T33 * c2m3_mp + s2m3_mp * v25
-            work[976 + k] = T33 * c2m3_mm + s2m3_mm * v25
-            work[992 + k] = v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)
-            work[1008 + k] = v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)
-            work[1024 + k] = v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)
-            work[1040 + k] = v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)
+            work[928 + k] = T33 * c2m3_pp + s2m3_pp * v25
+            work[944 + k] = T33 * c2m3_pm + s2m3_pm * v25
+            work[960 + k] = T33 * c2m3_mp + s2m3_mp * v26
+            work[976 + k] = T33 * c2m3_mm + s2m3_mm * v26
+            work[992 + k] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
+            work[1008 + k] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
+            work[1024 + k] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
+            work[1040 + k] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
         for k in range(416, 736):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
@@ -1928,8 +1930,8 @@ def _in_tiles(T, q, status):
             s6_pm = work[320 + k]
             s6_mp = work[336 + k]
             s6_mm = work[352 + k]
-            v51 = work[368 + k]
-            v52 = work[384 + k]
+            v52 = work[368 + k]
+            v53 = work[384 + k]
             doubt1 = work[400 + k] != 0.0
             angle1 = work[416 + k]
             angle2 = work[432 + k]
@@ -1951,86 +1953,86 @@ def _in_tiles(T, q, status):
             angle18 = work[688 + k]
             angle19 = work[704 + k]
             angle20 = work[720 + k]
-            v41 = angle3 - offset2
-            v42 = angle4 - offset2
-            v45 = angle5 - offset2
-            v46 = angle6 - offset2
-            q2_ppp = v41 + (-turn if half_turn < v41 else 0.0)
-            q2_pmp = v42 + (-turn if half_turn < v42 else 0.0)
-            q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
-            q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
-            v47 = angle7 - turn1 - offset3
-            v48 = offset3 + (turn1 + angle7)
-            v49 = angle8 - turn1 - offset3
-            v50 = offset3 + (turn1 + angle8)
-            q3_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
-            q3_pmp = (turn if -v48 <= -half_turn else 0.0) - v48
-            q3_mpp = v49 + (turn if v49 <= -half_turn else 0.0)
-            q3_mmp = (turn if -v50 <= -half_turn else 0.0) - v50
-            v53 = angle9 - offset4
-            v54 = angle9 - v51 - offset4
-            v55 = angle10 - offset4
-            v56 = angle10 - v51 - offset4
-            v57 = angle11 - offset4
-            v58 = angle11 - v52 - offset4
-            v59 = angle12 - offset4
-            v60 = angle12 - v52 - offset4
-            q4_ppp = v53 + (turn if v53 <= -half_turn else 0.0)
-            q4_ppm = v54 + (turn if v54 <= -half_turn else 0.0)
-            q4_pmp = v55 + (turn if v55 <= -half_turn else 0.0)
-            q4_pmm = v56 + (turn if v56 <= -half_turn else 0.0)
-            q4_mpp = v57 + (turn if v57 <= -half_turn else 0.0)
-            q4_mpm = v58 + (turn if v58 <= -half_turn else 0.0)
-            q4_mmp = v59 + (turn if v59 <= -half_turn else 0.0)
-            q4_mmm = v60 + (turn if v60 <= -half_turn else 0.0)
-            v61 = angle13 - offset5
-            v62 = offset5 + angle13
-            v63 = angle14 - offset5
-            v64 = offset5 + angle14
-            v65 = angle15 - offset5
-            v66 = offset5 + angle15
-            v67 = angle16 - offset5
-            v68 = offset5 + angle16
-            q5_ppp = v61 + (turn if v61 <= -half_turn else 0.0)
-            q5_ppm = (turn if -v62 <= -half_turn else 0.0) - v62
-            q5_pmp = v63 + (turn if v63 <= -half_turn else 0.0)
-            q5_pmm = (turn if -v64 <= -half_turn else 0.0) - v64
-            q5_mpp = v65 + (turn if v65 <= -half_turn else 0.0)
-            q5_mpm = (turn if -v66 <= -half_turn else 0.0) - v66
-            q5_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
-            q5_mmm = (turn if -v68 <= -half_turn else 0.0) - v68
-            v69 = angle17 - offset6
-            v70 = angle17 - math.copysign(half_turn, s6_pp) - offset6
-            v71 = angle18 - offset6
-            v72 = angle18 - math.copysign(half_turn, s6_pm) - offset6
-            v73 = angle19 - offset6
-            v74 = angle19 - math.copysign(half_turn, s6_mp) - offset6
-            v75 = angle20 - offset6
-            v76 = angle20 - math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v69 + (turn if v69 <= -half_turn else 0.0)
-            q6_ppm = v70 + (turn if v70 <= -half_turn else 0.0)
-            q6_pmp = v71 + (turn if v71 <= -half_turn else 0.0)
-            q6_pmm = v72 + (turn if v72 <= -half_turn else 0.0)
-            q6_mpp = v73 + (turn if v73 <= -half_turn else 0.0)
-            q6_mpm = v74 + (turn if v74 <= -half_turn else 0.0)
-            q6_mmp = v75 + (turn if v75 <= -half_turn else 0.0)
-            q6_mmm = v76 + (turn if v76 <= -half_turn else 0.0)
-            v77 = high1 < abs(angle1)
-            v78 = high1 < abs(angle2)
+            v42 = angle3 - offset2
+            v43 = angle4 - offset2
+            v46 = angle5 - offset2
+            v47 = angle6 - offset2
+            q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
+            q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
+            q2_mpp = v46 + (-turn if half_turn < v46 else 0.0)
+            q2_mmp = v47 + (-turn if half_turn < v47 else 0.0)
+            v48 = angle7 - turn1 - offset3
+            v49 = offset3 + (turn1 + angle7)
+            v50 = angle8 - turn1 - offset3
+            v51 = offset3 + (turn1 + angle8)
+            q3_ppp = v48 + (turn if v48 <= -half_turn else 0.0)
+            q3_pmp = (turn if -v49 <= -half_turn else 0.0) - v49
+            q3_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
+            q3_mmp = (turn if -v51 <= -half_turn else 0.0) - v51
+            v54 = angle9 - offset4
+            v55 = angle9 - v52 - offset4
+            v56 = angle10 - offset4
+            v57 = angle10 - v52 - offset4
+            v58 = angle11 - offset4
+            v59 = angle11 - v53 - offset4
+            v60 = angle12 - offset4
+            v61 = angle12 - v53 - offset4
+            q4_ppp = v54 + (turn if v54 <= -half_turn else 0.0)
+            q4_ppm = v55 + (turn if v55 <= -half_turn else 0.0)
+            q4_pmp = v56 + (turn if v56 <= -half_turn else 0.0)
+            q4_pmm = v57 + (turn if v57 <= -half_turn else 0.0)
+            q4_mpp = v58 + (turn if v58 <= -half_turn else 0.0)
+            q4_mpm = v59 + (turn if v59 <= -half_turn else 0.0)
+            q4_mmp = v60 + (turn if v60 <= -half_turn else 0.0)
+            q4_mmm = v61 + (turn if v61 <= -half_turn else 0.0)
+            v62 = angle13 - offset5
+            v63 = offset5 + angle13
+            v64 = angle14 - offset5
+            v65 = offset5 + angle14
+            v66 = angle15 - offset5
+            v67 = offset5 + angle15
+            v68 = angle16 - offset5
+            v69 = offset5 + angle16
+            q5_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v63 <= -half_turn else 0.0) - v63
+            q5_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v65 <= -half_turn else 0.0) - v65
+            q5_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v67 <= -half_turn else 0.0) - v67
+            q5_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v69 <= -half_turn else 0.0) - v69
+            v70 = angle17 - offset6
+            v71 = angle17 - math.copysign(half_turn, s6_pp) - offset6
+            v72 = angle18 - offset6
+            v73 = angle18 - math.copysign(half_turn, s6_pm) - offset6
+            v74 = angle19 - offset6
+            v75 = angle19 - math.copysign(half_turn, s6_mp) - offset6
+            v76 = angle20 - offset6
+            v77 = angle20 - math.copysign(half_turn, s6_mm) - offset6
+            q6_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
+            q6_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
+            q6_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
+            q6_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
+            q6_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
+            q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
+            q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
+            q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
+            v78 = high1 < abs(angle1)
+            v79 = high1 < abs(angle2)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle2 + (w3_m - w3_m)
-            v79 = q3_ppp < low3 or high3 < q3_ppp or v77 or q2_ppp < low2 or high2 < q2_ppp
-            v80 = q3_pmp < low3 or high3 < q3_pmp or v77 or q2_pmp < low2 or high2 < q2_pmp
-            v81 = q3_mpp < low3 or high3 < q3_mpp or v78 or q2_mpp < low2 or high2 < q2_mpp
-            v82 = q3_mmp < low3 or high3 < q3_mmp or v78 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v79 or high5 < abs(q5_ppp)
-            outside_ppm = v79 or high5 < abs(q5_ppm)
-            outside_pmp = v80 or high5 < abs(q5_pmp)
-            outside_pmm = v80 or high5 < abs(q5_pmm)
-            outside_mpp = v81 or high5 < abs(q5_mpp)
-            outside_mpm = v81 or high5 < abs(q5_mpm)
-            outside_mmp = v82 or high5 < abs(q5_mmp)
-            outside_mmm = v82 or high5 < abs(q5_mmm)
+            v80 = q3_ppp < low3 or high3 < q3_ppp or v78 or q2_ppp < low2 or high2 < q2_ppp
+            v81 = q3_pmp < low3 or high3 < q3_pmp or v78 or q2_pmp < low2 or high2 < q2_pmp
+            v82 = q3_mpp < low3 or high3 < q3_mpp or v79 or q2_mpp < low2 or high2 < q2_mpp
+            v83 = q3_mmp < low3 or high3 < q3_mmp or v79 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = v80 or high5 < abs(q5_ppp)
+            outside_ppm = v80 or high5 < abs(q5_ppm)
+            outside_pmp = v81 or high5 < abs(q5_pmp)
+            outside_pmm = v81 or high5 < abs(q5_pmm)
+            outside_mpp = v82 or high5 < abs(q5_mpp)
+            outside_mpm = v82 or high5 < abs(q5_mpm)
+            outside_mmp = v83 or high5 < abs(q5_mmp)
+            outside_mmm = v83 or high5 < abs(q5_mmm)
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = q2_ppp

@@ -248,7 +248,7 @@ static const double
     m1 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
     m2 = 1.0000000000000002e-10; /* pose_slack^2 */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \

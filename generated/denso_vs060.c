@@ -287,7 +287,7 @@ static const double
 static const double m3 = 0.18194719892287262, m4 = 0.9995724240825312, m5 = 5.458415967686178,
 m6 = 0.03331908080275105, m7 = 1.639344262295082, m8 = 0.004795081967213119;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -947,7 +947,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

@@ -254,9 +254,9 @@ static const double
     d6 = 0.121, /* joint offset 6 [m] */
     free_limit_squared2 = 2.211169e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.70230688067038e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.487, /* the arm's size [m] */
     longest3 = 1.390041, /* square of the longest reach [m^2] */
     shortest3 = 0.003720999999999993, /* square of the shortest reach [m^2] */
+    boundary3 = 4.863633051856008e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 1.390040999999965, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.003721000000001807, /* the shortest, where branches merge [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
@@ -267,16 +267,16 @@ static const double
     k1 = 0.0011902500000000001, /* d2^2 [m^2] */
     k2 = 1.0260300000022113e-14, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
     k3 = 1.0260300000002213e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-    k4 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
-    k5 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
-    k6 = 7.232222348109884e-13, /* arm_size1 * boundary3 [m^5] */
-    k7 = 2.081291995206794, /* 1 / (k4^2) [m^-4] */
+    k4 = 0.6724949562878278, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
+    k7 = 2.081291995206794, /* 1 / (k5^2) [m^-4] */
     m3 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 0.8064516129032259, m2 = 0.057999193548387;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -395,7 +395,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v6 = w3 - w3,
-        v7 = k4 * (N3 - k5), s3 = k7 * v7, v8 = k4 * w3, v9 = k7 * v8;
+        v7 = k5 * (N3 - k6), s3 = k7 * v7, v8 = k5 * w3, v9 = k7 * v8;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3, Y1_2 = d4 * v9, v10 = Z1_3 * X1_2, v11 = w1 * Y1_2,
@@ -458,7 +458,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19, q3_ppp = v1 + raised_wide(v62),
         q3_pmp = v1 + raised_wide(v63);
     const wide_mask doubt1 = (v49 <= m4) | (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) |
-        (v27 <= m3) | (v46 <= m4) | (abs_wide(D1) <= k2) | (abs_wide(w1 * D3) <= k6) | (v25 <= m3);
+        (v27 <= m3) | (v46 <= m4) | (abs_wide(D1) <= k2) | (abs_wide(D3 * (k4 * w1)) <= boundary3) |
+        (v25 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v66); q[4] = raised_wide(v74);
     q[5] = angle1;
@@ -513,8 +514,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k4 * (N3 - k5),
-        s3 = k7 * v6, v7 = k4 * w3, v8 = k7 * v7;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k5 * (N3 - k6),
+        s3 = k7 * v6, v7 = k5 * w3, v8 = k7 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
@@ -538,7 +539,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v34 = copysign(half_turn, v6);
     const four v36 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k6);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
     const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -634,7 +635,7 @@ static void solve(
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double v8 = seed[1] + offset2;
@@ -653,12 +654,12 @@ static void solve(
 
         /* theta3 */
         const double N3 = v3 + root1 * root1;
-        const double K3 = N3 - k5;
+        const double K3 = N3 - k6;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k6 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double s3 = k4 * K3 * k7;
+        const double s3 = k5 * K3 * k7;
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
@@ -677,7 +678,7 @@ static void solve(
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v5 = k7 * (k4 * (w3 * e2));
+            const double v5 = k7 * (k5 * (w3 * e2));
 
             /* theta2 */
             const double Y1_2 = d4 * v5;

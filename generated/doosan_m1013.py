@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 55fe5b59d0b1a541"
+_KEY = "doosan_m1013 b17bed87b210e442"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -164,9 +164,9 @@ d4 = 0.559  # joint offset 4 [m]
 d6 = 0.121  # joint offset 6 [m]
 free_limit_squared2 = 2.211169e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.70230688067038e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.487  # the arm's size [m]
 longest3 = 1.390041  # square of the longest reach [m^2]
 shortest3 = 0.003720999999999993  # square of the shortest reach [m^2]
+boundary3 = 4.863633051856008e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 1.390040999999965  # the longest, where branches merge [m^2]
 shortest3_apart = 0.003721000000001807  # the shortest, where branches merge [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -177,10 +177,10 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.0011902500000000001  # d2^2 [m^2]
 k2 = 1.0260300000022113e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.0260300000002213e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
-k4 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
-k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
-k6 = 7.232222348109884e-13  # arm_size1 * boundary3 [m^5]
-k7 = 2.081291995206794  # 1 / (k4^2) [m^-4]
+k4 = 0.6724949562878278  # 1 / arm_size1 [m^-1]
+k5 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
+k6 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
+k7 = 2.081291995206794  # 1 / (k5^2) [m^-4]
 m1 = 0.8064516129032259  # a coefficient of S2
 m2 = 0.057999193548387  # a coefficient of S2
 m3 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
@@ -511,7 +511,7 @@ def _solve(pose, seed, q, status):
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v3 = Z1_3 * Z1_3
-    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     v8 = seed[1] + offset2
@@ -531,13 +531,13 @@ def _solve(pose, seed, q, status):
 
         # theta3
         N3 = v3 + root1 * root1
-        K3 = N3 - k5
+        K3 = N3 - k6
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k6 <= D3 * v4):
+        if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        s3 = k4 * K3 * k7
+        s3 = k5 * K3 * k7
 
         # theta2
         X1_2 = a2 + d4 * s3
@@ -560,7 +560,7 @@ def _solve(pose, seed, q, status):
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v5 = k7 * (k4 * (w3 * e2))
+            v5 = k7 * (k5 * (w3 * e2))
 
             # theta2
             Y1_2 = d4 * v5
@@ -913,9 +913,9 @@ def _regular(pose, q, status):
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
     v6 = w3 - w3
-    v7 = k4 * (N3 - k5)
+    v7 = k5 * (N3 - k6)
     s3 = k7 * v7
-    v8 = k4 * w3
+    v8 = k5 * w3
     v9 = k7 * v8
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
@@ -1003,7 +1003,7 @@ def _regular(pose, q, status):
     v65 = math.copysign(half_turn, Y4_m)
     doubt1 = (
         v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or
-        abs(D1) <= k2 or abs(w1 * D3) <= k6 or v25 <= m3
+        abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v25 <= m3
     )
 
     # a joint is free, or branches meet
@@ -1475,9 +1475,9 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v6 = w3 - w3
-            v7 = k4 * (N3 - k5)
+            v7 = k5 * (N3 - k6)
             s3 = k7 * v7
-            v8 = k4 * w3
+            v8 = k5 * w3
             v9 = k7 * v8
             X1_2 = a2 + d4 * s3
             Y1_2 = d4 * v9
@@ -1557,7 +1557,7 @@ def _in_tiles(T, q, status):
             v65 = math.copysign(half_turn, Y4_m)
             doubt1 = (
                 v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <=
-                m4 or abs(D1) <= k2 or abs(w1 * D3) <= k6 or v25 <= m3
+                m4 or abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v25 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -266,7 +266,7 @@ static const double
 /* coefficients */
 static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
@@ -762,7 +762,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[4])
 {
     double sum = 0.0;

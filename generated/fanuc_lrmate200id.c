@@ -287,7 +287,7 @@ static const double
 static const double m4 = 1.5151515151515151, m5 = 0.006893939393939396, m6 = 0.15425297487880124,
 m7 = 1.4764213309828118, m8 = 0.006717717055971795, m9 = 0.0007018510356985458;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -964,7 +964,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

@@ -287,7 +287,7 @@ static const double
 static const double m4 = 0.5747126436781609, m5 = 0.1748597701149426, m6 = 0.0801013234623373,
 m7 = 0.47872320375138055, m8 = 0.14565440708058014, m9 = 0.024371308271356914;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -958,7 +958,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

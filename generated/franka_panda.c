@@ -259,7 +259,6 @@ static const double
     reach_slack2 = 1.9404490000000003e-13, /* rounding at the boundary of the workspace [m^2] */
     merge_slack2 = 1.940449e-14, /* nearer to that boundary two branches are one [m^2] */
     least_root2 = 6.136238523396071e-07, /* a root of nothing, by rounding [m^2] */
-    arm_size2 = 1.940449, /* the arm's size [m^2] */
     free_limit_squared2 = 1.940449e-24, /* square of a length that fixes no angle [m^2] */
     reach_slack1 = 1.393e-13, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 1.393e-14, /* nearer to that boundary two branches are one [m] */
@@ -268,7 +267,8 @@ static const double
     k2 = 0.22907550000000002, /* 2 * (d3 * d5 - a4 * a3) [m^2] */
     k3 = 0.06581583470025, /* k1^2 + k2^2 [m^4] */
     k4 = 0.25318050000000003, /* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
-    k5 = 15.193911990243306, /* 1 / k3 [m^-4] */
+    k5 = 0.515344644461153, /* 1 / arm_size2 [m^-2] */
+    k6 = 15.193911990243306, /* 1 / k3 [m^-4] */
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     m8 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
@@ -277,7 +277,7 @@ static const double
 static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
 m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -425,149 +425,149 @@ HELPER wide_mask solve_wide(
         w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
         w2z = T13 * v1 + T23 * v2 + T33 * v3,
         Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_wide(D4), v4 = m2 * Z4, v5 = m1 * w4,
-        c4_p = v4 + v5, c4_m = v4 - v5, v6 = m1 * Z4, v7 = m2 * w4, s4_p = v7 - v6, v8 = v6 + v7,
-        angle1 = atan2_wide(w4, Z4), q4__p = angle1 - turn1, v9 = turn1 + angle1;
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_wide(D4), v4 = k5 * w4, v5 = m2 * Z4,
+        v6 = m1 * w4, c4_p = v5 + v6, c4_m = v5 - v6, v7 = m1 * Z4, v8 = m2 * w4, s4_p = v8 - v7,
+        v9 = v7 + v8, angle1 = atan2_wide(w4, Z4), q4__p = angle1 - turn1, v10 = turn1 + angle1;
 
     /* theta5 */
-    const wide v10 = a3 * c4_p + d3 * s4_p - a4, v11 = a3 * c4_m - d3 * v8 - a4, v12 = m4 + m5 * Z4,
-        v13 = m3 * w4, v14 = v12 - v13, v15 = v12 + v13, N5_p = v14 * v14, N5_m = v15 * v15,
-        Z5 = c7 * w2y + s7 * w2x, v16 = Z5 * Z5, D5_p = N5_p - v16, D5_m = N5_m - v16,
-        w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v17 = w5_p - w5_p, v18 = w5_m - w5_m,
-        v19 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5))),
-        inverse5_p = 1.0 / N5_p, inverse5_m = 1.0 / N5_m, v20 = v14 * w5_p, v21 = v15 * w5_m,
-        v22 = inverse5_p * v20, v23 = inverse5_m * v21, v24 = v14 * Z5, v25 = v15 * Z5,
-        s5_p = inverse5_p * v24, s5_m = inverse5_m * v25, angle2 = atan2_wide(v24, -v20),
-        angle3 = atan2_wide(v25, -v21), q5_pmp = signed_wide(half_turn, v24) - angle2,
-        q5_mmp = signed_wide(half_turn, v25) - angle3;
+    const wide v11 = a3 * c4_p + d3 * s4_p - a4, v12 = a3 * c4_m - d3 * v9 - a4, v13 = m4 + m5 * Z4,
+        v14 = m3 * w4, v15 = v13 - v14, v16 = v13 + v14, N5_p = v15 * v15, N5_m = v16 * v16,
+        Z5 = c7 * w2y + s7 * w2x, v17 = Z5 * Z5, D5_p = N5_p - v17, D5_m = N5_m - v17,
+        w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v18 = w5_p - w5_p, v19 = w5_m - w5_m,
+        v20 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5)), inverse5_p = 1.0 / N5_p,
+        inverse5_m = 1.0 / N5_m, v21 = v15 * w5_p, v22 = v16 * w5_m, v23 = inverse5_p * v21,
+        v24 = inverse5_m * v22, v25 = v15 * Z5, v26 = v16 * Z5, s5_p = inverse5_p * v25,
+        s5_m = inverse5_m * v26, angle2 = atan2_wide(v25, -v21), angle3 = atan2_wide(v26, -v22),
+        q5_pmp = signed_wide(half_turn, v25) - angle2,
+        q5_mmp = signed_wide(half_turn, v26) - angle3;
 
     /* theta6 */
-    const wide v26 = m7 + m3 * Z4, v27 = m5 * w4, Y1_6_p = v26 + v27, Y1_6_m = v26 - v27,
-        Z2_6 = a6 + (c7 * w2x - s7 * w2y), v28 = Y1_6_p * Z2_6, v29 = Y1_6_m * Z2_6,
-        v30 = w5_p * (inverse5_p * (v10 * (w2z * v14))), v31 = v28 - v30, v32 = v28 + v30,
-        v33 = w5_m * (inverse5_m * (v11 * (w2z * v15))), v34 = v29 - v33, v35 = v29 + v33,
-        v36 = w2z * Y1_6_p, v37 = w2z * Y1_6_m, v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6))),
-        C6_pp = v36 + v38, C6_pm = v36 - v38, v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6))),
-        C6_mp = v37 + v39, C6_mm = v37 - v39, v40 = v31 * v31 + C6_pp * C6_pp,
-        v41 = v32 * v32 + C6_pm * C6_pm, v42 = v34 * v34 + C6_mp * C6_mp,
-        v43 = v35 * v35 + C6_mm * C6_mm, factor6_pp = sqrt_wide(v40) * (1.0 / v40),
-        factor6_pm = sqrt_wide(v41) * (1.0 / v41), factor6_mp = sqrt_wide(v42) * (1.0 / v42),
-        factor6_mm = sqrt_wide(v43) * (1.0 / v43), angle4 = atan2_wide(-v31, C6_pp),
-        angle5 = atan2_wide(-v32, C6_pm), angle6 = atan2_wide(-v34, C6_mp),
-        angle7 = atan2_wide(-v35, C6_mm);
+    const wide v27 = m7 + m3 * Z4, v28 = m5 * w4, Y1_6_p = v27 + v28, Y1_6_m = v27 - v28,
+        Z2_6 = a6 + (c7 * w2x - s7 * w2y), v29 = Y1_6_p * Z2_6, v30 = Y1_6_m * Z2_6,
+        v31 = w5_p * (inverse5_p * (v11 * (w2z * v15))), v32 = v29 - v31, v33 = v29 + v31,
+        v34 = w5_m * (inverse5_m * (v12 * (w2z * v16))), v35 = v30 - v34, v36 = v30 + v34,
+        v37 = w2z * Y1_6_p, v38 = w2z * Y1_6_m, v39 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6))),
+        C6_pp = v37 + v39, C6_pm = v37 - v39, v40 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6))),
+        C6_mp = v38 + v40, C6_mm = v38 - v40, v41 = v32 * v32 + C6_pp * C6_pp,
+        v42 = v33 * v33 + C6_pm * C6_pm, v43 = v35 * v35 + C6_mp * C6_mp,
+        v44 = v36 * v36 + C6_mm * C6_mm, factor6_pp = sqrt_wide(v41) * (1.0 / v41),
+        factor6_pm = sqrt_wide(v42) * (1.0 / v42), factor6_mp = sqrt_wide(v43) * (1.0 / v43),
+        factor6_mm = sqrt_wide(v44) * (1.0 / v44), angle4 = atan2_wide(-v32, C6_pp),
+        angle5 = atan2_wide(-v33, C6_pm), angle6 = atan2_wide(-v35, C6_mp),
+        angle7 = atan2_wide(-v36, C6_mm);
 
     /* theta3 */
-    const wide v44 = c7 * T31 - s7 * T32, v45 = c4_p * v44, v46 = c4_m * v44, v47 = T33 * s4_p,
-        v48 = T33 * v8, v49 = T33 * c4_p, v50 = T33 * c4_m, v51 = s4_p * v44, v52 = v8 * v44,
-        v53 = c7 * T32 + s7 * T31, v54 = s5_p * (c4_p * v53), v55 = s5_m * (c4_m * v53),
-        v56 = v22 * v45, v57 = v23 * v46, v58 = v22 * v49, v59 = v23 * v50,
-        c3_pp = v54 + factor6_pp * (C6_pp * (v47 - v56) + v31 * (v51 + v58)),
-        c3_pm = v54 + factor6_pm * (C6_pm * (v47 + v56) + v32 * (v51 - v58)),
-        c3_mp = v55 - factor6_mp * (C6_mp * (v48 + v57) - v34 * (v59 - v52)),
-        c3_mm = v55 + factor6_mm * (C6_mm * (v57 - v48) - v35 * (v52 + v59)), v60 = s5_p * v44,
-        v61 = s5_m * v44, v62 = T33 * s5_p, v63 = T33 * s5_m, v64 = v22 * v53, v65 = v23 * v53,
-        v66 = v64 + factor6_pp * (C6_pp * v60 - v31 * v62),
-        v67 = factor6_pm * (C6_pm * v60 - v32 * v62) - v64,
-        v68 = v65 + factor6_mp * (C6_mp * v61 - v34 * v63),
-        v69 = factor6_mm * (C6_mm * v61 - v35 * v63) - v65, v70 = c3_pp * c3_pp + v66 * v66,
-        v71 = c3_pm * c3_pm + v67 * v67, v72 = c3_mp * c3_mp + v68 * v68,
-        v73 = c3_mm * c3_mm + v69 * v69, angle8 = atan2_wide(-v66, c3_pp),
-        angle9 = atan2_wide(-v67, c3_pm), angle10 = atan2_wide(-v68, c3_mp),
-        angle11 = atan2_wide(-v69, c3_mm), q3_ppm = angle8 - signed_wide(half_turn, -v66),
-        q3_pmm = angle9 - signed_wide(half_turn, -v67),
-        q3_mpm = angle10 - signed_wide(half_turn, -v68),
-        q3_mmm = angle11 - signed_wide(half_turn, -v69);
+    const wide v45 = c7 * T31 - s7 * T32, v46 = c4_p * v45, v47 = c4_m * v45, v48 = T33 * s4_p,
+        v49 = T33 * v9, v50 = T33 * c4_p, v51 = T33 * c4_m, v52 = s4_p * v45, v53 = v9 * v45,
+        v54 = c7 * T32 + s7 * T31, v55 = s5_p * (c4_p * v54), v56 = s5_m * (c4_m * v54),
+        v57 = v23 * v46, v58 = v24 * v47, v59 = v23 * v50, v60 = v24 * v51,
+        c3_pp = v55 + factor6_pp * (C6_pp * (v48 - v57) + v32 * (v52 + v59)),
+        c3_pm = v55 + factor6_pm * (C6_pm * (v48 + v57) + v33 * (v52 - v59)),
+        c3_mp = v56 - factor6_mp * (C6_mp * (v49 + v58) - v35 * (v60 - v53)),
+        c3_mm = v56 + factor6_mm * (C6_mm * (v58 - v49) - v36 * (v53 + v60)), v61 = s5_p * v45,
+        v62 = s5_m * v45, v63 = T33 * s5_p, v64 = T33 * s5_m, v65 = v23 * v54, v66 = v24 * v54,
+        v67 = v65 + factor6_pp * (C6_pp * v61 - v32 * v63),
+        v68 = factor6_pm * (C6_pm * v61 - v33 * v63) - v65,
+        v69 = v66 + factor6_mp * (C6_mp * v62 - v35 * v64),
+        v70 = factor6_mm * (C6_mm * v62 - v36 * v64) - v66, v71 = c3_pp * c3_pp + v67 * v67,
+        v72 = c3_pm * c3_pm + v68 * v68, v73 = c3_mp * c3_mp + v69 * v69,
+        v74 = c3_mm * c3_mm + v70 * v70, angle8 = atan2_wide(-v67, c3_pp),
+        angle9 = atan2_wide(-v68, c3_pm), angle10 = atan2_wide(-v69, c3_mp),
+        angle11 = atan2_wide(-v70, c3_mm), q3_ppm = angle8 - signed_wide(half_turn, -v67),
+        q3_pmm = angle9 - signed_wide(half_turn, -v68),
+        q3_mpm = angle10 - signed_wide(half_turn, -v69),
+        q3_mmm = angle11 - signed_wide(half_turn, -v70);
 
     /* theta2 */
-    const wide v74 = s5_p * (s4_p * v53), v75 = s5_m * (v8 * v53), v76 = v22 * v51, v77 = v23 * v52,
-        v78 = v22 * v47, v79 = v23 * v48,
-        angle12 = atan2_wide(-sqrt_wide(v70), v74 + factor6_pp * (-v31 * (v45 - v78) - C6_pp * (v49
-            + v76))),
-        angle13 = atan2_wide(-sqrt_wide(v71), v74 - factor6_pm * (v32 * (v45 + v78) + C6_pm * (v49 -
-            v76))),
-        angle14 = atan2_wide(-sqrt_wide(v72), factor6_mp * (-v34 * (v46 + v79) - C6_mp * (v50 -
-            v77)) - v75),
-        angle15 = atan2_wide(-sqrt_wide(v73), -(v75 + factor6_mm * (v35 * (v46 - v79) + C6_mm * (v50
-            + v77))));
+    const wide v75 = s5_p * (s4_p * v54), v76 = s5_m * (v9 * v54), v77 = v23 * v52, v78 = v24 * v53,
+        v79 = v23 * v48, v80 = v24 * v49,
+        angle12 = atan2_wide(-sqrt_wide(v71), v75 + factor6_pp * (-v32 * (v46 - v79) - C6_pp * (v50
+            + v77))),
+        angle13 = atan2_wide(-sqrt_wide(v72), v75 - factor6_pm * (v33 * (v46 + v79) + C6_pm * (v50 -
+            v77))),
+        angle14 = atan2_wide(-sqrt_wide(v73), factor6_mp * (-v35 * (v47 + v80) - C6_mp * (v51 -
+            v78)) - v76),
+        angle15 = atan2_wide(-sqrt_wide(v74), -(v76 + factor6_mm * (v36 * (v47 - v80) + C6_mm * (v51
+            + v78))));
 
     /* theta1 */
-    const wide v80 = c7 * T11 - s7 * T12, v81 = s5_p * v80, v82 = s5_m * v80, v83 = T13 * s5_p,
-        v84 = T13 * s5_m, v85 = c7 * T12 + s7 * T11, v86 = v22 * v85, v87 = v23 * v85,
-        v88 = T13 * s4_p, v89 = T13 * v8, v90 = s4_p * v80, v91 = v8 * v80,
-        v92 = s5_p * (c4_p * v85), v93 = s5_m * (c4_m * v85), v94 = v22 * (c4_p * v80),
-        v95 = v23 * (c4_m * v80), v96 = v22 * (T13 * c4_p), v97 = v23 * (T13 * c4_m),
-        s1_pp = v66 * (v92 + factor6_pp * (C6_pp * (v88 - v94) + v31 * (v90 + v96))) - c3_pp * (v86
-            + factor6_pp * (C6_pp * v81 - v31 * v83)),
-        s1_pm = v67 * (v92 + factor6_pm * (C6_pm * (v88 + v94) + v32 * (v90 - v96))) - c3_pm *
-            (factor6_pm * (C6_pm * v81 - v32 * v83) - v86),
-        s1_mp = v68 * (v93 - factor6_mp * (C6_mp * (v89 + v95) - v34 * (v97 - v91))) - c3_mp * (v87
-            + factor6_mp * (C6_mp * v82 - v34 * v84)),
-        s1_mm = v69 * (v93 + factor6_mm * (C6_mm * (v95 - v89) - v35 * (v91 + v97))) - c3_mm *
-            (factor6_mm * (C6_mm * v82 - v35 * v84) - v87), v98 = c7 * T21 - s7 * T22,
-        v99 = s5_p * v98, v100 = s5_m * v98, v101 = T23 * s5_p, v102 = T23 * s5_m,
-        v103 = c7 * T22 + s7 * T21, v104 = v22 * v103, v105 = v23 * v103, v106 = T23 * s4_p,
-        v107 = T23 * v8, v108 = s4_p * v98, v109 = v8 * v98, v110 = s5_p * (c4_p * v103),
-        v111 = s5_m * (c4_m * v103), v112 = v22 * (c4_p * v98), v113 = v23 * (c4_m * v98),
-        v114 = v22 * (T23 * c4_p), v115 = v23 * (T23 * c4_m),
-        angle16 = atan2_wide(s1_pp, c3_pp * (v104 + factor6_pp * (C6_pp * v99 - v31 * v101)) - v66 *
-            (v110 + factor6_pp * (C6_pp * (v106 - v112) + v31 * (v108 + v114)))),
-        angle17 = atan2_wide(s1_pm, c3_pm * (factor6_pm * (C6_pm * v99 - v32 * v101) - v104) - v67 *
-            (v110 + factor6_pm * (C6_pm * (v106 + v112) + v32 * (v108 - v114)))),
-        angle18 = atan2_wide(s1_mp, c3_mp * (v105 + factor6_mp * (C6_mp * v100 - v34 * v102)) - v68
-            * (v111 - factor6_mp * (C6_mp * (v107 + v113) - v34 * (v115 - v109)))),
-        angle19 = atan2_wide(s1_mm, c3_mm * (factor6_mm * (C6_mm * v100 - v35 * v102) - v105) - v69
-            * (v111 + factor6_mm * (C6_mm * (v113 - v107) - v35 * (v109 + v115)))),
+    const wide v81 = c7 * T11 - s7 * T12, v82 = s5_p * v81, v83 = s5_m * v81, v84 = T13 * s5_p,
+        v85 = T13 * s5_m, v86 = c7 * T12 + s7 * T11, v87 = v23 * v86, v88 = v24 * v86,
+        v89 = T13 * s4_p, v90 = T13 * v9, v91 = s4_p * v81, v92 = v9 * v81,
+        v93 = s5_p * (c4_p * v86), v94 = s5_m * (c4_m * v86), v95 = v23 * (c4_p * v81),
+        v96 = v24 * (c4_m * v81), v97 = v23 * (T13 * c4_p), v98 = v24 * (T13 * c4_m),
+        s1_pp = v67 * (v93 + factor6_pp * (C6_pp * (v89 - v95) + v32 * (v91 + v97))) - c3_pp * (v87
+            + factor6_pp * (C6_pp * v82 - v32 * v84)),
+        s1_pm = v68 * (v93 + factor6_pm * (C6_pm * (v89 + v95) + v33 * (v91 - v97))) - c3_pm *
+            (factor6_pm * (C6_pm * v82 - v33 * v84) - v87),
+        s1_mp = v69 * (v94 - factor6_mp * (C6_mp * (v90 + v96) - v35 * (v98 - v92))) - c3_mp * (v88
+            + factor6_mp * (C6_mp * v83 - v35 * v85)),
+        s1_mm = v70 * (v94 + factor6_mm * (C6_mm * (v96 - v90) - v36 * (v92 + v98))) - c3_mm *
+            (factor6_mm * (C6_mm * v83 - v36 * v85) - v88), v99 = c7 * T21 - s7 * T22,
+        v100 = s5_p * v99, v101 = s5_m * v99, v102 = T23 * s5_p, v103 = T23 * s5_m,
+        v104 = c7 * T22 + s7 * T21, v105 = v23 * v104, v106 = v24 * v104, v107 = T23 * s4_p,
+        v108 = T23 * v9, v109 = s4_p * v99, v110 = v9 * v99, v111 = s5_p * (c4_p * v104),
+        v112 = s5_m * (c4_m * v104), v113 = v23 * (c4_p * v99), v114 = v24 * (c4_m * v99),
+        v115 = v23 * (T23 * c4_p), v116 = v24 * (T23 * c4_m),
+        angle16 = atan2_wide(s1_pp, c3_pp * (v105 + factor6_pp * (C6_pp * v100 - v32 * v102)) - v67
+            * (v111 + factor6_pp * (C6_pp * (v107 - v113) + v32 * (v109 + v115)))),
+        angle17 = atan2_wide(s1_pm, c3_pm * (factor6_pm * (C6_pm * v100 - v33 * v102) - v105) - v68
+            * (v111 + factor6_pm * (C6_pm * (v107 + v113) + v33 * (v109 - v115)))),
+        angle18 = atan2_wide(s1_mp, c3_mp * (v106 + factor6_mp * (C6_mp * v101 - v35 * v103)) - v69
+            * (v112 - factor6_mp * (C6_mp * (v108 + v114) - v35 * (v116 - v110)))),
+        angle19 = atan2_wide(s1_mm, c3_mm * (factor6_mm * (C6_mm * v101 - v36 * v103) - v106) - v70
+            * (v112 + factor6_mm * (C6_mm * (v114 - v108) - v36 * (v110 + v116)))),
         q1_ppm = angle16 - signed_wide(half_turn, s1_pp),
         q1_pmm = angle17 - signed_wide(half_turn, s1_pm),
         q1_mpm = angle18 - signed_wide(half_turn, s1_mp),
         q1_mmm = angle19 - signed_wide(half_turn, s1_mm);
 
     /* joint values */
-    const wide v116 = raised_wide(q4__p), v117 = only_wide(-v9 <= -half_turn, turn) - v9;
-    const wide_mask v118 = exceeds(angle12, 2), v119 = exceeds(angle13, 2),
-        v120 = exceeds(angle14, 2), v121 = exceeds(angle15, 2), v122 = beyond(v116, 4),
-        v123 = beyond(v117, 4), v124 = exceeds(angle2, 5), v125 = exceeds(q5_pmp, 5),
-        v126 = exceeds(angle3, 5), v127 = exceeds(q5_mmp, 5);
-    const wide v128 = angle4 + only_wide(angle4 < low(6), turn),
-        v129 = angle5 + only_wide(angle5 < low(6), turn),
-        v130 = angle6 + only_wide(angle6 < low(6), turn),
-        v131 = angle7 + only_wide(angle7 < low(6), turn);
-    const wide_mask v132 = beyond(v128, 6), v133 = beyond(v129, 6), v134 = beyond(v130, 6),
-        v135 = beyond(v131, 6);
-    const wide q6_ppp = pick_wide(v132, angle4, v128), q6_pmp = pick_wide(v133, angle5, v129),
-        q6_mpp = pick_wide(v134, angle6, v130), q6_mmp = pick_wide(v135, angle7, v131),
-        q4_ppp = v17 + v116, q4_mpp = v18 + v117, v136 = free_joints[0] + (w4 - w4),
-        q7_ppp = v17 + v136, q7_mpp = v18 + v136;
-    const wide_mask doubt1 = (v73 <= m9) | (v43 <= m8) | (v72 <= m9) | (v42 <= m8) | (v71 <= m9) |
-        (v41 <= m8) | (v70 <= m9) | (v40 <= m8) | (abs_wide(w4 * D5_m) <= v19) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(w4 * D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 *
+    const wide v117 = raised_wide(q4__p), v118 = only_wide(-v10 <= -half_turn, turn) - v10;
+    const wide_mask v119 = exceeds(angle12, 2), v120 = exceeds(angle13, 2),
+        v121 = exceeds(angle14, 2), v122 = exceeds(angle15, 2), v123 = beyond(v117, 4),
+        v124 = beyond(v118, 4), v125 = exceeds(angle2, 5), v126 = exceeds(q5_pmp, 5),
+        v127 = exceeds(angle3, 5), v128 = exceeds(q5_mmp, 5);
+    const wide v129 = angle4 + only_wide(angle4 < low(6), turn),
+        v130 = angle5 + only_wide(angle5 < low(6), turn),
+        v131 = angle6 + only_wide(angle6 < low(6), turn),
+        v132 = angle7 + only_wide(angle7 < low(6), turn);
+    const wide_mask v133 = beyond(v129, 6), v134 = beyond(v130, 6), v135 = beyond(v131, 6),
+        v136 = beyond(v132, 6);
+    const wide q6_ppp = pick_wide(v133, angle4, v129), q6_pmp = pick_wide(v134, angle5, v130),
+        q6_mpp = pick_wide(v135, angle6, v131), q6_mmp = pick_wide(v136, angle7, v132),
+        q4_ppp = v18 + v117, q4_mpp = v19 + v118, v137 = free_joints[0] + (w4 - w4),
+        q7_ppp = v18 + v137, q7_mpp = v19 + v137;
+    const wide_mask doubt1 = (v74 <= m9) | (v44 <= m8) | (v73 <= m9) | (v43 <= m8) | (v72 <= m9) |
+        (v42 <= m8) | (v71 <= m9) | (v41 <= m8) | (abs_wide(v4 * D5_m) <= v20) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(v4 * D5_p) <= v20) | (abs_wide(D4) <= reach_slack2 *
         (reach_slack2 + 2.0 * abs_wide(Z4))) | exceeds(free_joints[0], 7) | (N5_p <=
         doubt_limit_squared2);
 
     q[0] = angle16; q[1] = angle12; q[2] = angle8; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
-    kind[0] = kind_of(q[0], v132 | v124 | v122 | exceeds(angle8, 3) | v118 | exceeds(angle16, 1));
+    kind[0] = kind_of(q[0], v133 | v125 | v123 | exceeds(angle8, 3) | v119 | exceeds(angle16, 1));
     q[7] = q1_ppm; q[8] = -angle12; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
-    kind[1] = kind_of(q[7], v132 | v124 | v122 | exceeds(q3_ppm, 3) | v118 | exceeds(q1_ppm, 1));
+    kind[1] = kind_of(q[7], v133 | v125 | v123 | exceeds(q3_ppm, 3) | v119 | exceeds(q1_ppm, 1));
     q[14] = angle17; q[15] = angle13; q[16] = angle9; q[17] = q4_ppp; q[18] = q5_pmp;
     q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14], v133 | v125 | v122 | exceeds(angle9, 3) | v119 | exceeds(angle17, 1));
+    kind[2] = kind_of(q[14], v134 | v126 | v123 | exceeds(angle9, 3) | v120 | exceeds(angle17, 1));
     q[21] = q1_pmm; q[22] = -angle13; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
     q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21], v133 | v125 | v122 | exceeds(q3_pmm, 3) | v119 | exceeds(q1_pmm, 1));
+    kind[3] = kind_of(q[21], v134 | v126 | v123 | exceeds(q3_pmm, 3) | v120 | exceeds(q1_pmm, 1));
     q[28] = angle18; q[29] = angle14; q[30] = angle10; q[31] = q4_mpp; q[32] = angle3;
     q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28], v134 | v126 | v123 | exceeds(angle10, 3) | v120 | exceeds(angle18, 1));
+    kind[4] = kind_of(q[28], v135 | v127 | v124 | exceeds(angle10, 3) | v121 | exceeds(angle18, 1));
     q[35] = q1_mpm; q[36] = -angle14; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
     q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35], v134 | v126 | v123 | exceeds(q3_mpm, 3) | v120 | exceeds(q1_mpm, 1));
+    kind[5] = kind_of(q[35], v135 | v127 | v124 | exceeds(q3_mpm, 3) | v121 | exceeds(q1_mpm, 1));
     q[42] = angle19; q[43] = angle15; q[44] = angle11; q[45] = q4_mpp; q[46] = q5_mmp;
     q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42], v135 | v127 | v123 | exceeds(angle11, 3) | v121 | exceeds(angle19, 1));
+    kind[6] = kind_of(q[42], v136 | v128 | v124 | exceeds(angle11, 3) | v122 | exceeds(angle19, 1));
     q[49] = q1_mmm; q[50] = -angle15; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
     q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49], v135 | v127 | v123 | exceeds(q3_mmm, 3) | v121 | exceeds(q1_mmm, 1));
+    kind[7] = kind_of(q[49], v136 | v128 | v124 | exceeds(q3_mmm, 3) | v122 | exceeds(q1_mmm, 1));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -591,87 +591,87 @@ HELPER int solve_regular(
         w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
         w2z = T13 * v1 + T23 * v2 + T33 * v3,
         Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4), v4 = m2 * Z4;
-    const four c4 = v4 + w4 * (m1 * e1);
-    const double v5 = m1 * Z4;
-    const four s4 = w4 * (m2 * e1) - v5;
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4), v4 = k5 * w4, v5 = m2 * Z4;
+    const four c4 = v5 + w4 * (m1 * e1);
+    const double v6 = m1 * Z4;
+    const four s4 = w4 * (m2 * e1) - v6;
 
     /* theta5 */
-    const four v6 = a3 * c4 + d3 * s4 - a4;
-    const double v7 = m4 + m5 * Z4;
-    const four v8 = v7 - w4 * (m3 * e1), N5 = v8 * v8;
-    const double Z5 = c7 * w2y + s7 * w2x, v9 = Z5 * Z5;
-    const four D5 = N5 - v9, w5 = sqrt_four(D5), v10 = w5 - w5;
-    const double v11 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5)));
-    const four inverse5 = 1.0 / N5, v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5,
-        s5 = inverse5 * v14, v15 = signed_four(half_turn, v14), v16 = m6 * (1.0 - e2);
+    const four v7 = a3 * c4 + d3 * s4 - a4;
+    const double v8 = m4 + m5 * Z4;
+    const four v9 = v8 - w4 * (m3 * e1), N5 = v9 * v9;
+    const double Z5 = c7 * w2y + s7 * w2x, v10 = Z5 * Z5;
+    const four D5 = N5 - v10, w5 = sqrt_four(D5), v11 = w5 - w5;
+    const double v12 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
+    const four inverse5 = 1.0 / N5, v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5,
+        s5 = inverse5 * v15, v16 = signed_four(half_turn, v15), v17 = m6 * (1.0 - e2);
 
     /* theta6 */
-    const double v17 = m7 + m3 * Z4;
-    const four Y1_6 = v17 + w4 * (m5 * e1);
+    const double v18 = m7 + m3 * Z4;
+    const four Y1_6 = v18 + w4 * (m5 * e1);
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const four v18 = Y1_6 * Z2_6, v19 = e2 * w2z, v20 = v18 - w5 * (inverse5 * (v6 * (v8 * v19))),
-        v21 = w2z * Y1_6, v22 = e2 * Z2_6, C6 = v21 + w5 * (inverse5 * (v6 * (v8 * v22))),
-        v23 = v20 * v20 + C6 * C6, factor6 = sqrt_four(v23) * (1.0 / v23);
+    const four v19 = Y1_6 * Z2_6, v20 = e2 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))),
+        v22 = w2z * Y1_6, v23 = e2 * Z2_6, C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))),
+        v24 = v21 * v21 + C6 * C6, factor6 = sqrt_four(v24) * (1.0 / v24);
 
     /* theta3 */
-    const double v24 = c7 * T31 - s7 * T32;
-    const four v25 = c4 * v24, v26 = T33 * s4, v27 = T33 * c4, v28 = s4 * v24;
-    const double v29 = c7 * T32 + s7 * T31;
-    const four v30 = s5 * (c4 * v29), v31 = v13 * v25, v32 = v13 * v27,
-        c3 = v30 + factor6 * (C6 * (v26 - e2 * v31) + v20 * (v28 + e2 * v32)), v33 = s5 * v24,
-        v34 = T33 * s5, v35 = v13 * v29, v36 = e2 * v35 + factor6 * (C6 * v33 - v20 * v34),
-        v37 = c3 * c3 + v36 * v36;
+    const double v25 = c7 * T31 - s7 * T32;
+    const four v26 = c4 * v25, v27 = T33 * s4, v28 = T33 * c4, v29 = s4 * v25;
+    const double v30 = c7 * T32 + s7 * T31;
+    const four v31 = s5 * (c4 * v30), v32 = v14 * v26, v33 = v14 * v28,
+        c3 = v31 + factor6 * (C6 * (v27 - e2 * v32) + v21 * (v29 + e2 * v33)), v34 = s5 * v25,
+        v35 = T33 * s5, v36 = v14 * v30, v37 = e2 * v36 + factor6 * (C6 * v34 - v21 * v35),
+        v38 = c3 * c3 + v37 * v37;
 
     /* theta2 */
-    const four v38 = s5 * (s4 * v29), v39 = v13 * v28, v40 = v13 * v26;
+    const four v39 = s5 * (s4 * v30), v40 = v14 * v29, v41 = v14 * v27;
 
     /* theta1 */
-    const double v41 = c7 * T11 - s7 * T12;
-    const four v42 = s5 * v41, v43 = T13 * s5;
-    const double v44 = c7 * T12 + s7 * T11;
-    const four v45 = v13 * v44, v46 = T13 * s4, v47 = s4 * v41, v48 = s5 * (c4 * v44),
-        v49 = v13 * (c4 * v41), v50 = v13 * (T13 * c4),
-        s1 = v36 * (v48 + factor6 * (C6 * (v46 - e2 * v49) + v20 * (v47 + e2 * v50))) - c3 * (e2 *
-            v45 + factor6 * (C6 * v42 - v20 * v43));
-    const double v51 = c7 * T21 - s7 * T22;
-    const four v52 = s5 * v51, v53 = T23 * s5;
-    const double v54 = c7 * T22 + s7 * T21;
-    const four v55 = v13 * v54, v56 = T23 * s4, v57 = s4 * v51, v58 = s5 * (c4 * v54),
-        v59 = v13 * (c4 * v51), v60 = v13 * (T23 * c4);
+    const double v42 = c7 * T11 - s7 * T12;
+    const four v43 = s5 * v42, v44 = T13 * s5;
+    const double v45 = c7 * T12 + s7 * T11;
+    const four v46 = v14 * v45, v47 = T13 * s4, v48 = s4 * v42, v49 = s5 * (c4 * v45),
+        v50 = v14 * (c4 * v42), v51 = v14 * (T13 * c4),
+        s1 = v37 * (v49 + factor6 * (C6 * (v47 - e2 * v50) + v21 * (v48 + e2 * v51))) - c3 * (e2 *
+            v46 + factor6 * (C6 * v43 - v21 * v44));
+    const double v52 = c7 * T21 - s7 * T22;
+    const four v53 = s5 * v52, v54 = T23 * s5;
+    const double v55 = c7 * T22 + s7 * T21;
+    const four v56 = v14 * v55, v57 = T23 * s4, v58 = s4 * v52, v59 = s5 * (c4 * v55),
+        v60 = v14 * (c4 * v52), v61 = v14 * (T23 * c4);
 
     /* joint values */
-    const double v67 = free_joints[0] + (w4 - w4);
-    const four q7_p = v10 + v67;
+    const double v68 = free_joints[0] + (w4 - w4);
+    const four q7_p = v11 + v68;
     const int doubt1 = (fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4))) | (high(7) <
         fabs(free_joints[0]));
-    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(w4 * D5) <= v11),
-        doubt3 = (v23 <= m8) | (v37 <= m9);
+    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(v4 * D5) <= v12),
+        doubt3 = (v24 <= m8) | (v38 <= m9);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(shuffle(v14, all_four(w4), 0, 5, 2, 3), shuffle(-v12,
-        all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v36, c3),
-        ratio4 = ratio_four(s1, c3 * (e2 * v55 + factor6 * (C6 * v52 - v20 * v53)) - v36 * (v58 +
-            factor6 * (C6 * (v56 - e2 * v59) + v20 * (v57 + e2 * v60)))),
-        ratio5 = ratio_four(-sqrt_four(v37), v38 + factor6 * (-v20 * (v25 - e2 * v40) - C6 * (v27 +
-            e2 * v39)));
+    const four_ratio ratio1 = ratio_four(shuffle(v15, all_four(w4), 0, 5, 2, 3), shuffle(-v13,
+        all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v21, C6), ratio3 = ratio_four(-v37, c3),
+        ratio4 = ratio_four(s1, c3 * (e2 * v56 + factor6 * (C6 * v53 - v21 * v54)) - v37 * (v59 +
+            factor6 * (C6 * (v57 - e2 * v60) + v21 * (v58 + e2 * v61)))),
+        ratio5 = ratio_four(-sqrt_four(v38), v39 + factor6 * (-v21 * (v26 - e2 * v41) - C6 * (v28 +
+            e2 * v40)));
     const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
-    const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
-        q3_m = angle4 - signed_four(half_turn, -v36), q1_m = angle6 - signed_four(half_turn, s1),
-        v61 = raised_four(q4_);
-    const four_mask v62 = exceeds_four(angle5, 2), v63 = beyond_four(v61, 4),
-        v64 = exceeds_four(q5_p, 5);
-    const four v65 = angle3 + only_four(angle3 < low(6), turn);
-    const four_mask v66 = beyond_four(v65, 6);
-    const four q6_p = pick_four(v66, angle3, v65), q4_p = v10 + v61;
-    const four_mask outside_p = v66 | v64 | v63 | exceeds_four(angle4, 3) | v62 |
+    const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v16 * v17,
+        q3_m = angle4 - signed_four(half_turn, -v37), q1_m = angle6 - signed_four(half_turn, s1),
+        v62 = raised_four(q4_);
+    const four_mask v63 = exceeds_four(angle5, 2), v64 = beyond_four(v62, 4),
+        v65 = exceeds_four(q5_p, 5);
+    const four v66 = angle3 + only_four(angle3 < low(6), turn);
+    const four_mask v67 = beyond_four(v66, 6);
+    const four q6_p = pick_four(v67, angle3, v66), q4_p = v11 + v62;
+    const four_mask outside_p = v67 | v65 | v64 | exceeds_four(angle4, 3) | v63 |
         exceeds_four(angle6, 1),
-        outside_m = v66 | v64 | v63 | exceeds_four(q3_m, 3) | v62 | exceeds_four(q1_m, 1);
+        outside_m = v67 | v65 | v64 | exceeds_four(q3_m, 3) | v63 | exceeds_four(q1_m, 1);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle6, angle5, angle4, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, q5_p, q6_p, q7_p);
@@ -760,7 +760,7 @@ static void solve(
     const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
     if (!(-(reach_slack2 * (v4 + reach_slack2)) <= D4)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v5 = apart4 ? w4 : least_root2, v6 = k1 * Z4, v7 = k2 * Z4;
+    const double v5 = (apart4 ? w4 : least_root2) * k5, v6 = k1 * Z4, v7 = k2 * Z4;
 
     /* theta5, type 2: A7 U0^-1 A1 [3, 4] */
     const double Z5 = c7 * w2y + s7 * w2x;
@@ -782,7 +782,7 @@ static void solve(
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
         const double root4 = w4 * e1;
-        const double c4 = k5 * (v7 + k1 * root4), s4 = k5 * (k2 * root4 - v6);
+        const double c4 = k6 * (v7 + k1 * root4), s4 = k6 * (k2 * root4 - v6);
         const double q4 = atan2(s4, c4);
 
         /* theta5 */
@@ -791,8 +791,7 @@ static void solve(
         const int free5 = N5 <= free_limit_squared2;
         const double D5 = N5 - v9;
         const int apart5 = v12 < D5;
-        if (!(-(arm_size2 * (reach_slack1 * (v11 + reach_slack1))) <= v5 * D5))
-            continue; /* out of reach */
+        if (!(-(reach_slack1 * (v11 + reach_slack1)) <= v5 * D5)) continue; /* out of reach */
         const double w5 = sqrt(apart5 ? D5 : 0.0);
         const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v10 * sqrt(N5)));
         const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v8 * Z5);

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 44806f1063c3896c"
+_KEY = "franka_panda 70f17e5a2163778a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -169,7 +169,6 @@ d7 = 0.107  # z of the tool frame [m]
 reach_slack2 = 1.9404490000000003e-13  # rounding at the boundary of the workspace [m^2]
 merge_slack2 = 1.940449e-14  # nearer to that boundary two branches are one [m^2]
 least_root2 = 6.136238523396071e-07  # a root of nothing, by rounding [m^2]
-arm_size2 = 1.940449  # the arm's size [m^2]
 free_limit_squared2 = 1.940449e-24  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.393e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1.393e-14  # nearer to that boundary two branches are one [m]
@@ -178,7 +177,8 @@ k1 = 0.1155  # 2 * (d3 * a4 + d5 * a3) [m^2]
 k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
 k3 = 0.06581583470025  # k1^2 + k2^2 [m^4]
 k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
-k5 = 15.193911990243306  # 1 / k3 [m^-4]
+k5 = 0.515344644461153  # 1 / arm_size2 [m^-2]
+k6 = 15.193911990243306  # 1 / k3 [m^-4]
 doubt_limit_squared2 = 1.940449e-08  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 high1 = 2.897300001
@@ -551,7 +551,7 @@ def _solve(pose, q_free, seed, q, status):
     if not (-(reach_slack2 * (v4 + reach_slack2)) <= D4):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
-    v5 = w4 if apart4 else least_root2
+    v5 = (w4 if apart4 else least_root2) * k5
     v6 = k1 * Z4
     v7 = k2 * Z4
 
@@ -581,8 +581,8 @@ def _solve(pose, q_free, seed, q, status):
         if e1 < 0.0 and not apart4:
             continue  # both signs give the same
         root4 = w4 * e1
-        c4 = k5 * (v7 + k1 * root4)
-        s4 = k5 * (k2 * root4 - v6)
+        c4 = k6 * (v7 + k1 * root4)
+        s4 = k6 * (k2 * root4 - v6)
         q4 = _atan2(s4, c4)
 
         # theta5
@@ -591,7 +591,7 @@ def _solve(pose, q_free, seed, q, status):
         free5 = N5 <= free_limit_squared2
         D5 = N5 - v9
         apart5 = v12 < D5
-        if not (-(arm_size2 * (reach_slack1 * (v11 + reach_slack1))) <= v5 * D5):
+        if not (-(reach_slack1 * (v11 + reach_slack1)) <= v5 * D5):
             continue  # out of reach
         w5 = math.sqrt(D5 if apart5 else 0.0)
         inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v10 * math.sqrt(N5)))
@@ -1209,180 +1209,181 @@ def _regular(pose, q_free, q, status):
     )
     D4 = k3 - Z4 * Z4
     w4 = math.sqrt(D4)
-    v4 = m2 * Z4
-    v5 = m1 * w4
-    c4_p = v4 + v5
-    c4_m = v4 - v5
-    v6 = m1 * Z4
-    v7 = m2 * w4
-    s4_p = v7 - v6
-    v8 = v6 + v7
+    v4 = k5 * w4
+    v5 = m2 * Z4
+    v6 = m1 * w4
+    c4_p = v5 + v6
+    c4_m = v5 - v6
+    v7 = m1 * Z4
+    v8 = m2 * w4
+    s4_p = v8 - v7
+    v9 = v7 + v8
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
-    v10 = a3 * c4_p + d3 * s4_p - a4
-    v11 = a3 * c4_m - d3 * v8 - a4
-    v12 = m4 + m5 * Z4
-    v13 = m3 * w4
-    v14 = v12 - v13
-    v15 = v12 + v13
-    N5_p = v14 * v14
-    N5_m = v15 * v15
+    v11 = a3 * c4_p + d3 * s4_p - a4
+    v12 = a3 * c4_m - d3 * v9 - a4
+    v13 = m4 + m5 * Z4
+    v14 = m3 * w4
+    v15 = v13 - v14
+    v16 = v13 + v14
+    N5_p = v15 * v15
+    N5_m = v16 * v16
     Z5 = c7 * w2y + s7 * w2x
-    v16 = Z5 * Z5
-    D5_p = N5_p - v16
-    D5_m = N5_m - v16
+    v17 = Z5 * Z5
+    D5_p = N5_p - v17
+    D5_m = N5_m - v17
     w5_p = math.sqrt(D5_p)
     w5_m = math.sqrt(D5_m)
-    v17 = w5_p - w5_p
-    v18 = w5_m - w5_m
-    v19 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * abs(Z5)))
+    v18 = w5_p - w5_p
+    v19 = w5_m - w5_m
+    v20 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
-    v20 = v14 * w5_p
-    v21 = v15 * w5_m
-    v22 = inverse5_p * v20
-    v23 = inverse5_m * v21
-    v24 = v14 * Z5
+    v21 = v15 * w5_p
+    v22 = v16 * w5_m
+    v23 = inverse5_p * v21
+    v24 = inverse5_m * v22
     v25 = v15 * Z5
-    s5_p = inverse5_p * v24
-    s5_m = inverse5_m * v25
+    v26 = v16 * Z5
+    s5_p = inverse5_p * v25
+    s5_m = inverse5_m * v26
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
-    v26 = m7 + m3 * Z4
-    v27 = m5 * w4
-    Y1_6_p = v26 + v27
-    Y1_6_m = v26 - v27
+    v27 = m7 + m3 * Z4
+    v28 = m5 * w4
+    Y1_6_p = v27 + v28
+    Y1_6_m = v27 - v28
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-    v28 = Y1_6_p * Z2_6
-    v29 = Y1_6_m * Z2_6
-    v30 = w5_p * (inverse5_p * (v10 * (w2z * v14)))
-    v31 = v28 - v30
-    v32 = v28 + v30
-    v33 = w5_m * (inverse5_m * (v11 * (w2z * v15)))
-    v34 = v29 - v33
-    v35 = v29 + v33
-    v36 = w2z * Y1_6_p
-    v37 = w2z * Y1_6_m
-    v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6)))
-    C6_pp = v36 + v38
-    C6_pm = v36 - v38
-    v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6)))
-    C6_mp = v37 + v39
-    C6_mm = v37 - v39
-    v40 = v31 * v31 + C6_pp * C6_pp
-    v41 = v32 * v32 + C6_pm * C6_pm
-    v42 = v34 * v34 + C6_mp * C6_mp
-    v43 = v35 * v35 + C6_mm * C6_mm
-    factor6_pp = math.sqrt(v40) * (1.0 / v40)
-    factor6_pm = math.sqrt(v41) * (1.0 / v41)
-    factor6_mp = math.sqrt(v42) * (1.0 / v42)
-    factor6_mm = math.sqrt(v43) * (1.0 / v43)
+    v29 = Y1_6_p * Z2_6
+    v30 = Y1_6_m * Z2_6
+    v31 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
+    v32 = v29 - v31
+    v33 = v29 + v31
+    v34 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
+    v35 = v30 - v34
+    v36 = v30 + v34
+    v37 = w2z * Y1_6_p
+    v38 = w2z * Y1_6_m
+    v39 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
+    C6_pp = v37 + v39
+    C6_pm = v37 - v39
+    v40 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
+    C6_mp = v38 + v40
+    C6_mm = v38 - v40
+    v41 = v32 * v32 + C6_pp * C6_pp
+    v42 = v33 * v33 + C6_pm * C6_pm
+    v43 = v35 * v35 + C6_mp * C6_mp
+    v44 = v36 * v36 + C6_mm * C6_mm
+    factor6_pp = math.sqrt(v41) * (1.0 / v41)
+    factor6_pm = math.sqrt(v42) * (1.0 / v42)
+    factor6_mp = math.sqrt(v43) * (1.0 / v43)
+    factor6_mm = math.sqrt(v44) * (1.0 / v44)
 
     # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
-    v44 = c7 * T31 - s7 * T32
-    v45 = c4_p * v44
-    v46 = c4_m * v44
-    v47 = T33 * s4_p
-    v48 = T33 * v8
-    v49 = T33 * c4_p
-    v50 = T33 * c4_m
-    v51 = s4_p * v44
-    v52 = v8 * v44
-    v53 = c7 * T32 + s7 * T31
-    v54 = s5_p * (c4_p * v53)
-    v55 = s5_m * (c4_m * v53)
-    v56 = v22 * v45
+    v45 = c7 * T31 - s7 * T32
+    v46 = c4_p * v45
+    v47 = c4_m * v45
+    v48 = T33 * s4_p
+    v49 = T33 * v9
+    v50 = T33 * c4_p
+    v51 = T33 * c4_m
+    v52 = s4_p * v45
+    v53 = v9 * v45
+    v54 = c7 * T32 + s7 * T31
+    v55 = s5_p * (c4_p * v54)
+    v56 = s5_m * (c4_m * v54)
     v57 = v23 * v46
-    v58 = v22 * v49
+    v58 = v24 * v47
     v59 = v23 * v50
-    c3_pp = v54 + factor6_pp * (C6_pp * (v47 - v56) - -v31 * (v51 + v58))
-    c3_pm = v54 + factor6_pm * (C6_pm * (v47 + v56) + v32 * (v51 - v58))
-    c3_mp = v55 - factor6_mp * (C6_mp * (v48 + v57) + -v34 * (v59 - v52))
-    c3_mm = v55 + factor6_mm * (C6_mm * (v57 - v48) - v35 * (v52 + v59))
-    v60 = s5_p * v44
-    v61 = s5_m * v44
-    v62 = T33 * s5_p
-    v63 = T33 * s5_m
-    v64 = v22 * v53
-    v65 = v23 * v53
-    v66 = v64 + factor6_pp * (C6_pp * v60 + -v31 * v62)
-    v67 = factor6_pm * (C6_pm * v60 - v32 * v62) - v64
-    v68 = v65 + factor6_mp * (C6_mp * v61 + -v34 * v63)
-    v69 = factor6_mm * (C6_mm * v61 - v35 * v63) - v65
-    v70 = c3_pp * c3_pp + v66 * v66
-    v71 = c3_pm * c3_pm + v67 * v67
-    v72 = c3_mp * c3_mp + v68 * v68
-    v73 = c3_mm * c3_mm + v69 * v69
+    v60 = v24 * v51
+    c3_pp = v55 + factor6_pp * (C6_pp * (v48 - v57) - -v32 * (v52 + v59))
+    c3_pm = v55 + factor6_pm * (C6_pm * (v48 + v57) + v33 * (v52 - v59))
+    c3_mp = v56 - factor6_mp * (C6_mp * (v49 + v58) + -v35 * (v60 - v53))
+    c3_mm = v56 + factor6_mm * (C6_mm * (v58 - v49) - v36 * (v53 + v60))
+    v61 = s5_p * v45
+    v62 = s5_m * v45
+    v63 = T33 * s5_p
+    v64 = T33 * s5_m
+    v65 = v23 * v54
+    v66 = v24 * v54
+    v67 = v65 + factor6_pp * (C6_pp * v61 + -v32 * v63)
+    v68 = factor6_pm * (C6_pm * v61 - v33 * v63) - v65
+    v69 = v66 + factor6_mp * (C6_mp * v62 + -v35 * v64)
+    v70 = factor6_mm * (C6_mm * v62 - v36 * v64) - v66
+    v71 = c3_pp * c3_pp + v67 * v67
+    v72 = c3_pm * c3_pm + v68 * v68
+    v73 = c3_mp * c3_mp + v69 * v69
+    v74 = c3_mm * c3_mm + v70 * v70
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v74 = s5_p * (s4_p * v53)
-    v75 = s5_m * (v8 * v53)
-    v76 = v22 * v51
+    v75 = s5_p * (s4_p * v54)
+    v76 = s5_m * (v9 * v54)
     v77 = v23 * v52
-    v78 = v22 * v47
+    v78 = v24 * v53
     v79 = v23 * v48
+    v80 = v24 * v49
 
     # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
-    v80 = c7 * T11 - s7 * T12
-    v81 = s5_p * v80
-    v82 = s5_m * v80
-    v83 = T13 * s5_p
-    v84 = T13 * s5_m
-    v85 = c7 * T12 + s7 * T11
-    v86 = v22 * v85
-    v87 = v23 * v85
-    v88 = T13 * s4_p
-    v89 = T13 * v8
-    v90 = s4_p * v80
-    v91 = v8 * v80
-    v92 = s5_p * (c4_p * v85)
-    v93 = s5_m * (c4_m * v85)
-    v94 = v22 * (c4_p * v80)
-    v95 = v23 * (c4_m * v80)
-    v96 = v22 * (T13 * c4_p)
-    v97 = v23 * (T13 * c4_m)
+    v81 = c7 * T11 - s7 * T12
+    v82 = s5_p * v81
+    v83 = s5_m * v81
+    v84 = T13 * s5_p
+    v85 = T13 * s5_m
+    v86 = c7 * T12 + s7 * T11
+    v87 = v23 * v86
+    v88 = v24 * v86
+    v89 = T13 * s4_p
+    v90 = T13 * v9
+    v91 = s4_p * v81
+    v92 = v9 * v81
+    v93 = s5_p * (c4_p * v86)
+    v94 = s5_m * (c4_m * v86)
+    v95 = v23 * (c4_p * v81)
+    v96 = v24 * (c4_m * v81)
+    v97 = v23 * (T13 * c4_p)
+    v98 = v24 * (T13 * c4_m)
     s1_pp = (
-        v66 * (v92 + factor6_pp * (C6_pp * (v88 - v94) - -v31 * (v90 + v96))) - c3_pp * (v86 +
-        factor6_pp * (C6_pp * v81 + -v31 * v83))
+        v67 * (v93 + factor6_pp * (C6_pp * (v89 - v95) - -v32 * (v91 + v97))) - c3_pp * (v87 +
+        factor6_pp * (C6_pp * v82 + -v32 * v84))
     )
     s1_pm = (
-        v67 * (v92 + factor6_pm * (C6_pm * (v88 + v94) + v32 * (v90 - v96))) - c3_pm * (factor6_pm *
-        (C6_pm * v81 - v32 * v83) - v86)
+        v68 * (v93 + factor6_pm * (C6_pm * (v89 + v95) + v33 * (v91 - v97))) - c3_pm * (factor6_pm *
+        (C6_pm * v82 - v33 * v84) - v87)
     )
     s1_mp = (
-        v68 * (v93 - factor6_mp * (C6_mp * (v89 + v95) + -v34 * (v97 - v91))) - c3_mp * (v87 +
-        factor6_mp * (C6_mp * v82 + -v34 * v84))
+        v69 * (v94 - factor6_mp * (C6_mp * (v90 + v96) + -v35 * (v98 - v92))) - c3_mp * (v88 +
+        factor6_mp * (C6_mp * v83 + -v35 * v85))
     )
     s1_mm = (
-        v69 * (v93 + factor6_mm * (C6_mm * (v95 - v89) - v35 * (v91 + v97))) - c3_mm * (factor6_mm *
-        (C6_mm * v82 - v35 * v84) - v87)
+        v70 * (v94 + factor6_mm * (C6_mm * (v96 - v90) - v36 * (v92 + v98))) - c3_mm * (factor6_mm *
+        (C6_mm * v83 - v36 * v85) - v88)
     )
-    v98 = c7 * T21 - s7 * T22
-    v99 = s5_p * v98
-    v100 = s5_m * v98
-    v101 = T23 * s5_p
-    v102 = T23 * s5_m
-    v103 = c7 * T22 + s7 * T21
-    v104 = v22 * v103
-    v105 = v23 * v103
-    v106 = T23 * s4_p
-    v107 = T23 * v8
-    v108 = s4_p * v98
-    v109 = v8 * v98
-    v110 = s5_p * (c4_p * v103)
-    v111 = s5_m * (c4_m * v103)
-    v112 = v22 * (c4_p * v98)
-    v113 = v23 * (c4_m * v98)
-    v114 = v22 * (T23 * c4_p)
-    v115 = v23 * (T23 * c4_m)
+    v99 = c7 * T21 - s7 * T22
+    v100 = s5_p * v99
+    v101 = s5_m * v99
+    v102 = T23 * s5_p
+    v103 = T23 * s5_m
+    v104 = c7 * T22 + s7 * T21
+    v105 = v23 * v104
+    v106 = v24 * v104
+    v107 = T23 * s4_p
+    v108 = T23 * v9
+    v109 = s4_p * v99
+    v110 = v9 * v99
+    v111 = s5_p * (c4_p * v104)
+    v112 = s5_m * (c4_m * v104)
+    v113 = v23 * (c4_p * v99)
+    v114 = v24 * (c4_m * v99)
+    v115 = v23 * (T23 * c4_p)
+    v116 = v24 * (T23 * c4_m)
 
     # joint values
-    v136 = q_free[0] + (w4 - w4)
-    q7_ppp = v17 + v136
-    q7_mpp = v18 + v136
+    v137 = q_free[0] + (w4 - w4)
+    q7_ppp = v18 + v137
+    q7_mpp = v19 + v137
     doubt1 = (
-        v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <= m9 or
-        v40 <= m8 or abs(w4 * D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(w4 * D5_p) <= v19
+        v74 <= m9 or v44 <= m8 or v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or
+        v41 <= m8 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 * D5_p) <= v20
         or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or
         N5_p <= doubt_limit_squared2
     )
@@ -1393,27 +1394,27 @@ def _regular(pose, q_free, q, status):
 
     # angles, side by side
     room[0] = w4
-    room[1] = v24
-    room[2] = v25
-    room[3] = -v31
-    room[4] = -v32
-    room[5] = -v34
-    room[6] = -v35
-    room[7] = -v66
-    room[8] = -v67
-    room[9] = -v68
-    room[10] = -v69
-    room[11] = -math.sqrt(v70)
-    room[12] = -math.sqrt(v71)
-    room[13] = -math.sqrt(v72)
-    room[14] = -math.sqrt(v73)
+    room[1] = v25
+    room[2] = v26
+    room[3] = -v32
+    room[4] = -v33
+    room[5] = -v35
+    room[6] = -v36
+    room[7] = -v67
+    room[8] = -v68
+    room[9] = -v69
+    room[10] = -v70
+    room[11] = -math.sqrt(v71)
+    room[12] = -math.sqrt(v72)
+    room[13] = -math.sqrt(v73)
+    room[14] = -math.sqrt(v74)
     room[15] = s1_pp
     room[16] = s1_pm
     room[17] = s1_mp
     room[18] = s1_mm
     room[24] = Z4
-    room[25] = -v20
-    room[26] = -v21
+    room[25] = -v21
+    room[26] = -v22
     room[27] = C6_pp
     room[28] = C6_pm
     room[29] = C6_mp
@@ -1422,25 +1423,25 @@ def _regular(pose, q_free, q, status):
     room[32] = c3_pm
     room[33] = c3_mp
     room[34] = c3_mm
-    room[35] = v74 + factor6_pp * (-v31 * (v45 - v78) - C6_pp * (v49 + v76))
-    room[36] = v74 - factor6_pm * (v32 * (v45 + v78) + C6_pm * (v49 - v76))
-    room[37] = factor6_mp * (-v34 * (v46 + v79) - C6_mp * (v50 - v77)) - v75
-    room[38] = -(v75 + factor6_mm * (v35 * (v46 - v79) + C6_mm * (v50 + v77)))
+    room[35] = v75 + factor6_pp * (-v32 * (v46 - v79) - C6_pp * (v50 + v77))
+    room[36] = v75 - factor6_pm * (v33 * (v46 + v79) + C6_pm * (v50 - v77))
+    room[37] = factor6_mp * (-v35 * (v47 + v80) - C6_mp * (v51 - v78)) - v76
+    room[38] = -(v76 + factor6_mm * (v36 * (v47 - v80) + C6_mm * (v51 + v78)))
     room[39] = (
-        c3_pp * (v104 + factor6_pp * (C6_pp * v99 + -v31 * v101)) - v66 * (v110 + factor6_pp *
-        (C6_pp * (v106 - v112) - -v31 * (v108 + v114)))
+        c3_pp * (v105 + factor6_pp * (C6_pp * v100 + -v32 * v102)) - v67 * (v111 + factor6_pp *
+        (C6_pp * (v107 - v113) - -v32 * (v109 + v115)))
     )
     room[40] = (
-        c3_pm * (factor6_pm * (C6_pm * v99 - v32 * v101) - v104) - v67 * (v110 + factor6_pm * (C6_pm
-        * (v106 + v112) + v32 * (v108 - v114)))
+        c3_pm * (factor6_pm * (C6_pm * v100 - v33 * v102) - v105) - v68 * (v111 + factor6_pm *
+        (C6_pm * (v107 + v113) + v33 * (v109 - v115)))
     )
     room[41] = (
-        c3_mp * (v105 + factor6_mp * (C6_mp * v100 + -v34 * v102)) - v68 * (v111 - factor6_mp *
-        (C6_mp * (v107 + v113) + -v34 * (v115 - v109)))
+        c3_mp * (v106 + factor6_mp * (C6_mp * v101 + -v35 * v103)) - v69 * (v112 - factor6_mp *
+        (C6_mp * (v108 + v114) + -v35 * (v116 - v110)))
     )
     room[42] = (
-        c3_mm * (factor6_mm * (C6_mm * v100 - v35 * v102) - v105) - v69 * (v111 + factor6_mm *
-        (C6_mm * (v113 - v107) - v35 * (v109 + v115)))
+        c3_mm * (factor6_mm * (C6_mm * v101 - v36 * v103) - v106) - v70 * (v112 + factor6_mm *
+        (C6_mm * (v114 - v108) - v36 * (v110 + v116)))
     )
     for k in range(19, 24):
         room[k] = room[k + 24] = 1.0
@@ -1468,17 +1469,17 @@ def _regular(pose, q_free, q, status):
 
     # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
     q4__p = angle1 - turn1
-    v9 = turn1 + angle1
+    v10 = turn1 + angle1
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
-    q5_pmp = math.copysign(half_turn, v24) - angle2
-    q5_mmp = math.copysign(half_turn, v25) - angle3
+    q5_pmp = math.copysign(half_turn, v25) - angle2
+    q5_mmp = math.copysign(half_turn, v26) - angle3
 
     # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
-    q3_ppm = angle8 - math.copysign(half_turn, -v66)
-    q3_pmm = angle9 - math.copysign(half_turn, -v67)
-    q3_mpm = angle10 - math.copysign(half_turn, -v68)
-    q3_mmm = angle11 - math.copysign(half_turn, -v69)
+    q3_ppm = angle8 - math.copysign(half_turn, -v67)
+    q3_pmm = angle9 - math.copysign(half_turn, -v68)
+    q3_mpm = angle10 - math.copysign(half_turn, -v69)
+    q3_mmm = angle11 - math.copysign(half_turn, -v70)
 
     # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
     q1_ppm = angle16 - math.copysign(half_turn, s1_pp)
@@ -1487,40 +1488,40 @@ def _regular(pose, q_free, q, status):
     q1_mmm = angle19 - math.copysign(half_turn, s1_mm)
 
     # joint values
-    v116 = q4__p + (turn if q4__p <= -half_turn else 0.0)
-    v117 = (turn if -v9 <= -half_turn else 0.0) - v9
-    v118 = high2 < abs(angle12)
-    v119 = high2 < abs(angle13)
-    v120 = high2 < abs(angle14)
-    v121 = high2 < abs(angle15)
-    v122 = v116 < low4 or high4 < v116
+    v117 = q4__p + (turn if q4__p <= -half_turn else 0.0)
+    v118 = (turn if -v10 <= -half_turn else 0.0) - v10
+    v119 = high2 < abs(angle12)
+    v120 = high2 < abs(angle13)
+    v121 = high2 < abs(angle14)
+    v122 = high2 < abs(angle15)
     v123 = v117 < low4 or high4 < v117
-    v124 = high5 < abs(angle2)
-    v125 = high5 < abs(q5_pmp)
-    v126 = high5 < abs(angle3)
-    v127 = high5 < abs(q5_mmp)
-    v128 = angle4 + (turn if angle4 < low6 else 0.0)
-    v129 = angle5 + (turn if angle5 < low6 else 0.0)
-    v130 = angle6 + (turn if angle6 < low6 else 0.0)
-    v131 = angle7 + (turn if angle7 < low6 else 0.0)
-    v132 = v128 < low6 or high6 < v128
+    v124 = v118 < low4 or high4 < v118
+    v125 = high5 < abs(angle2)
+    v126 = high5 < abs(q5_pmp)
+    v127 = high5 < abs(angle3)
+    v128 = high5 < abs(q5_mmp)
+    v129 = angle4 + (turn if angle4 < low6 else 0.0)
+    v130 = angle5 + (turn if angle5 < low6 else 0.0)
+    v131 = angle6 + (turn if angle6 < low6 else 0.0)
+    v132 = angle7 + (turn if angle7 < low6 else 0.0)
     v133 = v129 < low6 or high6 < v129
     v134 = v130 < low6 or high6 < v130
     v135 = v131 < low6 or high6 < v131
-    q6_ppp = angle4 if v132 else v128
-    q6_pmp = angle5 if v133 else v129
-    q6_mpp = angle6 if v134 else v130
-    q6_mmp = angle7 if v135 else v131
-    q4_ppp = v17 + v116
-    q4_mpp = v18 + v117
-    outside_ppp = v132 or v124 or v122 or high3 < abs(angle8) or v118 or high1 < abs(angle16)
-    outside_ppm = v132 or v124 or v122 or high3 < abs(q3_ppm) or v118 or high1 < abs(q1_ppm)
-    outside_pmp = v133 or v125 or v122 or high3 < abs(angle9) or v119 or high1 < abs(angle17)
-    outside_pmm = v133 or v125 or v122 or high3 < abs(q3_pmm) or v119 or high1 < abs(q1_pmm)
-    outside_mpp = v134 or v126 or v123 or high3 < abs(angle10) or v120 or high1 < abs(angle18)
-    outside_mpm = v134 or v126 or v123 or high3 < abs(q3_mpm) or v120 or high1 < abs(q1_mpm)
-    outside_mmp = v135 or v127 or v123 or high3 < abs(angle11) or v121 or high1 < abs(angle19)
-    outside_mmm = v135 or v127 or v123 or high3 < abs(q3_mmm) or v121 or high1 < abs(q1_mmm)
+    v136 = v132 < low6 or high6 < v132
+    q6_ppp = angle4 if v133 else v129
+    q6_pmp = angle5 if v134 else v130
+    q6_mpp = angle6 if v135 else v131
+    q6_mmp = angle7 if v136 else v132
+    q4_ppp = v18 + v117
+    q4_mpp = v19 + v118
+    outside_ppp = v133 or v125 or v123 or high3 < abs(angle8) or v119 or high1 < abs(angle16)
+    outside_ppm = v133 or v125 or v123 or high3 < abs(q3_ppm) or v119 or high1 < abs(q1_ppm)
+    outside_pmp = v134 or v126 or v123 or high3 < abs(angle9) or v120 or high1 < abs(angle17)
+    outside_pmm = v134 or v126 or v123 or high3 < abs(q3_pmm) or v120 or high1 < abs(q1_pmm)
+    outside_mpp = v135 or v127 or v124 or high3 < abs(angle10) or v121 or high1 < abs(angle18)
+    outside_mpm = v135 or v127 or v124 or high3 < abs(q3_mpm) or v121 or high1 < abs(q1_mpm)
+    outside_mmp = v136 or v128 or v124 or high3 < abs(angle11) or v122 or high1 < abs(angle19)
+    outside_mmm = v136 or v128 or v124 or high3 < abs(q3_mmm) or v122 or high1 < abs(q1_mmm)
 
     q[0, 0] = angle16
     q[0, 1] = angle12
@@ -1908,179 +1909,180 @@ def _in_tiles(T, q_free, q, status):
             )
             D4 = k3 - Z4 * Z4
             w4 = math.sqrt(D4)
-            v4 = m2 * Z4
-            v5 = m1 * w4
-            c4_p = v4 + v5
-            c4_m = v4 - v5
-            v6 = m1 * Z4
-            v7 = m2 * w4
-            s4_p = v7 - v6
-            v8 = v6 + v7
-            v10 = a3 * c4_p + d3 * s4_p - a4
-            v11 = a3 * c4_m - d3 * v8 - a4
-            v12 = m4 + m5 * Z4
-            v13 = m3 * w4
-            v14 = v12 - v13
-            v15 = v12 + v13
-            N5_p = v14 * v14
-            N5_m = v15 * v15
+            v4 = k5 * w4
+            v5 = m2 * Z4
+            v6 = m1 * w4
+            c4_p = v5 + v6
+            c4_m = v5 - v6
+            v7 = m1 * Z4
+            v8 = m2 * w4
+            s4_p = v8 - v7
+            v9 = v7 + v8
+            v11 = a3 * c4_p + d3 * s4_p - a4
+            v12 = a3 * c4_m - d3 * v9 - a4
+            v13 = m4 + m5 * Z4
+            v14 = m3 * w4
+            v15 = v13 - v14
+            v16 = v13 + v14
+            N5_p = v15 * v15
+            N5_m = v16 * v16
             Z5 = c7 * w2y + s7 * w2x
-            v16 = Z5 * Z5
-            D5_p = N5_p - v16
-            D5_m = N5_m - v16
+            v17 = Z5 * Z5
+            D5_p = N5_p - v17
+            D5_m = N5_m - v17
             w5_p = math.sqrt(D5_p)
             w5_m = math.sqrt(D5_m)
-            v17 = w5_p - w5_p
-            v18 = w5_m - w5_m
-            v19 = arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 * abs(Z5)))
+            v18 = w5_p - w5_p
+            v19 = w5_m - w5_m
+            v20 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
-            v20 = v14 * w5_p
-            v21 = v15 * w5_m
-            v22 = inverse5_p * v20
-            v23 = inverse5_m * v21
-            v24 = v14 * Z5
+            v21 = v15 * w5_p
+            v22 = v16 * w5_m
+            v23 = inverse5_p * v21
+            v24 = inverse5_m * v22
             v25 = v15 * Z5
-            s5_p = inverse5_p * v24
-            s5_m = inverse5_m * v25
-            v26 = m7 + m3 * Z4
-            v27 = m5 * w4
-            Y1_6_p = v26 + v27
-            Y1_6_m = v26 - v27
+            v26 = v16 * Z5
+            s5_p = inverse5_p * v25
+            s5_m = inverse5_m * v26
+            v27 = m7 + m3 * Z4
+            v28 = m5 * w4
+            Y1_6_p = v27 + v28
+            Y1_6_m = v27 - v28
             Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-            v28 = Y1_6_p * Z2_6
-            v29 = Y1_6_m * Z2_6
-            v30 = w5_p * (inverse5_p * (v10 * (w2z * v14)))
-            v31 = v28 - v30
-            v32 = v28 + v30
-            v33 = w5_m * (inverse5_m * (v11 * (w2z * v15)))
-            v34 = v29 - v33
-            v35 = v29 + v33
-            v36 = w2z * Y1_6_p
-            v37 = w2z * Y1_6_m
-            v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6)))
-            C6_pp = v36 + v38
-            C6_pm = v36 - v38
-            v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6)))
-            C6_mp = v37 + v39
-            C6_mm = v37 - v39
-            v40 = v31 * v31 + C6_pp * C6_pp
-            v41 = v32 * v32 + C6_pm * C6_pm
-            v42 = v34 * v34 + C6_mp * C6_mp
-            v43 = v35 * v35 + C6_mm * C6_mm
-            factor6_pp = math.sqrt(v40) * (1.0 / v40)
-            factor6_pm = math.sqrt(v41) * (1.0 / v41)
-            factor6_mp = math.sqrt(v42) * (1.0 / v42)
-            factor6_mm = math.sqrt(v43) * (1.0 / v43)
-            v44 = c7 * T31 - s7 * T32
-            v45 = c4_p * v44
-            v46 = c4_m * v44
-            v47 = T33 * s4_p
-            v48 = T33 * v8
-            v49 = T33 * c4_p
-            v50 = T33 * c4_m
-            v51 = s4_p * v44
-            v52 = v8 * v44
-            v53 = c7 * T32 + s7 * T31
-            v54 = s5_p * (c4_p * v53)
-            v55 = s5_m * (c4_m * v53)
-            v56 = v22 * v45
+            v29 = Y1_6_p * Z2_6
+            v30 = Y1_6_m * Z2_6
+            v31 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
+            v32 = v29 - v31
+            v33 = v29 + v31
+            v34 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
+            v35 = v30 - v34
+            v36 = v30 + v34
+            v37 = w2z * Y1_6_p
+            v38 = w2z * Y1_6_m
+            v39 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
+            C6_pp = v37 + v39
+            C6_pm = v37 - v39
+            v40 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
+            C6_mp = v38 + v40
+            C6_mm = v38 - v40
+            v41 = v32 * v32 + C6_pp * C6_pp
+            v42 = v33 * v33 + C6_pm * C6_pm
+            v43 = v35 * v35 + C6_mp * C6_mp
+            v44 = v36 * v36 + C6_mm * C6_mm
+            factor6_pp = math.sqrt(v41) * (1.0 / v41)
+            factor6_pm = math.sqrt(v42) * (1.0 / v42)
+            factor6_mp = math.sqrt(v43) * (1.0 / v43)
+            factor6_mm = math.sqrt(v44) * (1.0 / v44)
+            v45 = c7 * T31 - s7 * T32
+            v46 = c4_p * v45
+            v47 = c4_m * v45
+            v48 = T33 * s4_p
+            v49 = T33 * v9
+            v50 = T33 * c4_p
+            v51 = T33 * c4_m
+            v52 = s4_p * v45
+            v53 = v9 * v45
+            v54 = c7 * T32 + s7 * T31
+            v55 = s5_p * (c4_p * v54)
+            v56 = s5_m * (c4_m * v54)
             v57 = v23 * v46
-            v58 = v22 * v49
+            v58 = v24 * v47
             v59 = v23 * v50
-            c3_pp = v54 + factor6_pp * (C6_pp * (v47 - v56) - -v31 * (v51 + v58))
-            c3_pm = v54 + factor6_pm * (C6_pm * (v47 + v56) + v32 * (v51 - v58))
-            c3_mp = v55 - factor6_mp * (C6_mp * (v48 + v57) + -v34 * (v59 - v52))
-            c3_mm = v55 + factor6_mm * (C6_mm * (v57 - v48) - v35 * (v52 + v59))
-            v60 = s5_p * v44
-            v61 = s5_m * v44
-            v62 = T33 * s5_p
-            v63 = T33 * s5_m
-            v64 = v22 * v53
-            v65 = v23 * v53
-            v66 = v64 + factor6_pp * (C6_pp * v60 + -v31 * v62)
-            v67 = factor6_pm * (C6_pm * v60 - v32 * v62) - v64
-            v68 = v65 + factor6_mp * (C6_mp * v61 + -v34 * v63)
-            v69 = factor6_mm * (C6_mm * v61 - v35 * v63) - v65
-            v70 = c3_pp * c3_pp + v66 * v66
-            v71 = c3_pm * c3_pm + v67 * v67
-            v72 = c3_mp * c3_mp + v68 * v68
-            v73 = c3_mm * c3_mm + v69 * v69
-            v74 = s5_p * (s4_p * v53)
-            v75 = s5_m * (v8 * v53)
-            v76 = v22 * v51
+            v60 = v24 * v51
+            c3_pp = v55 + factor6_pp * (C6_pp * (v48 - v57) - -v32 * (v52 + v59))
+            c3_pm = v55 + factor6_pm * (C6_pm * (v48 + v57) + v33 * (v52 - v59))
+            c3_mp = v56 - factor6_mp * (C6_mp * (v49 + v58) + -v35 * (v60 - v53))
+            c3_mm = v56 + factor6_mm * (C6_mm * (v58 - v49) - v36 * (v53 + v60))
+            v61 = s5_p * v45
+            v62 = s5_m * v45
+            v63 = T33 * s5_p
+            v64 = T33 * s5_m
+            v65 = v23 * v54
+            v66 = v24 * v54
+            v67 = v65 + factor6_pp * (C6_pp * v61 + -v32 * v63)
+            v68 = factor6_pm * (C6_pm * v61 - v33 * v63) - v65
+            v69 = v66 + factor6_mp * (C6_mp * v62 + -v35 * v64)
+            v70 = factor6_mm * (C6_mm * v62 - v36 * v64) - v66
+            v71 = c3_pp * c3_pp + v67 * v67
+            v72 = c3_pm * c3_pm + v68 * v68
+            v73 = c3_mp * c3_mp + v69 * v69
+            v74 = c3_mm * c3_mm + v70 * v70
+            v75 = s5_p * (s4_p * v54)
+            v76 = s5_m * (v9 * v54)
             v77 = v23 * v52
-            v78 = v22 * v47
+            v78 = v24 * v53
             v79 = v23 * v48
-            v80 = c7 * T11 - s7 * T12
-            v81 = s5_p * v80
-            v82 = s5_m * v80
-            v83 = T13 * s5_p
-            v84 = T13 * s5_m
-            v85 = c7 * T12 + s7 * T11
-            v86 = v22 * v85
-            v87 = v23 * v85
-            v88 = T13 * s4_p
-            v89 = T13 * v8
-            v90 = s4_p * v80
-            v91 = v8 * v80
-            v92 = s5_p * (c4_p * v85)
-            v93 = s5_m * (c4_m * v85)
-            v94 = v22 * (c4_p * v80)
-            v95 = v23 * (c4_m * v80)
-            v96 = v22 * (T13 * c4_p)
-            v97 = v23 * (T13 * c4_m)
+            v80 = v24 * v49
+            v81 = c7 * T11 - s7 * T12
+            v82 = s5_p * v81
+            v83 = s5_m * v81
+            v84 = T13 * s5_p
+            v85 = T13 * s5_m
+            v86 = c7 * T12 + s7 * T11
+            v87 = v23 * v86
+            v88 = v24 * v86
+            v89 = T13 * s4_p
+            v90 = T13 * v9
+            v91 = s4_p * v81
+            v92 = v9 * v81
+            v93 = s5_p * (c4_p * v86)
+            v94 = s5_m * (c4_m * v86)
+            v95 = v23 * (c4_p * v81)
+            v96 = v24 * (c4_m * v81)
+            v97 = v23 * (T13 * c4_p)
+            v98 = v24 * (T13 * c4_m)
             s1_pp = (
-                v66 * (v92 + factor6_pp * (C6_pp * (v88 - v94) - -v31 * (v90 + v96))) - c3_pp * (v86
-                + factor6_pp * (C6_pp * v81 + -v31 * v83))
+                v67 * (v93 + factor6_pp * (C6_pp * (v89 - v95) - -v32 * (v91 + v97))) - c3_pp * (v87
+                + factor6_pp * (C6_pp * v82 + -v32 * v84))
             )
             s1_pm = (
-                v67 * (v92 + factor6_pm * (C6_pm * (v88 + v94) + v32 * (v90 - v96))) - c3_pm *
-                (factor6_pm * (C6_pm * v81 - v32 * v83) - v86)
+                v68 * (v93 + factor6_pm * (C6_pm * (v89 + v95) + v33 * (v91 - v97))) - c3_pm *
+                (factor6_pm * (C6_pm * v82 - v33 * v84) - v87)
             )
             s1_mp = (
-                v68 * (v93 - factor6_mp * (C6_mp * (v89 + v95) + -v34 * (v97 - v91))) - c3_mp * (v87
-                + factor6_mp * (C6_mp * v82 + -v34 * v84))
+                v69 * (v94 - factor6_mp * (C6_mp * (v90 + v96) + -v35 * (v98 - v92))) - c3_mp * (v88
+                + factor6_mp * (C6_mp * v83 + -v35 * v85))
             )
             s1_mm = (
-                v69 * (v93 + factor6_mm * (C6_mm * (v95 - v89) - v35 * (v91 + v97))) - c3_mm *
-                (factor6_mm * (C6_mm * v82 - v35 * v84) - v87)
+                v70 * (v94 + factor6_mm * (C6_mm * (v96 - v90) - v36 * (v92 + v98))) - c3_mm *
+                (factor6_mm * (C6_mm * v83 - v36 * v85) - v88)
             )
-            v98 = c7 * T21 - s7 * T22
-            v99 = s5_p * v98
-            v100 = s5_m * v98
-            v101 = T23 * s5_p
-            v102 = T23 * s5_m
-            v103 = c7 * T22 + s7 * T21
-            v104 = v22 * v103
-            v105 = v23 * v103
-            v106 = T23 * s4_p
-            v107 = T23 * v8
-            v108 = s4_p * v98
-            v109 = v8 * v98
-            v110 = s5_p * (c4_p * v103)
-            v111 = s5_m * (c4_m * v103)
-            v112 = v22 * (c4_p * v98)
-            v113 = v23 * (c4_m * v98)
-            v114 = v22 * (T23 * c4_p)
-            v115 = v23 * (T23 * c4_m)
-            v136 = given1 + (w4 - w4)
-            q7_ppp = v17 + v136
-            q7_mpp = v18 + v136
+            v99 = c7 * T21 - s7 * T22
+            v100 = s5_p * v99
+            v101 = s5_m * v99
+            v102 = T23 * s5_p
+            v103 = T23 * s5_m
+            v104 = c7 * T22 + s7 * T21
+            v105 = v23 * v104
+            v106 = v24 * v104
+            v107 = T23 * s4_p
+            v108 = T23 * v9
+            v109 = s4_p * v99
+            v110 = v9 * v99
+            v111 = s5_p * (c4_p * v104)
+            v112 = s5_m * (c4_m * v104)
+            v113 = v23 * (c4_p * v99)
+            v114 = v24 * (c4_m * v99)
+            v115 = v23 * (T23 * c4_p)
+            v116 = v24 * (T23 * c4_m)
+            v137 = given1 + (w4 - w4)
+            q7_ppp = v18 + v137
+            q7_mpp = v19 + v137
             doubt1 = (
-                v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or v41 <= m8 or v70 <=
-                m9 or v40 <= m8 or abs(w4 * D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(w4 *
-                D5_p) <= v19 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 <
+                v74 <= m9 or v44 <= m8 or v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <=
+                m9 or v41 <= m8 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 *
+                D5_p) <= v20 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 <
                 abs(given1) or N5_p <= doubt_limit_squared2
             )
-            work[368 + k] = v17
-            work[384 + k] = v18
-            work[400 + k] = v24
-            work[416 + k] = v25
-            work[432 + k] = v66
-            work[448 + k] = v67
-            work[464 + k] = v68
-            work[480 + k] = v69
+            work[368 + k] = v18
+            work[384 + k] = v19
+            work[400 + k] = v25
+            work[416 + k] = v26
+            work[432 + k] = v67
+            work[448 + k] = v68
+            work[464 + k] = v69
+            work[480 + k] = v70
             work[496 + k] = s1_pp
             work[512 + k] = s1_pm
             work[528 + k] = s1_mp
@@ -2089,27 +2091,27 @@ def _in_tiles(T, q_free, q, status):
             work[576 + k] = q7_mpp
             work[592 + k] = doubt1
             work[608 + k] = w4
-            work[624 + k] = v24
-            work[640 + k] = v25
-            work[656 + k] = -v31
-            work[672 + k] = -v32
-            work[688 + k] = -v34
-            work[704 + k] = -v35
-            work[720 + k] = -v66
-            work[736 + k] = -v67
-            work[752 + k] = -v68
-            work[768 + k] = -v69
-            work[784 + k] = -math.sqrt(v70)
-            work[800 + k] = -math.sqrt(v71)
-            work[816 + k] = -math.sqrt(v72)
-            work[832 + k] = -math.sqrt(v73)
+            work[624 + k] = v25
+            work[640 + k] = v26
+            work[656 + k] = -v32
+            work[672 + k] = -v33
+            work[688 + k] = -v35
+            work[704 + k] = -v36
+            work[720 + k] = -v67
+            work[736 + k] = -v68
+            work[752 + k] = -v69
+            work[768 + k] = -v70
+            work[784 + k] = -math.sqrt(v71)
+            work[800 + k] = -math.sqrt(v72)
+            work[816 + k] = -math.sqrt(v73)
+            work[832 + k] = -math.sqrt(v74)
             work[848 + k] = s1_pp
             work[864 + k] = s1_pm
             work[880 + k] = s1_mp
             work[896 + k] = s1_mm
             work[912 + k] = Z4
-            work[928 + k] = -v20
-            work[944 + k] = -v21
+            work[928 + k] = -v21
+            work[944 + k] = -v22
             work[960 + k] = C6_pp
             work[976 + k] = C6_pm
             work[992 + k] = C6_mp
@@ -2118,37 +2120,37 @@ def _in_tiles(T, q_free, q, status):
             work[1040 + k] = c3_pm
             work[1056 + k] = c3_mp
             work[1072 + k] = c3_mm
-            work[1088 + k] = v74 + factor6_pp * (-v31 * (v45 - v78) - C6_pp * (v49 + v76))
-            work[1104 + k] = v74 - factor6_pm * (v32 * (v45 + v78) + C6_pm * (v49 - v76))
-            work[1120 + k] = factor6_mp * (-v34 * (v46 + v79) - C6_mp * (v50 - v77)) - v75
-            work[1136 + k] = -(v75 + factor6_mm * (v35 * (v46 - v79) + C6_mm * (v50 + v77)))
+            work[1088 + k] = v75 + factor6_pp * (-v32 * (v46 - v79) - C6_pp * (v50 + v77))
+            work[1104 + k] = v75 - factor6_pm * (v33 * (v46 + v79) + C6_pm * (v50 - v77))
+            work[1120 + k] = factor6_mp * (-v35 * (v47 + v80) - C6_mp * (v51 - v78)) - v76
+            work[1136 + k] = -(v76 + factor6_mm * (v36 * (v47 - v80) + C6_mm * (v51 + v78)))
             work[1152 + k] = (
-                c3_pp * (v104 + factor6_pp * (C6_pp * v99 + -v31 * v101)) - v66 * (v110 + factor6_pp
-                * (C6_pp * (v106 - v112) - -v31 * (v108 + v114)))
+                c3_pp * (v105 + factor6_pp * (C6_pp * v100 + -v32 * v102)) - v67 * (v111 +
+                factor6_pp * (C6_pp * (v107 - v113) - -v32 * (v109 + v115)))
             )
             work[1168 + k] = (
-                c3_pm * (factor6_pm * (C6_pm * v99 - v32 * v101) - v104) - v67 * (v110 + factor6_pm
-                * (C6_pm * (v106 + v112) + v32 * (v108 - v114)))
+                c3_pm * (factor6_pm * (C6_pm * v100 - v33 * v102) - v105) - v68 * (v111 + factor6_pm
+                * (C6_pm * (v107 + v113) + v33 * (v109 - v115)))
             )
             work[1184 + k] = (
-                c3_mp * (v105 + factor6_mp * (C6_mp * v100 + -v34 * v102)) - v68 * (v111 -
-                factor6_mp * (C6_mp * (v107 + v113) + -v34 * (v115 - v109)))
+                c3_mp * (v106 + factor6_mp * (C6_mp * v101 + -v35 * v103)) - v69 * (v112 -
+                factor6_mp * (C6_mp * (v108 + v114) + -v35 * (v116 - v110)))
             )
             work[1200 + k] = (
-                c3_mm * (factor6_mm * (C6_mm * v100 - v35 * v102) - v105) - v69 * (v111 + factor6_mm
-                * (C6_mm * (v113 - v107) - v35 * (v109 + v115)))
+                c3_mm * (factor6_mm * (C6_mm * v101 - v36 * v103) - v106) - v70 * (v112 + factor6_mm
+                * (C6_mm * (v114 - v108) - v36 * (v110 + v116)))
             )
         for k in range(608, 912):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v17 = work[368 + k]
-            v18 = work[384 + k]
-            v24 = work[400 + k]
-            v25 = work[416 + k]
-            v66 = work[432 + k]
-            v67 = work[448 + k]
-            v68 = work[464 + k]
-            v69 = work[480 + k]
+            v18 = work[368 + k]
+            v19 = work[384 + k]
+            v25 = work[400 + k]
+            v26 = work[416 + k]
+            v67 = work[432 + k]
+            v68 = work[448 + k]
+            v69 = work[464 + k]
+            v70 = work[480 + k]
             s1_pp = work[496 + k]
             s1_pm = work[512 + k]
             s1_mp = work[528 + k]
@@ -2176,59 +2178,59 @@ def _in_tiles(T, q_free, q, status):
             angle18 = work[880 + k]
             angle19 = work[896 + k]
             q4__p = angle1 - turn1
-            v9 = turn1 + angle1
-            q5_pmp = math.copysign(half_turn, v24) - angle2
-            q5_mmp = math.copysign(half_turn, v25) - angle3
-            q3_ppm = angle8 - math.copysign(half_turn, -v66)
-            q3_pmm = angle9 - math.copysign(half_turn, -v67)
-            q3_mpm = angle10 - math.copysign(half_turn, -v68)
-            q3_mmm = angle11 - math.copysign(half_turn, -v69)
+            v10 = turn1 + angle1
+            q5_pmp = math.copysign(half_turn, v25) - angle2
+            q5_mmp = math.copysign(half_turn, v26) - angle3
+            q3_ppm = angle8 - math.copysign(half_turn, -v67)
+            q3_pmm = angle9 - math.copysign(half_turn, -v68)
+            q3_mpm = angle10 - math.copysign(half_turn, -v69)
+            q3_mmm = angle11 - math.copysign(half_turn, -v70)
             q1_ppm = angle16 - math.copysign(half_turn, s1_pp)
             q1_pmm = angle17 - math.copysign(half_turn, s1_pm)
             q1_mpm = angle18 - math.copysign(half_turn, s1_mp)
             q1_mmm = angle19 - math.copysign(half_turn, s1_mm)
-            v116 = q4__p + (turn if q4__p <= -half_turn else 0.0)
-            v117 = (turn if -v9 <= -half_turn else 0.0) - v9
-            v118 = high2 < abs(angle12)
-            v119 = high2 < abs(angle13)
-            v120 = high2 < abs(angle14)
-            v121 = high2 < abs(angle15)
-            v122 = v116 < low4 or high4 < v116
+            v117 = q4__p + (turn if q4__p <= -half_turn else 0.0)
+            v118 = (turn if -v10 <= -half_turn else 0.0) - v10
+            v119 = high2 < abs(angle12)
+            v120 = high2 < abs(angle13)
+            v121 = high2 < abs(angle14)
+            v122 = high2 < abs(angle15)
             v123 = v117 < low4 or high4 < v117
-            v124 = high5 < abs(angle2)
-            v125 = high5 < abs(q5_pmp)
-            v126 = high5 < abs(angle3)
-            v127 = high5 < abs(q5_mmp)
-            v128 = angle4 + (turn if angle4 < low6 else 0.0)
-            v129 = angle5 + (turn if angle5 < low6 else 0.0)
-            v130 = angle6 + (turn if angle6 < low6 else 0.0)
-            v131 = angle7 + (turn if angle7 < low6 else 0.0)
-            v132 = v128 < low6 or high6 < v128
+            v124 = v118 < low4 or high4 < v118
+            v125 = high5 < abs(angle2)
+            v126 = high5 < abs(q5_pmp)
+            v127 = high5 < abs(angle3)
+            v128 = high5 < abs(q5_mmp)
+            v129 = angle4 + (turn if angle4 < low6 else 0.0)
+            v130 = angle5 + (turn if angle5 < low6 else 0.0)
+            v131 = angle6 + (turn if angle6 < low6 else 0.0)
+            v132 = angle7 + (turn if angle7 < low6 else 0.0)
             v133 = v129 < low6 or high6 < v129
             v134 = v130 < low6 or high6 < v130
             v135 = v131 < low6 or high6 < v131
-            q6_ppp = angle4 if v132 else v128
-            q6_pmp = angle5 if v133 else v129
-            q6_mpp = angle6 if v134 else v130
-            q6_mmp = angle7 if v135 else v131
-            q4_ppp = v17 + v116
-            q4_mpp = v18 + v117
+            v136 = v132 < low6 or high6 < v132
+            q6_ppp = angle4 if v133 else v129
+            q6_pmp = angle5 if v134 else v130
+            q6_mpp = angle6 if v135 else v131
+            q6_mmp = angle7 if v136 else v132
+            q4_ppp = v18 + v117
+            q4_mpp = v19 + v118
             outside_ppp = (
-                v132 or v124 or v122 or high3 < abs(angle8) or v118 or high1 < abs(angle16)
+                v133 or v125 or v123 or high3 < abs(angle8) or v119 or high1 < abs(angle16)
             )
-            outside_ppm = v132 or v124 or v122 or high3 < abs(q3_ppm) or v118 or high1 < abs(q1_ppm)
+            outside_ppm = v133 or v125 or v123 or high3 < abs(q3_ppm) or v119 or high1 < abs(q1_ppm)
             outside_pmp = (
-                v133 or v125 or v122 or high3 < abs(angle9) or v119 or high1 < abs(angle17)
+                v134 or v126 or v123 or high3 < abs(angle9) or v120 or high1 < abs(angle17)
             )
-            outside_pmm = v133 or v125 or v122 or high3 < abs(q3_pmm) or v119 or high1 < abs(q1_pmm)
+            outside_pmm = v134 or v126 or v123 or high3 < abs(q3_pmm) or v120 or high1 < abs(q1_pmm)
             outside_mpp = (
-                v134 or v126 or v123 or high3 < abs(angle10) or v120 or high1 < abs(angle18)
+                v135 or v127 or v124 or high3 < abs(angle10) or v121 or high1 < abs(angle18)
             )
-            outside_mpm = v134 or v126 or v123 or high3 < abs(q3_mpm) or v120 or high1 < abs(q1_mpm)
+            outside_mpm = v135 or v127 or v124 or high3 < abs(q3_mpm) or v121 or high1 < abs(q1_mpm)
             outside_mmp = (
-                v135 or v127 or v123 or high3 < abs(angle11) or v121 or high1 < abs(angle19)
+                v136 or v128 or v124 or high3 < abs(angle11) or v122 or high1 < abs(angle19)
             )
-            outside_mmm = v135 or v127 or v123 or high3 < abs(q3_mmm) or v121 or high1 < abs(q1_mmm)
+            outside_mmm = v136 or v128 or v124 or high3 < abs(q3_mmm) or v122 or high1 < abs(q1_mmm)
             _1216 = angle16
             work[1216 + k] = _1216
             _1232 = angle12

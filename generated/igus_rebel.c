@@ -279,7 +279,7 @@ static const double
 static const double m4 = 2.097315436241611, m5 = 0.028887499999999986, m6 = 1.3817607579944728,
 m7 = 1.9739439399921042, m8 = 0.027188235294117635, m9 = 0.019031764705882342;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

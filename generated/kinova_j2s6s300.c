@@ -263,10 +263,10 @@ static const double
     d6 = 0.26375, /* joint offset 6 [m] */
     free_limit_squared2 = 1.6212928899999995e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.026528144692397e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.2732999999999999, /* the arm's size [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     longest3 = 0.5199131025, /* square of the longest reach [m^2] */
     shortest3 = 0.009791102499999996, /* square of the shortest reach [m^2] */
+    boundary3 = 9.367415598763348e-14, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.5199131024999816, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.009791102500002518, /* the shortest, where branches merge [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
@@ -277,16 +277,16 @@ static const double
     k2 = 9.604000000000001e-05, /* k1^2 [m^2] */
     k3 = 2.495668000016213e-15, /* reach_slack1 * (reach_slack1 - k1 * 2) [m^2] */
     k4 = 2.4956680000016213e-16, /* merge_slack1 * (merge_slack1 - k1 * 2) [m^2] */
-    k5 = 0.255061, /* 2 * d4 * a2 [m^2] */
-    k6 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
-    k7 = 1.192753028190537e-13, /* arm_size1 * boundary3 [m^5] */
-    k8 = 15.371345486276748, /* 1 / (k5^2) [m^-4] */
+    k5 = 0.7853608733212912, /* 1 / arm_size1 [m^-1] */
+    k6 = 0.255061, /* 2 * d4 * a2 [m^2] */
+    k7 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
+    k8 = 15.371345486276748, /* 1 / (k6^2) [m^-4] */
     m3 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 1.2195121951219514, m2 = 0.08700963109756096;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -433,7 +433,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v4 = w3 - w3,
-        v5 = k5 * (N3 - k6), v6 = k8 * v5, v7 = k5 * w3, c3 = k8 * v7;
+        v5 = k6 * (N3 - k7), v6 = k8 * v5, v7 = k6 * w3, c3 = k8 * v7;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
@@ -520,7 +520,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
         doubt1 = (v42 <= m4) | (v24 <= m3) | (v41 <= m4) | (v40 <= m4) | (v23 <= m3) | (v39 <= m4) |
-            (abs_wide(D1) <= k3) | (abs_wide(w1 * D3) <= k7) | (v22 <= m3);
+            (abs_wide(D1) <= k3) | (abs_wide(D3 * (k5 * w1)) <= boundary3) | (v22 <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
     q[5] = lowered_wide(v62);
@@ -571,8 +571,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k5 * (N3 - k6),
-        v6 = k8 * v5, v7 = k5 * w3, c3 = k8 * v7;
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k6 * (N3 - k7),
+        v6 = k8 * v5, v7 = k6 * w3, c3 = k8 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
@@ -596,7 +596,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v35 = copysign(half_turn, -v5);
-    const int doubt1 = (fabs(D1) <= k3) | (fabs(w1 * D3) <= k7);
+    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3 * (k5 * w1)) <= boundary3);
     const four_mask doubt2 = (v21 <= m3) | (v27 <= m4);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -703,7 +703,7 @@ static void solve(
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
     const double Z1_3 = wz + d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double v9 = seed[1] + offset2;
@@ -718,12 +718,12 @@ static void solve(
 
         /* theta3 */
         const double N3 = v4 + root1 * root1;
-        const double K3 = N3 - k6;
+        const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k7 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v6 = k5 * K3 * k8;
+        const double v6 = k6 * K3 * k8;
 
         /* theta2 */
         const double X1_2 = a2 + d4 * v6;
@@ -743,7 +743,7 @@ static void solve(
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double c3 = k8 * (k5 * (w3 * e2));
+            const double c3 = k8 * (k6 * (w3 * e2));
 
             /* theta2 */
             const double X2_2 = d4 * c3;
@@ -992,7 +992,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 40f803b1c3c3f5b2"
+_KEY = "kinova_j2s6s300 2898830dbf789a74"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -165,10 +165,10 @@ d4 = 0.31105  # joint offset 4 [m]
 d6 = 0.26375  # joint offset 6 [m]
 free_limit_squared2 = 1.6212928899999995e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.026528144692397e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.2732999999999999  # the arm's size [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 longest3 = 0.5199131025  # square of the longest reach [m^2]
 shortest3 = 0.009791102499999996  # square of the shortest reach [m^2]
+boundary3 = 9.367415598763348e-14  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.5199131024999816  # the longest, where branches merge [m^2]
 shortest3_apart = 0.009791102500002518  # the shortest, where branches merge [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -179,10 +179,10 @@ k1 = -0.0098  # d2 - d3 [m]
 k2 = 9.604000000000001e-05  # k1^2 [m^2]
 k3 = 2.495668000016213e-15  # reach_slack1 * (reach_slack1 - k1 * 2) [m^2]
 k4 = 2.4956680000016213e-16  # merge_slack1 * (merge_slack1 - k1 * 2) [m^2]
-k5 = 0.255061  # 2 * d4 * a2 [m^2]
-k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
-k7 = 1.192753028190537e-13  # arm_size1 * boundary3 [m^5]
-k8 = 15.371345486276748  # 1 / (k5^2) [m^-4]
+k5 = 0.7853608733212912  # 1 / arm_size1 [m^-1]
+k6 = 0.255061  # 2 * d4 * a2 [m^2]
+k7 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
+k8 = 15.371345486276748  # 1 / (k6^2) [m^-4]
 low2 = 0.820304747437335
 high2 = 5.462880559742252
 low3 = 0.3316125568789226
@@ -521,7 +521,7 @@ def _solve(pose, seed, q, status):
     wz = d6 * T33 - T34
     Z1_3 = wz + d1
     v4 = Z1_3 * Z1_3
-    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     v9 = seed[1] + offset2
@@ -537,13 +537,13 @@ def _solve(pose, seed, q, status):
 
         # theta3
         N3 = v4 + root1 * root1
-        K3 = N3 - k6
+        K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k7 <= D3 * v5):
+        if not (-boundary3 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v6 = k5 * K3 * k8
+        v6 = k6 * K3 * k8
 
         # theta2
         X1_2 = a2 + d4 * v6
@@ -569,7 +569,7 @@ def _solve(pose, seed, q, status):
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            c3 = k8 * (k5 * (w3 * e2))
+            c3 = k8 * (k6 * (w3 * e2))
 
             # theta2
             X2_2 = d4 * c3
@@ -1206,9 +1206,9 @@ def _regular(pose, q, status):
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
     v4 = w3 - w3
-    v5 = k5 * (N3 - k6)
+    v5 = k6 * (N3 - k7)
     v6 = k8 * v5
-    v7 = k5 * w3
+    v7 = k6 * w3
     c3 = k8 * v7
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
@@ -1290,7 +1290,7 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <= m4 or v23 <= m3 or v39 <= m4 or abs(D1) <= k3
-        or abs(w1 * D3) <= k7 or v22 <= m3
+        or abs(D3 * (k5 * w1)) <= boundary3 or v22 <= m3
     )
 
     # a joint is free, or branches meet
@@ -1802,9 +1802,9 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v4 = w3 - w3
-            v5 = k5 * (N3 - k6)
+            v5 = k6 * (N3 - k7)
             v6 = k8 * v5
-            v7 = k5 * w3
+            v7 = k6 * w3
             c3 = k8 * v7
             X1_2 = a2 + d4 * v6
             X2_2 = d4 * c3
@@ -1876,7 +1876,7 @@ def _in_tiles(T, q, status):
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
             doubt1 = (
                 v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <= m4 or v23 <= m3 or v39 <= m4 or
-                abs(D1) <= k3 or abs(w1 * D3) <= k7 or v22 <= m3
+                abs(D1) <= k3 or abs(D3 * (k5 * w1)) <= boundary3 or v22 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v4

@@ -270,7 +270,6 @@ static const double
     longest4_apart = 0.6723999999999786, /* the longest, where branches merge [m^2] */
     shortest4_apart = 0.00040000000000052087, /* the shortest, where branches merge [m^2] */
     least_root2 = 5.393694619178955e-07, /* a root of nothing, by rounding [m^2] */
-    arm_size2 = 1.7056360000000002, /* the arm's size [m^2] */
     free_limit_squared2 = 1.705636e-24, /* square of a length that fixes no angle [m^2] */
     reach_slack1 = 1.3060000000000002e-13, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 1.306e-14, /* nearer to that boundary two branches are one [m] */
@@ -281,14 +280,15 @@ static const double
     offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
-    k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
+    k3 = 0.5862915651405106, /* 1 / arm_size2 [m^-2] */
+    k4 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
     /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
     m1 = 1.4391687841457539e-13,
     m2 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
     m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -429,7 +429,7 @@ static double beyond_limits(const double values[7])
     const number wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, \
         Z1_2 = T34 - d7 * T33 - d1, V4 = v1 + wx * wx + Z1_2 * Z1_2, \
         D4 = (longest4 - V4) * (V4 - shortest4), w4 = sqrt_##number(D4), v2 = k1 * (V4 - k2), \
-        v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4; \
+        v3 = k4 * v2, v4 = k1 * w4, v5 = k4 * v4; \
     /* theta1 */ \
     const number N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, \
         w1 = sqrt_##number(D1), v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1; \
@@ -489,8 +489,8 @@ HELPER wide_mask solve_wide(
     /* joint values */
     const wide angle5 = atan2_wide(-v4, -v2);
     const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) |
-        exceeds(free_joints[0], 3) | (abs_wide(w4 * D1) <= arm_size2 * (reach_slack1 * (reach_slack1
-        + 2.0 * abs_wide(Z1))));
+        exceeds(free_joints[0], 3) | (abs_wide(D1 * (k3 * w4)) <= reach_slack1 * (reach_slack1 + 2.0
+        * abs_wide(Z1)));
     left |= doubt1;
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
@@ -562,8 +562,8 @@ HELPER int solve_regular(
     /* joint values */
     const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
-        fabs(free_joints[0])) | (fabs(w4 * D1) <= arm_size2 * (reach_slack1 * (reach_slack1 + 2.0 *
-        fabs(Z1))));
+        fabs(free_joints[0])) | (fabs(D1 * (k3 * w4)) <= reach_slack1 * (reach_slack1 + 2.0 *
+        fabs(Z1)));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -681,7 +681,7 @@ static void solve(
     const int apart4 = shortest4_apart < V4 && V4 < longest4_apart;
     if (!(shortest4_reach <= V4 && V4 <= longest4_reach)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v2 = apart4 ? w4 : least_root2, v3 = k3 * (k1 * Z4);
+    const double v2 = (apart4 ? w4 : least_root2) * k3, v3 = k4 * (k1 * Z4);
 
     /* theta1, type 2: U1 A7^-1 [3, 4] */
     const double N1 = v1 + -wx * -wx;
@@ -708,15 +708,14 @@ static void solve(
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double v4 = k3 * (k1 * (w4 * e1));
+        const double v4 = k4 * (k1 * (w4 * e1));
 
         /* theta1 */
         const double Z1 = d5 * (s3 * v4);
         const double D1 = N1 - Z1 * Z1;
         const double v5 = fabs(Z1), v6 = 2.0 * v5;
         const int apart1 = merge_slack1 * (v6 + merge_slack1) < D1;
-        if (!(-(arm_size2 * (reach_slack1 * (v6 + reach_slack1))) <= v2 * D1))
-            continue; /* out of reach */
+        if (!(-(reach_slack1 * (v6 + reach_slack1)) <= v2 * D1)) continue; /* out of reach */
         const double w1 = sqrt(apart1 ? D1 : 0.0);
         const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v5 * v7));
         const double v8 = -wx * Z1, v9 = wy * Z1;

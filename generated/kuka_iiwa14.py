@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 5ab84a8a804c1cf0"
+_KEY = "kuka_iiwa14 6debff780d278720"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -170,7 +170,6 @@ shortest4_reach = 0.0003999999999947745  # the shortest, with what rounding adds
 longest4_apart = 0.6723999999999786  # the longest, where branches merge [m^2]
 shortest4_apart = 0.00040000000000052087  # the shortest, where branches merge [m^2]
 least_root2 = 5.393694619178955e-07  # a root of nothing, by rounding [m^2]
-arm_size2 = 1.7056360000000002  # the arm's size [m^2]
 free_limit_squared2 = 1.705636e-24  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.3060000000000002e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1.306e-14  # nearer to that boundary two branches are one [m]
@@ -181,7 +180,8 @@ offset4 = 3.141592653589793  # offset of joint 4 [rad]
 offset6 = 3.141592653589793  # offset of joint 6 [rad]
 k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
-k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
+k3 = 0.5862915651405106  # 1 / arm_size2 [m^-2]
+k4 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-08  # square of a length that fixes no angle [m^2]
 high1 = 2.9670597293903604
 high2 = 2.0943951033931953
@@ -540,8 +540,8 @@ def _solve(pose, q_free, seed, q, status):
     if not (shortest4_reach <= V4 and V4 <= longest4_reach):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
-    v2 = w4 if apart4 else least_root2
-    v3 = k3 * (k1 * Z4)
+    v2 = (w4 if apart4 else least_root2) * k3
+    v3 = k4 * (k1 * Z4)
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
@@ -583,7 +583,7 @@ def _solve(pose, q_free, seed, q, status):
         # theta4
         if e1 < 0.0 and not apart4:
             continue  # both signs give the same
-        v4 = k3 * (k1 * (w4 * e1))
+        v4 = k4 * (k1 * (w4 * e1))
 
         # theta1
         Z1 = d5 * (s3 * v4)
@@ -591,7 +591,7 @@ def _solve(pose, q_free, seed, q, status):
         v5 = abs(Z1)
         v6 = 2.0 * v5
         apart1 = merge_slack1 * (v6 + merge_slack1) < D1
-        if not (-(arm_size2 * (reach_slack1 * (v6 + reach_slack1))) <= v2 * D1):
+        if not (-(reach_slack1 * (v6 + reach_slack1)) <= v2 * D1):
             continue  # out of reach
         w1 = math.sqrt(D1 if apart1 else 0.0)
         inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v5 * v7))
@@ -1208,9 +1208,9 @@ def _regular(pose, q_free, q, status):
     D4 = (longest4 - V4) * (V4 - shortest4)
     w4 = math.sqrt(D4)
     v2 = k1 * (V4 - k2)
-    v3 = k3 * v2
+    v3 = k4 * v2
     v4 = k1 * w4
-    v5 = k3 * v4
+    v5 = k4 * v4
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
@@ -1374,9 +1374,9 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
-        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(w4 * D1) <= arm_size2 * (reach_slack1 *
-        (reach_slack1 + 2.0 * abs(Z1))) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26
-        <= m2 or v48 <= m3 or high3 < abs(q_free[0]) or v25 <= m2
+        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= reach_slack1 *
+        (reach_slack1 + 2.0 * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26 <=
+        m2 or v48 <= m3 or high3 < abs(q_free[0]) or v25 <= m2
     )
 
     # a joint is free, or branches meet
@@ -1916,9 +1916,9 @@ def _in_tiles(T, q_free, q, status):
             D4 = (longest4 - V4) * (V4 - shortest4)
             w4 = math.sqrt(D4)
             v2 = k1 * (V4 - k2)
-            v3 = k3 * v2
+            v3 = k4 * v2
             v4 = k1 * w4
-            v5 = k3 * v4
+            v5 = k4 * v4
             N1 = v1 + -wx * -wx
             inverse1 = 1.0 / N1
             X2_2 = d3 + d5 * v3
@@ -2128,9 +2128,9 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
-                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(w4 * D1) <= arm_size2 *
-                (reach_slack1 * (reach_slack1 + 2.0 * abs(Z1))) or v51 <= m3 or v27 <= m2 or v50 <=
-                m3 or v49 <= m3 or v26 <= m2 or v48 <= m3 or high3 < abs(given1) or v25 <= m2
+                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= reach_slack1 *
+                (reach_slack1 + 2.0 * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3
+                or v26 <= m2 or v48 <= m3 or high3 < abs(given1) or v25 <= m2
             )
             work[720 + k] = c1_pp
             work[736 + k] = v12

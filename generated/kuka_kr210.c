@@ -275,7 +275,7 @@ static const double
 static const double m4 = 0.009587574503443538, m5 = 1.016127365600848, m6 = 0.26632151398454273,
 m7 = 0.03658058516163053, m8 = 0.4, m9 = 0.27616640000000003;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

@@ -279,7 +279,7 @@ static const double
 static const double m4 = 1.0989010989010988, m5 = 0.03296703296703301, m6 = 0.07061149555147579,
 m7 = 1.1862731252647931, m8 = 0.035588193757943844, m9 = 0.0021183448665442767;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

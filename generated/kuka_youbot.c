@@ -280,7 +280,7 @@ static const double
 static const double m5 = 3.2258064516129035, m6 = 0.018709677419354823, m8 = 3.7037037037037037,
 m9 = 0.021481481481481466;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

@@ -219,7 +219,7 @@ static const double
 /* coefficients */
 static const double m1 = 0.15, m2 = 0.25980762113533157;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]

@@ -230,7 +230,7 @@ static const double
     offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
     m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]

@@ -282,7 +282,7 @@ static const double
 static const double m2 = 1.25, m3 = 0.08750000000000001, m4 = 1.666666666666667,
 m5 = 0.1166666666666667;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \

@@ -266,7 +266,7 @@ static const double
 static const double m1 = 11.314168873492461, m2 = 0.7750600530519154, m3 = 2.1049616508823186,
 m4 = 4.165947785154044;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

@@ -236,9 +236,9 @@ static const double
     D4 = 0.4318, /* z of axis 5 [m] */
     free_limit_squared2 = 3.57281304106196e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 5.977301264836799e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.8901886257889609, /* the arm's size [m] */
     longest3 = 0.7458049600000001, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
+    boundary3 = 2.435176934946171e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.7458049599999674, /* the longest, where branches merge [m^2] */
     shortest3_apart = 3.5728130410619605e-28, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -246,9 +246,9 @@ static const double
     k2 = 0.022515002499999996, /* D3^2 [m^2] */
     k3 = 5.6724560659962443e-14, /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
     k4 = 5.672456065993029e-15, /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
-    k5 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
-    k6 = 4.602943744218876e-13, /* arm_size1 * boundary3 [m^5] */
-    k7 = 2.681666262986505, /* 1 / k5 [m^-2] */
+    k5 = 0.5290477290765635, /* 1 / arm_size1 [m^-1] */
+    k6 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
+    k7 = 2.681666262986505, /* 1 / k6 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
     g1 = 0.8636, /* L2 + D4 [m] */
     m2 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
@@ -256,7 +256,7 @@ static const double
 /* coefficients */
 static const double m1 = 1.1579434923575729, m3 = 3.105217997900075, m4 = 2.3158869847151458;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -378,7 +378,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
         D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3_), v6 = w3 - w3,
-        angle1 = atan2_wide(w3, N3 - k5);
+        angle1 = atan2_wide(w3, N3 - k6);
 
     /* theta2 */
     const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
@@ -431,7 +431,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(s1_m, c1_m), q1_mpp = v6 + angle19, q3_ppp = v1 + angle1,
         q3_pmp = v1 - angle1;
     const wide_mask doubt1 = (v31 <= m5) | (v30 <= m5) | (v16 <= m2) | (v29 <= m5) | (v15 <= m2) |
-        (v28 <= m5) | (abs_wide(D1) <= k3) | (abs_wide(w1 * D3_) <= k6) | (v13 <= m2);
+        (v28 <= m5) | (abs_wide(D1) <= k3) | (abs_wide(D3_ * (k5 * w1)) <= boundary3) | (v13 <= m2);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -502,14 +502,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k3) | (fabs(w1 * D3_) <= k6);
+    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3_ * (k5 * w1)) <= boundary3);
     const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
-        all_four(N3 - k5), 0, 5, 2, 3)), ratio2 = ratio_four(-v7, C2),
+        all_four(N3 - k6), 0, 5, 2, 3)), ratio2 = ratio_four(-v7, C2),
         ratio3 = ratio_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24)),
         ratio4 = ratio_four(-v17, factor2 * -X4),
         ratio5 = ratio_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
@@ -594,7 +594,7 @@ static void solve(
 
     /* theta3, type 8: U1[3, 4] and U1[2, 4] */
     const double t34 = T34 + D3 * T31 + k1 * T33;
-    const double v3 = t34 * t34, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v3 = t34 * t34, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -607,10 +607,10 @@ static void solve(
 
         /* theta3 */
         const double N3 = v3 + root1 * root1;
-        const double K3 = N3 - k5;
+        const double K3 = N3 - k6;
         const double D3_ = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k6 <= D3_ * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= D3_ * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3_ : 0.0);
         const double c3 = K3 * k7;
 

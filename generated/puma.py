@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma 5cb89e49ac1a81c0"
+_KEY = "puma 23f59a97a574dbb5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -161,9 +161,9 @@ D3 = 0.15005  # x of axis 4 [m]
 D4 = 0.4318  # z of axis 5 [m]
 free_limit_squared2 = 3.57281304106196e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 5.977301264836799e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.8901886257889609  # the arm's size [m]
 longest3 = 0.7458049600000001  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
+boundary3 = 2.435176934946171e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.7458049599999674  # the longest, where branches merge [m^2]
 shortest3_apart = 3.5728130410619605e-28  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
@@ -171,9 +171,9 @@ k1 = 0.8636  # L2 + D4 [m]
 k2 = 0.022515002499999996  # D3^2 [m^2]
 k3 = 5.6724560659962443e-14  # reach_slack1 * (2 * D3 + reach_slack1) [m^2]
 k4 = 5.672456065993029e-15  # merge_slack1 * (2 * D3 + merge_slack1) [m^2]
-k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
-k6 = 4.602943744218876e-13  # arm_size1 * boundary3 [m^5]
-k7 = 2.681666262986505  # 1 / k5 [m^-2]
+k5 = 0.5290477290765635  # 1 / arm_size1 [m^-1]
+k6 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
+k7 = 2.681666262986505  # 1 / k6 [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
 m1 = 1.1579434923575729  # a coefficient of v6
@@ -501,7 +501,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 8: U1[3, 4] and U1[2, 4]
     t34 = T34 + D3 * T31 + k1 * T33
     v3 = t34 * t34
-    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -515,10 +515,10 @@ def _solve(pose, seed, q, status):
 
         # theta3
         N3 = v3 + root1 * root1
-        K3 = N3 - k5
+        K3 = N3 - k6
         D3_ = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k6 <= D3_ * v4):
+        if not (-boundary3 <= D3_ * v4):
             continue  # out of reach
         w3 = math.sqrt(D3_ if apart3 else 0.0)
         c3 = K3 * k7
@@ -964,7 +964,7 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <= m5 or v15 <= m2 or v28 <= m5 or abs(D1) <= k3
-        or abs(w1 * D3_) <= k6 or v13 <= m2
+        or abs(D3_ * (k5 * w1)) <= boundary3 or v13 <= m2
     )
 
     # a joint is free, or branches meet
@@ -991,7 +991,7 @@ def _regular(pose, q, status):
     room[16] = v47
     room[17] = s1_p
     room[18] = s1_m
-    room[24] = N3 - k5
+    room[24] = N3 - k6
     room[25] = C2_pp
     room[26] = C2_pm
     room[27] = C2_pm
@@ -1458,7 +1458,7 @@ def _in_tiles(T, q, status):
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
             doubt1 = (
                 v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <= m5 or v15 <= m2 or v28 <= m5 or
-                abs(D1) <= k3 or abs(w1 * D3_) <= k6 or v13 <= m2
+                abs(D1) <= k3 or abs(D3_ * (k5 * w1)) <= boundary3 or v13 <= m2
             )
             work[272 + k] = v1
             work[288 + k] = v6
@@ -1488,7 +1488,7 @@ def _in_tiles(T, q, status):
             work[672 + k] = v47
             work[688 + k] = s1_p
             work[704 + k] = s1_m
-            work[720 + k] = N3 - k5
+            work[720 + k] = N3 - k6
             work[736 + k] = C2_pp
             work[752 + k] = C2_pm
             work[768 + k] = C2_pm

@@ -252,27 +252,27 @@ static const double
     d4 = 0.4318, /* joint offset 4 [m] */
     free_limit_squared2 = 2.9096854084e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 5.394149987162018e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.70578, /* the arm's size [m] */
     longest3 = 0.7466289125534531, /* square of the longest reach [m^2] */
     shortest3 = 2.274465470660925e-07, /* square of the shortest reach [m^2] */
+    boundary3 = 2.1999652436149993e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.7466289125534236, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.2744654708236271e-07, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.022515002499999996, /* d3^2 [m^2] */
     k2 = 5.11904578000291e-14, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 5.1190457800002905e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-    k4 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
-    k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
-    k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 3.752656713253594e-13, /* arm_size1 * boundary3 [m^5] */
-    k8 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k4 = 0.5862420710759887, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.01753108, /* 2 * a3 * a2 [m^2] */
+    k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+    k8 = 7.175474885806929, /* 1 / (k5^2 + k6^2) [m^-4] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 0.12579382426107213, m2 = 0.9988973492016866, m3 = 2.675752380095121,
 m4 = 0.046960667412677716, m5 = 1.1579434923575729, m6 = 0.000477176933765627;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -415,7 +415,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
         w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9,
         s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
-        angle3 = atan2_wide(w3, N3 - k6), q3__p = angle3 - turn1, v12 = turn1 + angle3;
+        angle3 = atan2_wide(w3, N3 - k7), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
     const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
@@ -470,8 +470,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
         outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
         outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(w1 * D3) <= k7) | (abs_wide(D1) <= k2) | (v31 <= m7) | (v30 <= m7) | (v28
-            <= m7) | (v29 <= m7);
+        doubt1 = (abs_wide(D3 * (k4 * w1)) <= boundary3) | (abs_wide(D1) <= k2) | (v31 <= m7) | (v30
+            <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -542,13 +542,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v18 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k7);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
-        all_four(N3 - k6), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(Y4, v12),
+        all_four(N3 - k7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(Y4, v12),
         ratio4 = ratio_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4 * (c23 * v16
             + s23 * T32))), ratio5 = ratio_four(-sqrt_four(v13), factor2 * (c23 * T33 - s23 * v10));
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
@@ -637,7 +637,7 @@ static void solve(
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
-    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -650,12 +650,12 @@ static void solve(
 
         /* theta3 */
         const double N3 = v3 + root1 * root1;
-        const double K3 = N3 - k6;
+        const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v5 = k4 * K3, v6 = k5 * K3;
+        const double v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v7 = T13 * c1 + T23 * s1;
@@ -671,7 +671,7 @@ static void solve(
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k5 * root3 - v5) * k8, c3 = k8 * (v6 + k4 * root3);
+            const double s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -918,7 +918,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 669170b49dd3ee16"
+_KEY = "puma560 c119919661bf8c4e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -163,20 +163,20 @@ a3 = 0.0203  # link length 3 [m]
 d4 = 0.4318  # joint offset 4 [m]
 free_limit_squared2 = 2.9096854084e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 5.394149987162018e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.70578  # the arm's size [m]
 longest3 = 0.7466289125534531  # square of the longest reach [m^2]
 shortest3 = 2.274465470660925e-07  # square of the shortest reach [m^2]
+boundary3 = 2.1999652436149993e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.7466289125534236  # the longest, where branches merge [m^2]
 shortest3_apart = 2.2744654708236271e-07  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.022515002499999996  # d3^2 [m^2]
 k2 = 5.11904578000291e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 5.1190457800002905e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
-k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
-k5 = 0.01753108  # 2 * a3 * a2 [m^2]
-k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
-k7 = 3.752656713253594e-13  # arm_size1 * boundary3 [m^5]
-k8 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
+k4 = 0.5862420710759887  # 1 / arm_size1 [m^-1]
+k5 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
+k6 = 0.01753108  # 2 * a3 * a2 [m^2]
+k7 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
+k8 = 7.175474885806929  # 1 / (k5^2 + k6^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 high1 = 2.7925268041909272
 high2 = 1.9198621781937626
@@ -481,7 +481,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     v3 = Z1_3 * Z1_3
-    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -495,14 +495,14 @@ def _solve(pose, seed, q, status):
 
         # theta3
         N3 = v3 + root1 * root1
-        K3 = N3 - k6
+        K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k7 <= D3 * v4):
+        if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k4 * K3
-        v6 = k5 * K3
+        v5 = k5 * K3
+        v6 = k6 * K3
 
         # theta4, type 2: U4[3, 3]
         v7 = T13 * c1 + T23 * s1
@@ -521,8 +521,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (k5 * root3 - v5) * k8
-            c3 = k8 * (v6 + k4 * root3)
+            s3 = (k6 * root3 - v5) * k8
+            c3 = k8 * (v6 + k5 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -1226,7 +1226,10 @@ def _regular(pose, q, status):
     v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
     # joint values
-    doubt1 = abs(w1 * D3) <= k7 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
+    doubt1 = (
+        abs(D3 * (k4 * w1)) <= boundary3 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or
+        v29 <= m7
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1254,7 +1257,7 @@ def _regular(pose, q, status):
     room[18] = v43
     room[24] = c1_p
     room[25] = -v4
-    room[26] = N3 - k6
+    room[26] = N3 - k7
     room[27] = C2_pp
     room[28] = C2_pm
     room[29] = C2_mp
@@ -1740,8 +1743,8 @@ def _in_tiles(T, q, status):
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
             doubt1 = (
-                abs(w1 * D3) <= k7 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <=
-                m7
+                abs(D3 * (k4 * w1)) <= boundary3 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28
+                <= m7 or v29 <= m7
             )
             work[272 + k] = v1
             work[288 + k] = v7
@@ -1780,7 +1783,7 @@ def _in_tiles(T, q, status):
             work[816 + k] = v43
             work[832 + k] = c1_p
             work[848 + k] = -v4
-            work[864 + k] = N3 - k6
+            work[864 + k] = N3 - k7
             work[880 + k] = C2_pp
             work[896 + k] = C2_pm
             work[912 + k] = C2_mp

@@ -132,20 +132,20 @@ static const float
     d4 = 0.4318f, /* joint offset 4 [m] */
     free_limit_squared2 = 1.1638741e-09f, /* square of a length that fixes no angle [m^2] */
     least_root1 = 0.00341156f, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.70578f, /* the arm's size [m] */
     longest3 = 0.74662894f, /* square of the longest reach [m^2] */
     shortest3 = 2.2744655e-07f, /* square of the shortest reach [m^2] */
+    boundary3 = 8.803972e-06f, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.74662864f, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.2760928e-07f, /* the shortest, where branches merge [m^2] */
     free_limit = 2e-05f, /* a length that fixes no angle */
     k1 = 0.022515003f, /* d3^2 [m^2] */
     k2 = 2.0476648e-06f, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 5.1190487e-08f, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-    k4 = 0.37290248f, /* 2 * d4 * a2 [m^2] */
-    k5 = 0.01753108f, /* 2 * a3 * a2 [m^2] */
-    k6 = 0.37331456f, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 1.5017639e-05f, /* arm_size1 * boundary3 [m^5] */
-    k8 = 7.175475f, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k4 = 0.5862421f, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.37290248f, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.01753108f, /* 2 * a3 * a2 [m^2] */
+    k7 = 0.37331456f, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+    k8 = 7.175475f, /* 1 / (k5^2 + k6^2) [m^-4] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.9096855e-06f,
     turn1 = 1.5238184f, /* a constant angle [rad] */
@@ -154,7 +154,7 @@ static const float
 static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
 m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -299,7 +299,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
         w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9,
         s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
-        angle3 = atan2_wide(w3, N3 - k6), q3__p = angle3 - turn1, v12 = turn1 + angle3;
+        angle3 = atan2_wide(w3, N3 - k7), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
     const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
@@ -354,8 +354,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
         outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
         outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(w1 * D3) <= k7) | (abs_wide(D1) <= k2) | (N3 <= doubt_limit_squared2) |
-            (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
+        doubt1 = (abs_wide(D3 * (k4 * w1)) <= boundary3) | (abs_wide(D1) <= k2) | (N3 <=
+            doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -417,7 +417,7 @@ static void solve(
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const float Z1_3 = T34 - d1;
-    const float v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const float v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0f : (apart1 ? w1 : least_root1) * k4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
@@ -430,12 +430,12 @@ static void solve(
 
         /* theta3 */
         const float N3 = v3 + root1 * root1;
-        const float K3 = N3 - k6;
+        const float K3 = N3 - k7;
         const float D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
         const float w3 = sqrtf(apart3 ? D3 : 0.0f);
-        const float v5 = k4 * K3, v6 = k5 * K3;
+        const float v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const float v7 = T13 * c1 + T23 * s1;
@@ -451,7 +451,7 @@ static void solve(
             /* theta3 */
             if (e2 < 0.0f && !apart3) continue; /* both signs give the same */
             const float root3 = w3 * e2;
-            const float s3 = (k5 * root3 - v5) * k8, c3 = k8 * (v6 + k4 * root3);
+            const float s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
             const float q3 = atan2f(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -698,7 +698,7 @@ static float past_an_end(int joint, float value)
     return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static float past_ends(const float values[6])
 {
     float sum = 0.0f;

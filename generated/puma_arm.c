@@ -228,24 +228,24 @@ static const double
     d4 = 0.4318, /* z of the tool frame [m] */
     free_limit_squared2 = 2.9096854084e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 5.394149987162018e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.70578, /* the arm's size [m] */
     longest3 = 0.7466289125534531, /* square of the longest reach [m^2] */
     shortest3 = 2.274465470660925e-07, /* square of the shortest reach [m^2] */
+    boundary3 = 2.1999652436149993e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.7466289125534236, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.2744654708236271e-07, /* the shortest, where branches merge [m^2] */
     k1 = 0.022515002499999996, /* d3^2 [m^2] */
     k2 = 5.11904578000291e-14, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 5.1190457800002905e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-    k4 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
-    k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
-    k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 3.752656713253594e-13, /* arm_size1 * boundary3 [m^5] */
-    k8 = 7.175474885806929, /* 1 / (k4^2 + k5^2) [m^-4] */
+    k4 = 0.5862420710759887, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.01753108, /* 2 * a3 * a2 [m^2] */
+    k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+    k8 = 7.175474885806929, /* 1 / (k5^2 + k6^2) [m^-4] */
     turn1 = 1.5238184104468135; /* a constant angle [rad] */
 /* coefficients */
 static const double m1 = 1.1579434923575729, m2 = 0.000477176933765627;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \
@@ -313,7 +313,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* theta3 */
     const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt_wide(D3), v6 = w3 - w3, angle1 = atan2_wide(w3, N3 - k6), q3__p = angle1 - turn1,
+        w3 = sqrt_wide(D3), v6 = w3 - w3, angle1 = atan2_wide(w3, N3 - k7), q3__p = angle1 - turn1,
         v7 = turn1 + angle1;
 
     /* theta2 */
@@ -325,7 +325,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide angle6 = atan2_wide(v2 + v5, v4 - v3), q1_pp = v6 + angle6,
         angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
         q3_pp = v1 + raised_wide(q3__p), q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(w1 * D3) <= k7);
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(D3 * (k4 * w1)) <= boundary3);
 
     q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -362,13 +362,13 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k7);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3), shuffle(e1
-        * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3)),
+        * v4 - v3, all_four(N3 - k7), 0, 5, 2, 3)),
         ratio2 = ratio_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2);
@@ -444,7 +444,7 @@ static void solve(
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
-    const double v3 = Z1_3 * Z1_3, v4 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -457,19 +457,19 @@ static void solve(
 
         /* theta3 */
         const double N3 = v3 + root1 * root1;
-        const double K3 = N3 - k6;
+        const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k7 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v5 = k4 * K3, v6 = k5 * K3;
+        const double v5 = k5 * K3, v6 = k6 * K3;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k5 * root3 - v5) * k8, c3 = k8 * (v6 + k4 * root3);
+            const double s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */

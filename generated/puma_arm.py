@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm bf88742ec3639ef3"
+_KEY = "puma_arm 6c6651af3d320f2e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -156,19 +156,19 @@ a3 = 0.0203  # link length 3 [m]
 d4 = 0.4318  # z of the tool frame [m]
 free_limit_squared2 = 2.9096854084e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 5.394149987162018e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.70578  # the arm's size [m]
 longest3 = 0.7466289125534531  # square of the longest reach [m^2]
 shortest3 = 2.274465470660925e-07  # square of the shortest reach [m^2]
+boundary3 = 2.1999652436149993e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.7466289125534236  # the longest, where branches merge [m^2]
 shortest3_apart = 2.2744654708236271e-07  # the shortest, where branches merge [m^2]
 k1 = 0.022515002499999996  # d3^2 [m^2]
 k2 = 5.11904578000291e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 5.1190457800002905e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
-k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
-k5 = 0.01753108  # 2 * a3 * a2 [m^2]
-k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
-k7 = 3.752656713253594e-13  # arm_size1 * boundary3 [m^5]
-k8 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
+k4 = 0.5862420710759887  # 1 / arm_size1 [m^-1]
+k5 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
+k6 = 0.01753108  # 2 * a3 * a2 [m^2]
+k7 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
+k8 = 7.175474885806929  # 1 / (k5^2 + k6^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 m1 = 1.1579434923575729  # a coefficient of X1_2
 m2 = 0.000477176933765627  # a coefficient of X1_2
@@ -420,7 +420,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     v3 = Z1_3 * Z1_3
-    v4 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -434,14 +434,14 @@ def _solve(pose, seed, q, status):
 
         # theta3
         N3 = v3 + root1 * root1
-        K3 = N3 - k6
+        K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k7 <= D3 * v4):
+        if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k4 * K3
-        v6 = k5 * K3
+        v5 = k5 * K3
+        v6 = k6 * K3
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -449,8 +449,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (k5 * root3 - v5) * k8
-            c3 = k8 * (v6 + k4 * root3)
+            s3 = (k6 * root3 - v5) * k8
+            c3 = k8 * (v6 + k5 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -738,7 +738,7 @@ def _regular(pose, q, status):
     v15 = v8 + v13
 
     # joint values
-    doubt1 = abs(D1) <= k2 or abs(w1 * D3) <= k7
+    doubt1 = abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3
 
     # a joint is free, or branches meet
     if doubt1:
@@ -752,7 +752,7 @@ def _regular(pose, q, status):
     room[4] = v14
     room[5] = v2 + v5
     room[6] = v2 - v5
-    room[8] = N3 - k6
+    room[8] = N3 - k7
     room[9] = v9 + v11
     room[10] = v10 + v11
     room[11] = v9 + v12
@@ -1068,7 +1068,7 @@ def _in_tiles(T, q, status):
             v13 = w3 * (m1 * w1)
             v14 = v8 - v13
             v15 = v8 + v13
-            doubt1 = abs(D1) <= k2 or abs(w1 * D3) <= k7
+            doubt1 = abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3
             work[272 + k] = v1
             work[288 + k] = v6
             work[304 + k] = doubt1
@@ -1079,7 +1079,7 @@ def _in_tiles(T, q, status):
             work[384 + k] = v14
             work[400 + k] = v2 + v5
             work[416 + k] = v2 - v5
-            work[432 + k] = N3 - k6
+            work[432 + k] = N3 - k7
             work[448 + k] = v9 + v11
             work[464 + k] = v10 + v11
             work[480 + k] = v9 + v12

@@ -216,7 +216,7 @@ static const double
     free_limit1 = 5e-13, /* a length that fixes no angle [m] */
     m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \

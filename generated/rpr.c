@@ -221,7 +221,7 @@ static const double
     k2 = 11.111111111111112, /* 1 / k1 [m^-2] */
     m1 = 6.400000000000001e-09; /* doubt_limit1^2 [m^2] */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \

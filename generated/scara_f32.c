@@ -158,7 +158,7 @@ static const float
 /* coefficients */
 static const float m2 = 1.25f, m3 = 0.0875f;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
@@ -593,7 +593,7 @@ static float past_an_end(int joint, float value)
     return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static float past_ends(const float values[4])
 {
     float sum = 0.0f;

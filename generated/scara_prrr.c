@@ -259,7 +259,7 @@ static const double
 /* coefficients */
 static const double m2 = 1.6666666666666667, m3 = 0.045833333333333316;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \

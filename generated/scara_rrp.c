@@ -230,7 +230,7 @@ static const double
 /* coefficients */
 static const double m2 = 1.25, m3 = 0.08750000000000001;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \

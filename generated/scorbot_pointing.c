@@ -523,7 +523,7 @@ static const double
 /* coefficients */
 static const double m6 = 4.524886877828054, m7 = 2.262443438914027;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T13 = T[2], T14 = T[3]; \
     const number T23 = T[6], T24 = T[7]; \

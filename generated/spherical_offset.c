@@ -222,7 +222,7 @@ static const double
     k3 = 4.500000000000022e-16, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
     m1 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T14 = T[3]; \
     const number T24 = T[7]; \

@@ -253,9 +253,9 @@ static const double
     d6 = 0.07, /* joint offset 6 [m] */
     free_limit_squared2 = 3.1684000000000017e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 5.628854235099716e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.7800000000000005, /* the arm's size [m] */
     longest3 = 0.6732407360639862, /* square of the longest reach [m^2] */
     shortest3 = 0.0015592639360138612, /* square of the shortest reach [m^2] */
+    boundary3 = 1.9612336995515177e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.673240736063957, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.001559263936015267, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -263,18 +263,18 @@ static const double
     k2 = 0.004900000000000001, /* k1^2 [m^2] */
     k3 = 2.4920000000031693e-14, /* reach_slack1 * (2 * k1 + reach_slack1) [m^2] */
     k4 = 2.4920000000003178e-15, /* merge_slack1 * (2 * k1 + merge_slack1) [m^2] */
-    k5 = 0.3268, /* 2 * d4 * a2 [m^2] */
-    k6 = 0.0774, /* 2 * a3 * a2 [m^2] */
-    k7 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k8 = 3.490995985201702e-13, /* arm_size1 * boundary3 [m^5] */
-    k9 = 8.866112830151877, /* 1 / (k5^2 + k6^2) [m^-4] */
+    k5 = 0.5617977528089886, /* 1 / arm_size1 [m^-1] */
+    k6 = 0.3268, /* 2 * d4 * a2 [m^2] */
+    k7 = 0.0774, /* 2 * a3 * a2 [m^2] */
+    k8 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
+    k9 = 8.866112830151877, /* 1 / (k6^2 + k7^2) [m^-4] */
     turn1 = -1.3382393849899876, /* a constant angle [rad] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 1.1627906976744187, m2 = 0.03767441860465117, m3 = 0.29508196721311475,
 m4 = 1.2459016393442623, m5 = 0.04036721311475411, m6 = 0.00956065573770492;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -395,93 +395,93 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
         N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
-        w3_m = sqrt_wide(D3_m), angle1 = atan2_wide(w3_p, N3_p - k7),
-        angle2 = atan2_wide(w3_m, N3_m - k7), q3__pp = angle1 - turn1, v8 = turn1 + angle1,
-        q3__mp = angle2 - turn1, v9 = turn1 + angle2;
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), v8 = k5 * w1, w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), angle1 = atan2_wide(w3_p, N3_p - k8),
+        angle2 = atan2_wide(w3_m, N3_m - k8), q3__pp = angle1 - turn1, v9 = turn1 + angle1,
+        q3__mp = angle2 - turn1, v10 = turn1 + angle2;
 
     /* theta2 */
-    const wide v10 = Z1_3 * (m2 + m1 * N3_p), v11 = Z1_3 * (m2 + m1 * N3_m), factor2_p = 1.0 / N3_p,
-        factor2_m = 1.0 / N3_m, v12 = v5 * (m1 + m2 * factor2_p), v13 = v6 * (m1 + m2 * factor2_m),
-        v14 = w3_p * (m1 * v5),
-        angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))),
-        angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))),
-        angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 * (Z1_3 *
+    const wide v11 = Z1_3 * (m2 + m1 * N3_p), v12 = Z1_3 * (m2 + m1 * N3_m), factor2_p = 1.0 / N3_p,
+        factor2_m = 1.0 / N3_m, v13 = v5 * (m1 + m2 * factor2_p), v14 = v6 * (m1 + m2 * factor2_m),
+        v15 = w3_p * (m1 * v5),
+        angle3 = atan2_wide(-(factor2_p * (v11 - v15)), -(v13 + w3_p * (m1 * (Z1_3 * factor2_p)))),
+        angle4 = atan2_wide(-(factor2_p * (v11 + v15)), -(v13 + w3_p * (m1 * (-Z1_3 * factor2_p)))),
+        angle5 = atan2_wide(-(factor2_m * (v12 - w3_m * (m1 * v6))), -(v14 + w3_m * (m1 * (Z1_3 *
             factor2_m)))),
-        angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 * (-Z1_3 *
+        angle6 = atan2_wide(-(factor2_m * (v12 - w3_m * (m1 * -v6))), -(v14 + w3_m * (m1 * (-Z1_3 *
             factor2_m))));
 
     /* theta4 */
-    const wide v15 = m3 * Z1_3, v16 = m4 - m5 * factor2_p, v17 = m4 - m5 * factor2_m,
-        v18 = m6 * factor2_p - m3, v19 = m6 * factor2_m - m3, v20 = Z1_3 * v16 + v5 * v18,
-        v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m4 * v5)), c23_pp = v20 + v22,
-        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m4 * v6)), c23_mp = v21 + v23,
-        c23_mm = v21 - v23, v24 = m4 * Z1_3, v25 = v24 - m3 * v5, v26 = v24 - m3 * v6,
-        v27 = Z1_3 * v18 + v5 * -v16, v28 = Z1_3 * v19 + v6 * -v17,
-        s23_pp = v27 + w3_p * (factor2_p * v25), s23_pm = v27 + w3_p * (factor2_p * -v25),
-        s23_mp = v28 + w3_m * (factor2_m * v26), s23_mm = v28 + w3_m * (factor2_m * -v26),
-        v29 = T23 * s1_p - T13 * v2, v30 = T23 * s1_m - T13 * v3,
-        X4_pp = c23_pp * v29 - T33 * s23_pp, X4_pm = c23_pm * v29 - T33 * s23_pm,
-        X4_mp = c23_mp * v30 - T33 * s23_mp, X4_mm = c23_mm * v30 - T33 * s23_mm,
-        Y4_p = T13 * s1_p + T23 * v2, Y4_m = T13 * s1_m + T23 * v3, v31 = Y4_p * Y4_p,
-        v32 = Y4_m * Y4_m, v33 = v31 + X4_pp * X4_pp, v34 = v31 + X4_pm * X4_pm,
-        v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm, angle7 = atan2_wide(Y4_p, -X4_pp),
+    const wide v16 = m3 * Z1_3, v17 = m4 - m5 * factor2_p, v18 = m4 - m5 * factor2_m,
+        v19 = m6 * factor2_p - m3, v20 = m6 * factor2_m - m3, v21 = Z1_3 * v17 + v5 * v19,
+        v22 = Z1_3 * v18 + v6 * v20, v23 = w3_p * (factor2_p * (v16 + m4 * v5)), c23_pp = v21 + v23,
+        c23_pm = v21 - v23, v24 = w3_m * (factor2_m * (v16 + m4 * v6)), c23_mp = v22 + v24,
+        c23_mm = v22 - v24, v25 = m4 * Z1_3, v26 = v25 - m3 * v5, v27 = v25 - m3 * v6,
+        v28 = Z1_3 * v19 + v5 * -v17, v29 = Z1_3 * v20 + v6 * -v18,
+        s23_pp = v28 + w3_p * (factor2_p * v26), s23_pm = v28 + w3_p * (factor2_p * -v26),
+        s23_mp = v29 + w3_m * (factor2_m * v27), s23_mm = v29 + w3_m * (factor2_m * -v27),
+        v30 = T23 * s1_p - T13 * v2, v31 = T23 * s1_m - T13 * v3,
+        X4_pp = c23_pp * v30 - T33 * s23_pp, X4_pm = c23_pm * v30 - T33 * s23_pm,
+        X4_mp = c23_mp * v31 - T33 * s23_mp, X4_mm = c23_mm * v31 - T33 * s23_mm,
+        Y4_p = T13 * s1_p + T23 * v2, Y4_m = T13 * s1_m + T23 * v3, v32 = Y4_p * Y4_p,
+        v33 = Y4_m * Y4_m, v34 = v32 + X4_pp * X4_pp, v35 = v32 + X4_pm * X4_pm,
+        v36 = v33 + X4_mp * X4_mp, v37 = v33 + X4_mm * X4_mm, angle7 = atan2_wide(Y4_p, -X4_pp),
         angle8 = atan2_wide(Y4_p, -X4_pm), angle9 = atan2_wide(Y4_m, -X4_mp),
-        angle10 = atan2_wide(Y4_m, -X4_mm), v37 = signed_wide(half_turn, Y4_p),
-        v38 = signed_wide(half_turn, Y4_m);
+        angle10 = atan2_wide(Y4_m, -X4_mm), v38 = signed_wide(half_turn, Y4_p),
+        v39 = signed_wide(half_turn, Y4_m);
 
     /* theta5 */
-    const wide angle11 = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29),
-        angle12 = atan2_wide(-sqrt_wide(v34), T33 * c23_pm + s23_pm * v29),
-        angle13 = atan2_wide(-sqrt_wide(v35), T33 * c23_mp + s23_mp * v30),
-        angle14 = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
+    const wide angle11 = atan2_wide(-sqrt_wide(v34), T33 * c23_pp + s23_pp * v30),
+        angle12 = atan2_wide(-sqrt_wide(v35), T33 * c23_pm + s23_pm * v30),
+        angle13 = atan2_wide(-sqrt_wide(v36), T33 * c23_mp + s23_mp * v31),
+        angle14 = atan2_wide(-sqrt_wide(v37), T33 * c23_mm + s23_mm * v31);
 
     /* theta6 */
-    const wide v39 = s1_p * T12 + v2 * T22, v40 = s1_m * T12 + v3 * T22,
-        v41 = s1_p * T22 - v2 * T12, v42 = s1_m * T22 - v3 * T12, v43 = s1_p * T11 + v2 * T21,
-        v44 = s1_m * T11 + v3 * T21, v45 = s1_p * T21 - v2 * T11, v46 = s1_m * T21 - v3 * T11,
-        angle15 = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp * v39
-            + Y4_p * (c23_pp * v41 - s23_pp * T32))),
-        angle16 = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm * v39
-            + Y4_p * (c23_pm * v41 - s23_pm * T32))),
-        angle17 = atan2_wide(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)), -(-X4_mp * v40
-            + Y4_m * (c23_mp * v42 - s23_mp * T32))),
-        angle18 = atan2_wide(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)), -(-X4_mm * v40
-            + Y4_m * (c23_mm * v42 - s23_mm * T32)));
+    const wide v40 = s1_p * T12 + v2 * T22, v41 = s1_m * T12 + v3 * T22,
+        v42 = s1_p * T22 - v2 * T12, v43 = s1_m * T22 - v3 * T12, v44 = s1_p * T11 + v2 * T21,
+        v45 = s1_m * T11 + v3 * T21, v46 = s1_p * T21 - v2 * T11, v47 = s1_m * T21 - v3 * T11,
+        angle15 = atan2_wide(-(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31)), -(-X4_pp * v40
+            + Y4_p * (c23_pp * v42 - s23_pp * T32))),
+        angle16 = atan2_wide(-(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31)), -(-X4_pm * v40
+            + Y4_p * (c23_pm * v42 - s23_pm * T32))),
+        angle17 = atan2_wide(-(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31)), -(-X4_mp * v41
+            + Y4_m * (c23_mp * v43 - s23_mp * T32))),
+        angle18 = atan2_wide(-(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31)), -(-X4_mm * v41
+            + Y4_m * (c23_mm * v43 - s23_mm * T32)));
 
     /* joint values */
-    const wide q3_ppp = lowered_wide(q3__pp), q3_pmp = only_wide(half_turn < -v8, -turn) - v8,
-        q3_mpp = lowered_wide(q3__mp), q3_mmp = only_wide(half_turn < -v9, -turn) - v9,
+    const wide q3_ppp = lowered_wide(q3__pp), q3_pmp = only_wide(half_turn < -v9, -turn) - v9,
+        q3_mpp = lowered_wide(q3__mp), q3_mmp = only_wide(half_turn < -v10, -turn) - v10,
         angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
         angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (v36 <= m7) | (v35 <= m7) | (v34 <= m7) | (v33 <= m7) | (abs_wide(w1 *
-        D3_m) <= k8) | (abs_wide(D1) <= k3) | (abs_wide(w1 * D3_p) <= k8);
+    const wide_mask doubt1 = (v37 <= m7) | (v36 <= m7) | (v35 <= m7) | (v34 <= m7) | (abs_wide(D3_m
+        * v8) <= boundary3) | (abs_wide(D1) <= k3) | (abs_wide(D3_p * v8) <= boundary3);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = angle3; q[8] = q3_ppp; q[9] = angle7 - v37; q[10] = -angle11;
-    q[11] = angle15 - signed_wide(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
+    q[6] = q1_ppp; q[7] = angle3; q[8] = q3_ppp; q[9] = angle7 - v38; q[10] = -angle11;
+    q[11] = angle15 - signed_wide(half_turn, -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp *
         T31)));
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v37; q[22] = -angle12;
-    q[23] = angle16 - signed_wide(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
+    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v38; q[22] = -angle12;
+    q[23] = angle16 - signed_wide(half_turn, -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm *
         T31)));
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = q3_mpp; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = angle5; q[32] = q3_mpp; q[33] = angle9 - v38; q[34] = -angle13;
-    q[35] = angle17 - signed_wide(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
+    q[30] = q1_mpp; q[31] = angle5; q[32] = q3_mpp; q[33] = angle9 - v39; q[34] = -angle13;
+    q[35] = angle17 - signed_wide(half_turn, -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp *
         T31)));
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = angle6; q[38] = q3_mmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_mmp; q[45] = angle10 - v38; q[46] = -angle14;
-    q[47] = angle18 - signed_wide(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
+    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_mmp; q[45] = angle10 - v39; q[46] = -angle14;
+    q[47] = angle18 - signed_wide(half_turn, -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm *
         T31)));
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -511,42 +511,44 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(w1 * D3) <= k8;
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
+    const double v6 = k5 * w1;
+    const four w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3 * v6) <= boundary3;
 
     /* theta2 */
-    const four v6 = Z1_3 * (m2 + m1 * N3), v7 = e2 * Z1_3, factor2 = 1.0 / N3,
-        v8 = v4 * (m1 + m2 * factor2);
+    const four v7 = Z1_3 * (m2 + m1 * N3), v8 = e2 * Z1_3, factor2 = 1.0 / N3,
+        v9 = v4 * (m1 + m2 * factor2);
 
     /* theta4 */
-    const double v9 = m3 * Z1_3;
-    const four v10 = v9 + m4 * v4, v11 = m4 - m5 * factor2, v12 = m6 * factor2 - m3,
-        v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
-    const double v14 = m4 * Z1_3;
-    const four v15 = v14 - m3 * v4, v16 = Z1_3 * v12 + v4 * -v11,
-        s23 = v16 + w3 * (factor2 * (e2 * v15)), v17 = T23 * s1 - T13 * v2,
-        X4 = c23 * v17 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v18 = Y4 * Y4, v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m7;
-    const four v20 = signed_four(half_turn, Y4);
+    const double v10 = m3 * Z1_3;
+    const four v11 = v10 + m4 * v4, v12 = m4 - m5 * factor2, v13 = m6 * factor2 - m3,
+        v14 = Z1_3 * v12 + v4 * v13, c23 = v14 + w3 * (factor2 * (e2 * v11));
+    const double v15 = m4 * Z1_3;
+    const four v16 = v15 - m3 * v4, v17 = Z1_3 * v13 + v4 * -v12,
+        s23 = v17 + w3 * (factor2 * (e2 * v16)), v18 = T23 * s1 - T13 * v2,
+        X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v19 = Y4 * Y4, v20 = v19 + X4 * X4;
+    const four_mask doubt3 = v20 <= m7;
+    const four v21 = signed_four(half_turn, Y4);
 
     /* theta6 */
-    const four v21 = s1 * T12 + v2 * T22, v22 = s1 * T22 - v2 * T12, v23 = s1 * T11 + v2 * T21,
-        v24 = s1 * T21 - v2 * T11;
+    const four v22 = s1 * T12 + v2 * T22, v23 = s1 * T22 - v2 * T12, v24 = s1 * T11 + v2 * T21,
+        v25 = s1 * T21 - v2 * T11;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k7, -v2, 0, 5, 2,
+    const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k8, -v2, 0, 5, 2,
         7)),
-        ratio2 = ratio_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7 *
+        ratio2 = ratio_four(-(factor2 * (v7 - w3 * (m1 * (e2 * v4)))), -(v9 + w3 * (m1 * (v8 *
             factor2)))), ratio3 = ratio_four(Y4, -X4),
-        ratio4 = ratio_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 * (c23 *
-            v22 - s23 * T32))), ratio5 = ratio_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
+        ratio4 = ratio_four(-(-X4 * v24 + Y4 * (c23 * v25 - s23 * T31)), -(-X4 * v22 + Y4 * (c23 *
+            v23 - s23 * T32))), ratio5 = ratio_four(-sqrt_four(v20), T33 * c23 + s23 * v18);
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle6 = shuffle(packed1, packed1, 1, 1, 3, 3), angle2 = angle_four(ratio2),
         angle3 = angle_four(ratio3), angle5 = angle_four(ratio4), angle4 = angle_four(ratio5);
-    const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v20,
-        q6_m = angle5 - signed_four(half_turn, -(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31))),
+    const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v21,
+        q6_m = angle5 - signed_four(half_turn, -(-X4 * v24 + Y4 * (c23 * v25 - s23 * T31))),
         q3_p = lowered_four(q3_), q1_p = angle6 + (w3 - w3);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle2, q3_p, angle3);
@@ -625,7 +627,7 @@ static void solve(
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -639,12 +641,12 @@ static void solve(
         /* theta3 */
         const double v3 = root1 + a1;
         const double N3 = v4 + v3 * v3;
-        const double K3 = N3 - k7;
+        const double K3 = N3 - k8;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k8 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v6 = k5 * K3, v7 = k6 * K3;
+        const double v6 = k6 * K3, v7 = k7 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v9 = T13 * c1 + T23 * s1;
@@ -660,7 +662,7 @@ static void solve(
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v6 + k6 * root3) * k9, c3 = k9 * (v7 - k5 * root3);
+            const double s3 = (v6 + k7 * root3) * k9, c3 = k9 * (v7 - k6 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */

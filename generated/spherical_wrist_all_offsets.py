@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets 15e8f424764cb387"
+_KEY = "spherical_wrist_all_offsets cb657225c6af8543"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -168,9 +168,9 @@ d4 = 0.38  # joint offset 4 [m]
 d6 = 0.07  # joint offset 6 [m]
 free_limit_squared2 = 3.1684000000000017e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 5.628854235099716e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.7800000000000005  # the arm's size [m]
 longest3 = 0.6732407360639862  # square of the longest reach [m^2]
 shortest3 = 0.0015592639360138612  # square of the shortest reach [m^2]
+boundary3 = 1.9612336995515177e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.673240736063957  # the longest, where branches merge [m^2]
 shortest3_apart = 0.001559263936015267  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
@@ -178,11 +178,11 @@ k1 = 0.07  # d2 - d3 [m]
 k2 = 0.004900000000000001  # k1^2 [m^2]
 k3 = 2.4920000000031693e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
 k4 = 2.4920000000003178e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
-k5 = 0.3268  # 2 * d4 * a2 [m^2]
-k6 = 0.0774  # 2 * a3 * a2 [m^2]
-k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
-k8 = 3.490995985201702e-13  # arm_size1 * boundary3 [m^5]
-k9 = 8.866112830151877  # 1 / (k5^2 + k6^2) [m^-4]
+k5 = 0.5617977528089886  # 1 / arm_size1 [m^-1]
+k6 = 0.3268  # 2 * d4 * a2 [m^2]
+k7 = 0.0774  # 2 * a3 * a2 [m^2]
+k8 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
+k9 = 8.866112830151877  # 1 / (k6^2 + k7^2) [m^-4]
 turn1 = -1.3382393849899876  # a constant angle [rad]
 m1 = 1.1627906976744187  # a coefficient of Y1_2
 m2 = 0.03767441860465117  # a coefficient of Y1_2
@@ -509,7 +509,7 @@ def _solve(pose, seed, q, status):
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v4 = Z1_3 * Z1_3
-    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -524,14 +524,14 @@ def _solve(pose, seed, q, status):
         # theta3
         v3 = root1 + a1
         N3 = v4 + v3 * v3
-        K3 = N3 - k7
+        K3 = N3 - k8
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k8 <= D3 * v5):
+        if not (-boundary3 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v6 = k5 * K3
-        v7 = k6 * K3
+        v6 = k6 * K3
+        v7 = k7 * K3
 
         # theta4, type 2: U4[3, 3]
         v9 = T13 * c1 + T23 * s1
@@ -550,8 +550,8 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            s3 = (v6 + k6 * root3) * k9
-            c3 = k9 * (v7 - k5 * root3)
+            s3 = (v6 + k7 * root3) * k9
+            c3 = k9 * (v7 - k6 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
@@ -905,72 +905,73 @@ def _regular(pose, q, status):
     N3_m = v7 + v6 * v6
     D3_p = (longest3 - N3_p) * (N3_p - shortest3)
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    v8 = k5 * w1
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v10 = Z1_3 * (m2 + m1 * N3_p)
-    v11 = Z1_3 * (m2 + m1 * N3_m)
+    v11 = Z1_3 * (m2 + m1 * N3_p)
+    v12 = Z1_3 * (m2 + m1 * N3_m)
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    v12 = v5 * (m1 + m2 * factor2_p)
-    v13 = v6 * (m1 + m2 * factor2_m)
-    v14 = w3_p * (m1 * v5)
+    v13 = v5 * (m1 + m2 * factor2_p)
+    v14 = v6 * (m1 + m2 * factor2_m)
+    v15 = w3_p * (m1 * v5)
 
     # theta4, type 2: U4[3, 3]
-    v15 = m3 * Z1_3
-    v16 = m4 - m5 * factor2_p
-    v17 = m4 - m5 * factor2_m
-    v18 = m6 * factor2_p - m3
-    v19 = m6 * factor2_m - m3
-    v20 = Z1_3 * v16 + v5 * v18
-    v21 = Z1_3 * v17 + v6 * v19
-    v22 = w3_p * (factor2_p * (v15 + m4 * v5))
-    c23_pp = v20 + v22
-    c23_pm = v20 - v22
-    v23 = w3_m * (factor2_m * (v15 + m4 * v6))
-    c23_mp = v21 + v23
-    c23_mm = v21 - v23
-    v24 = m4 * Z1_3
-    v25 = v24 - m3 * v5
-    v26 = v24 - m3 * v6
-    v27 = Z1_3 * v18 + v5 * -v16
-    v28 = Z1_3 * v19 + v6 * -v17
-    s23_pp = v27 + w3_p * (factor2_p * v25)
-    s23_pm = v27 + w3_p * (factor2_p * -v25)
-    s23_mp = v28 + w3_m * (factor2_m * v26)
-    s23_mm = v28 + w3_m * (factor2_m * -v26)
-    v29 = T23 * s1_p - T13 * v2
-    v30 = T23 * s1_m - T13 * v3
-    X4_pp = c23_pp * v29 - T33 * s23_pp
-    X4_pm = c23_pm * v29 - T33 * s23_pm
-    X4_mp = c23_mp * v30 - T33 * s23_mp
-    X4_mm = c23_mm * v30 - T33 * s23_mm
+    v16 = m3 * Z1_3
+    v17 = m4 - m5 * factor2_p
+    v18 = m4 - m5 * factor2_m
+    v19 = m6 * factor2_p - m3
+    v20 = m6 * factor2_m - m3
+    v21 = Z1_3 * v17 + v5 * v19
+    v22 = Z1_3 * v18 + v6 * v20
+    v23 = w3_p * (factor2_p * (v16 + m4 * v5))
+    c23_pp = v21 + v23
+    c23_pm = v21 - v23
+    v24 = w3_m * (factor2_m * (v16 + m4 * v6))
+    c23_mp = v22 + v24
+    c23_mm = v22 - v24
+    v25 = m4 * Z1_3
+    v26 = v25 - m3 * v5
+    v27 = v25 - m3 * v6
+    v28 = Z1_3 * v19 + v5 * -v17
+    v29 = Z1_3 * v20 + v6 * -v18
+    s23_pp = v28 + w3_p * (factor2_p * v26)
+    s23_pm = v28 + w3_p * (factor2_p * -v26)
+    s23_mp = v29 + w3_m * (factor2_m * v27)
+    s23_mm = v29 + w3_m * (factor2_m * -v27)
+    v30 = T23 * s1_p - T13 * v2
+    v31 = T23 * s1_m - T13 * v3
+    X4_pp = c23_pp * v30 - T33 * s23_pp
+    X4_pm = c23_pm * v30 - T33 * s23_pm
+    X4_mp = c23_mp * v31 - T33 * s23_mp
+    X4_mm = c23_mm * v31 - T33 * s23_mm
     Y4_p = T13 * s1_p + T23 * v2
     Y4_m = T13 * s1_m + T23 * v3
-    v31 = Y4_p * Y4_p
-    v32 = Y4_m * Y4_m
-    v33 = v31 + X4_pp * X4_pp
-    v34 = v31 + X4_pm * X4_pm
-    v35 = v32 + X4_mp * X4_mp
-    v36 = v32 + X4_mm * X4_mm
-    v37 = math.copysign(half_turn, Y4_p)
-    v38 = math.copysign(half_turn, Y4_m)
+    v32 = Y4_p * Y4_p
+    v33 = Y4_m * Y4_m
+    v34 = v32 + X4_pp * X4_pp
+    v35 = v32 + X4_pm * X4_pm
+    v36 = v33 + X4_mp * X4_mp
+    v37 = v33 + X4_mm * X4_mm
+    v38 = math.copysign(half_turn, Y4_p)
+    v39 = math.copysign(half_turn, Y4_m)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v39 = s1_p * T12 + v2 * T22
-    v40 = s1_m * T12 + v3 * T22
-    v41 = s1_p * T22 - v2 * T12
-    v42 = s1_m * T22 - v3 * T12
-    v43 = s1_p * T11 + v2 * T21
-    v44 = s1_m * T11 + v3 * T21
-    v45 = s1_p * T21 - v2 * T11
-    v46 = s1_m * T21 - v3 * T11
+    v40 = s1_p * T12 + v2 * T22
+    v41 = s1_m * T12 + v3 * T22
+    v42 = s1_p * T22 - v2 * T12
+    v43 = s1_m * T22 - v3 * T12
+    v44 = s1_p * T11 + v2 * T21
+    v45 = s1_m * T11 + v3 * T21
+    v46 = s1_p * T21 - v2 * T11
+    v47 = s1_m * T21 - v3 * T11
 
     # joint values
     doubt1 = (
-        v36 <= m7 or v35 <= m7 or v34 <= m7 or v33 <= m7 or abs(w1 * D3_m) <= k8 or abs(D1) <= k3 or
-        abs(w1 * D3_p) <= k8
+        v37 <= m7 or v36 <= m7 or v35 <= m7 or v34 <= m7 or abs(D3_m * v8) <= boundary3 or abs(D1)
+        <= k3 or abs(D3_p * v8) <= boundary3
     )
 
     # a joint is free, or branches meet
@@ -980,42 +981,42 @@ def _regular(pose, q, status):
     # angles, side by side
     room[0] = w3_p
     room[1] = w3_m
-    room[2] = -(factor2_p * (v10 - v14))
-    room[3] = -(factor2_p * (v10 + v14))
-    room[4] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
-    room[5] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+    room[2] = -(factor2_p * (v11 - v15))
+    room[3] = -(factor2_p * (v11 + v15))
+    room[4] = -(factor2_m * (v12 - w3_m * (m1 * v6)))
+    room[5] = -(factor2_m * (v12 - w3_m * (m1 * -v6)))
     room[6] = Y4_p
     room[7] = Y4_p
     room[8] = Y4_m
     room[9] = Y4_m
-    room[10] = -math.sqrt(v33)
-    room[11] = -math.sqrt(v34)
-    room[12] = -math.sqrt(v35)
-    room[13] = -math.sqrt(v36)
-    room[14] = -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31))
-    room[15] = -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31))
-    room[16] = -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31))
-    room[17] = -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31))
+    room[10] = -math.sqrt(v34)
+    room[11] = -math.sqrt(v35)
+    room[12] = -math.sqrt(v36)
+    room[13] = -math.sqrt(v37)
+    room[14] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
+    room[15] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
+    room[16] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
+    room[17] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
     room[18] = s1_p
     room[19] = s1_m
-    room[24] = N3_p - k7
-    room[25] = N3_m - k7
-    room[26] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
-    room[27] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-    room[28] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
-    room[29] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+    room[24] = N3_p - k8
+    room[25] = N3_m - k8
+    room[26] = -(v13 + w3_p * (m1 * (Z1_3 * factor2_p)))
+    room[27] = -(v13 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+    room[28] = -(v14 + w3_m * (m1 * (Z1_3 * factor2_m)))
+    room[29] = -(v14 + w3_m * (m1 * (-Z1_3 * factor2_m)))
     room[30] = -X4_pp
     room[31] = -X4_pm
     room[32] = -X4_mp
     room[33] = -X4_mm
-    room[34] = T33 * c23_pp + s23_pp * v29
-    room[35] = T33 * c23_pm + s23_pm * v29
-    room[36] = T33 * c23_mp + s23_mp * v30
-    room[37] = T33 * c23_mm + s23_mm * v30
-    room[38] = -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32))
-    room[39] = -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32))
-    room[40] = -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32))
-    room[41] = -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32))
+    room[34] = T33 * c23_pp + s23_pp * v30
+    room[35] = T33 * c23_pm + s23_pm * v30
+    room[36] = T33 * c23_mp + s23_mp * v31
+    room[37] = T33 * c23_mm + s23_mm * v31
+    room[38] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
+    room[39] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
+    room[40] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
+    room[41] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
     room[42] = -v2
     room[43] = -v3
     for k in range(20, 24):
@@ -1045,35 +1046,35 @@ def _regular(pose, q, status):
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     q3__pp = angle1 - turn1
-    v8 = turn1 + angle1
+    v9 = turn1 + angle1
     q3__mp = angle2 - turn1
-    v9 = turn1 + angle2
+    v10 = turn1 + angle2
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle7 - v37
-    q4_pmm = angle8 - v37
-    q4_mpm = angle9 - v38
-    q4_mmm = angle10 - v38
+    q4_ppm = angle7 - v38
+    q4_pmm = angle8 - v38
+    q4_mpm = angle9 - v39
+    q4_mmm = angle10 - v39
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
-        angle15 - math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)))
+        angle15 - math.copysign(half_turn, -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31)))
     )
     q6_pmm = (
-        angle16 - math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)))
+        angle16 - math.copysign(half_turn, -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31)))
     )
     q6_mpm = (
-        angle17 - math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)))
+        angle17 - math.copysign(half_turn, -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31)))
     )
     q6_mmm = (
-        angle18 - math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)))
+        angle18 - math.copysign(half_turn, -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31)))
     )
 
     # joint values
     q3_ppp = q3__pp + (-turn if half_turn < q3__pp else 0.0)
-    q3_pmp = (-turn if half_turn < -v8 else 0.0) - v8
+    q3_pmp = (-turn if half_turn < -v9 else 0.0) - v9
     q3_mpp = q3__mp + (-turn if half_turn < q3__mp else 0.0)
-    q3_mmp = (-turn if half_turn < -v9 else 0.0) - v9
+    q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
 
@@ -1427,64 +1428,65 @@ def _in_tiles(T, q, status):
             N3_m = v7 + v6 * v6
             D3_p = (longest3 - N3_p) * (N3_p - shortest3)
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            v8 = k5 * w1
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v10 = Z1_3 * (m2 + m1 * N3_p)
-            v11 = Z1_3 * (m2 + m1 * N3_m)
+            v11 = Z1_3 * (m2 + m1 * N3_p)
+            v12 = Z1_3 * (m2 + m1 * N3_m)
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v12 = v5 * (m1 + m2 * factor2_p)
-            v13 = v6 * (m1 + m2 * factor2_m)
-            v14 = w3_p * (m1 * v5)
-            v15 = m3 * Z1_3
-            v16 = m4 - m5 * factor2_p
-            v17 = m4 - m5 * factor2_m
-            v18 = m6 * factor2_p - m3
-            v19 = m6 * factor2_m - m3
-            v20 = Z1_3 * v16 + v5 * v18
-            v21 = Z1_3 * v17 + v6 * v19
-            v22 = w3_p * (factor2_p * (v15 + m4 * v5))
-            c23_pp = v20 + v22
-            c23_pm = v20 - v22
-            v23 = w3_m * (factor2_m * (v15 + m4 * v6))
-            c23_mp = v21 + v23
-            c23_mm = v21 - v23
-            v24 = m4 * Z1_3
-            v25 = v24 - m3 * v5
-            v26 = v24 - m3 * v6
-            v27 = Z1_3 * v18 + v5 * -v16
-            v28 = Z1_3 * v19 + v6 * -v17
-            s23_pp = v27 + w3_p * (factor2_p * v25)
-            s23_pm = v27 + w3_p * (factor2_p * -v25)
-            s23_mp = v28 + w3_m * (factor2_m * v26)
-            s23_mm = v28 + w3_m * (factor2_m * -v26)
-            v29 = T23 * s1_p - T13 * v2
-            v30 = T23 * s1_m - T13 * v3
-            X4_pp = c23_pp * v29 - T33 * s23_pp
-            X4_pm = c23_pm * v29 - T33 * s23_pm
-            X4_mp = c23_mp * v30 - T33 * s23_mp
-            X4_mm = c23_mm * v30 - T33 * s23_mm
+            v13 = v5 * (m1 + m2 * factor2_p)
+            v14 = v6 * (m1 + m2 * factor2_m)
+            v15 = w3_p * (m1 * v5)
+            v16 = m3 * Z1_3
+            v17 = m4 - m5 * factor2_p
+            v18 = m4 - m5 * factor2_m
+            v19 = m6 * factor2_p - m3
+            v20 = m6 * factor2_m - m3
+            v21 = Z1_3 * v17 + v5 * v19
+            v22 = Z1_3 * v18 + v6 * v20
+            v23 = w3_p * (factor2_p * (v16 + m4 * v5))
+            c23_pp = v21 + v23
+            c23_pm = v21 - v23
+            v24 = w3_m * (factor2_m * (v16 + m4 * v6))
+            c23_mp = v22 + v24
+            c23_mm = v22 - v24
+            v25 = m4 * Z1_3
+            v26 = v25 - m3 * v5
+            v27 = v25 - m3 * v6
+            v28 = Z1_3 * v19 + v5 * -v17
+            v29 = Z1_3 * v20 + v6 * -v18
+            s23_pp = v28 + w3_p * (factor2_p * v26)
+            s23_pm = v28 + w3_p * (factor2_p * -v26)
+            s23_mp = v29 + w3_m * (factor2_m * v27)
+            s23_mm = v29 + w3_m * (factor2_m * -v27)
+            v30 = T23 * s1_p - T13 * v2
+            v31 = T23 * s1_m - T13 * v3
+            X4_pp = c23_pp * v30 - T33 * s23_pp
+            X4_pm = c23_pm * v30 - T33 * s23_pm
+            X4_mp = c23_mp * v31 - T33 * s23_mp
+            X4_mm = c23_mm * v31 - T33 * s23_mm
             Y4_p = T13 * s1_p + T23 * v2
             Y4_m = T13 * s1_m + T23 * v3
-            v31 = Y4_p * Y4_p
-            v32 = Y4_m * Y4_m
-            v33 = v31 + X4_pp * X4_pp
-            v34 = v31 + X4_pm * X4_pm
-            v35 = v32 + X4_mp * X4_mp
-            v36 = v32 + X4_mm * X4_mm
-            v37 = math.copysign(half_turn, Y4_p)
-            v38 = math.copysign(half_turn, Y4_m)
-            v39 = s1_p * T12 + v2 * T22
-            v40 = s1_m * T12 + v3 * T22
-            v41 = s1_p * T22 - v2 * T12
-            v42 = s1_m * T22 - v3 * T12
-            v43 = s1_p * T11 + v2 * T21
-            v44 = s1_m * T11 + v3 * T21
-            v45 = s1_p * T21 - v2 * T11
-            v46 = s1_m * T21 - v3 * T11
+            v32 = Y4_p * Y4_p
+            v33 = Y4_m * Y4_m
+            v34 = v32 + X4_pp * X4_pp
+            v35 = v32 + X4_pm * X4_pm
+            v36 = v33 + X4_mp * X4_mp
+            v37 = v33 + X4_mm * X4_mm
+            v38 = math.copysign(half_turn, Y4_p)
+            v39 = math.copysign(half_turn, Y4_m)
+            v40 = s1_p * T12 + v2 * T22
+            v41 = s1_m * T12 + v3 * T22
+            v42 = s1_p * T22 - v2 * T12
+            v43 = s1_m * T22 - v3 * T12
+            v44 = s1_p * T11 + v2 * T21
+            v45 = s1_m * T11 + v3 * T21
+            v46 = s1_p * T21 - v2 * T11
+            v47 = s1_m * T21 - v3 * T11
             doubt1 = (
-                v36 <= m7 or v35 <= m7 or v34 <= m7 or v33 <= m7 or abs(w1 * D3_m) <= k8 or abs(D1)
-                <= k3 or abs(w1 * D3_p) <= k8
+                v37 <= m7 or v36 <= m7 or v35 <= m7 or v34 <= m7 or abs(D3_m * v8) <= boundary3 or
+                abs(D1) <= k3 or abs(D3_p * v8) <= boundary3
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1502,51 +1504,51 @@ def _in_tiles(T, q, status):
             work[480 + k] = X4_mm
             work[496 + k] = Y4_p
             work[512 + k] = Y4_m
-            work[528 + k] = v37
-            work[544 + k] = v38
-            work[560 + k] = v43
-            work[576 + k] = v44
-            work[592 + k] = v45
-            work[608 + k] = v46
+            work[528 + k] = v38
+            work[544 + k] = v39
+            work[560 + k] = v44
+            work[576 + k] = v45
+            work[592 + k] = v46
+            work[608 + k] = v47
             work[624 + k] = doubt1
             work[640 + k] = w3_p
             work[656 + k] = w3_m
-            work[672 + k] = -(factor2_p * (v10 - v14))
-            work[688 + k] = -(factor2_p * (v10 + v14))
-            work[704 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
-            work[720 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+            work[672 + k] = -(factor2_p * (v11 - v15))
+            work[688 + k] = -(factor2_p * (v11 + v15))
+            work[704 + k] = -(factor2_m * (v12 - w3_m * (m1 * v6)))
+            work[720 + k] = -(factor2_m * (v12 - w3_m * (m1 * -v6)))
             work[736 + k] = Y4_p
             work[752 + k] = Y4_p
             work[768 + k] = Y4_m
             work[784 + k] = Y4_m
-            work[800 + k] = -math.sqrt(v33)
-            work[816 + k] = -math.sqrt(v34)
-            work[832 + k] = -math.sqrt(v35)
-            work[848 + k] = -math.sqrt(v36)
-            work[864 + k] = -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31))
-            work[880 + k] = -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31))
-            work[896 + k] = -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31))
-            work[912 + k] = -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31))
+            work[800 + k] = -math.sqrt(v34)
+            work[816 + k] = -math.sqrt(v35)
+            work[832 + k] = -math.sqrt(v36)
+            work[848 + k] = -math.sqrt(v37)
+            work[864 + k] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
+            work[880 + k] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
+            work[896 + k] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
+            work[912 + k] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
             work[928 + k] = s1_p
             work[944 + k] = s1_m
-            work[960 + k] = N3_p - k7
-            work[976 + k] = N3_m - k7
-            work[992 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
-            work[1008 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-            work[1024 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
-            work[1040 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+            work[960 + k] = N3_p - k8
+            work[976 + k] = N3_m - k8
+            work[992 + k] = -(v13 + w3_p * (m1 * (Z1_3 * factor2_p)))
+            work[1008 + k] = -(v13 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+            work[1024 + k] = -(v14 + w3_m * (m1 * (Z1_3 * factor2_m)))
+            work[1040 + k] = -(v14 + w3_m * (m1 * (-Z1_3 * factor2_m)))
             work[1056 + k] = -X4_pp
             work[1072 + k] = -X4_pm
             work[1088 + k] = -X4_mp
             work[1104 + k] = -X4_mm
-            work[1120 + k] = T33 * c23_pp + s23_pp * v29
-            work[1136 + k] = T33 * c23_pm + s23_pm * v29
-            work[1152 + k] = T33 * c23_mp + s23_mp * v30
-            work[1168 + k] = T33 * c23_mm + s23_mm * v30
-            work[1184 + k] = -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32))
-            work[1200 + k] = -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32))
-            work[1216 + k] = -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32))
-            work[1232 + k] = -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32))
+            work[1120 + k] = T33 * c23_pp + s23_pp * v30
+            work[1136 + k] = T33 * c23_pm + s23_pm * v30
+            work[1152 + k] = T33 * c23_mp + s23_mp * v31
+            work[1168 + k] = T33 * c23_mm + s23_mm * v31
+            work[1184 + k] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
+            work[1200 + k] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
+            work[1216 + k] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
+            work[1232 + k] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
             work[1248 + k] = -v2
             work[1264 + k] = -v3
         for k in range(640, 960):
@@ -1569,12 +1571,12 @@ def _in_tiles(T, q, status):
             X4_mm = work[480 + k]
             Y4_p = work[496 + k]
             Y4_m = work[512 + k]
-            v37 = work[528 + k]
-            v38 = work[544 + k]
-            v43 = work[560 + k]
-            v44 = work[576 + k]
-            v45 = work[592 + k]
-            v46 = work[608 + k]
+            v38 = work[528 + k]
+            v39 = work[544 + k]
+            v44 = work[560 + k]
+            v45 = work[576 + k]
+            v46 = work[592 + k]
+            v47 = work[608 + k]
             doubt1 = work[624 + k] != 0.0
             angle1 = work[640 + k]
             angle2 = work[656 + k]
@@ -1597,33 +1599,33 @@ def _in_tiles(T, q, status):
             angle19 = work[928 + k]
             angle20 = work[944 + k]
             q3__pp = angle1 - turn1
-            v8 = turn1 + angle1
+            v9 = turn1 + angle1
             q3__mp = angle2 - turn1
-            v9 = turn1 + angle2
-            q4_ppm = angle7 - v37
-            q4_pmm = angle8 - v37
-            q4_mpm = angle9 - v38
-            q4_mmm = angle10 - v38
+            v10 = turn1 + angle2
+            q4_ppm = angle7 - v38
+            q4_pmm = angle8 - v38
+            q4_mpm = angle9 - v39
+            q4_mmm = angle10 - v39
             q6_ppm = (
-                angle15 - math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
+                angle15 - math.copysign(half_turn, -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp *
                 T31)))
             )
             q6_pmm = (
-                angle16 - math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
+                angle16 - math.copysign(half_turn, -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm *
                 T31)))
             )
             q6_mpm = (
-                angle17 - math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
+                angle17 - math.copysign(half_turn, -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp *
                 T31)))
             )
             q6_mmm = (
-                angle18 - math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
+                angle18 - math.copysign(half_turn, -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm *
                 T31)))
             )
             q3_ppp = q3__pp + (-turn if half_turn < q3__pp else 0.0)
-            q3_pmp = (-turn if half_turn < -v8 else 0.0) - v8
+            q3_pmp = (-turn if half_turn < -v9 else 0.0) - v9
             q3_mpp = q3__mp + (-turn if half_turn < q3__mp else 0.0)
-            q3_mmp = (-turn if half_turn < -v9 else 0.0) - v9
+            q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
             _1280 = q1_ppp

@@ -253,7 +253,7 @@ static const double
     m1 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

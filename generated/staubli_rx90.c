@@ -253,7 +253,7 @@ static const double
 /* coefficients */
 static const double m4 = 1.1111111111111112;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

@@ -265,9 +265,9 @@ static const double
     d6 = 0.1, /* z of the tool frame [m] */
     free_limit_squared2 = 2.3347840000000007e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.831960264737285e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.5280000000000002, /* the arm's size [m] */
     longest3 = 0.7224999999999999, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
+    boundary3 = 1.8769985565831955e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.7224999999999739, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.334784000000001e-28, /* the shortest, where branches merge [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
@@ -278,15 +278,15 @@ static const double
     k1 = 0.0025000000000000005, /* d2^2 [m^2] */
     k2 = 1.5280000000023352e-14, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
     k3 = 1.5280000000002339e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-    k4 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
-    k5 = 2.8680537944591235e-13, /* arm_size1 * boundary3 [m^5] */
-    k6 = 7.662743501634321, /* 1 / (k4^2) [m^-4] */
+    k4 = 0.6544502617801046, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
+    k6 = 7.662743501634321, /* 1 / (k5^2) [m^-4] */
     m4 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
     m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 0.2768166089965398, m2 = 2.768166089965398, m3 = 1.1764705882352942;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -433,108 +433,108 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
         N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
-        w3_m = sqrt_wide(D3_m), v8 = m2 * v7 + (m2 * N1 - 1.0), v9 = m1 * w1, s3_p = v8 + v9,
-        s3_m = v8 - v9, v10 = k6 * (k4 * w3_p), v11 = k6 * (k4 * w3_m);
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), v8 = k4 * w1, w3_p = sqrt_wide(D3_p),
+        w3_m = sqrt_wide(D3_m), v9 = m2 * v7 + (m2 * N1 - 1.0), v10 = m1 * w1, s3_p = v9 + v10,
+        s3_m = v9 - v10, v11 = k6 * (k5 * w3_p), v12 = k6 * (k5 * w3_m);
 
     /* theta2 */
-    const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v12 = Z1_3 * Y1_2_p,
-        v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m3 * v5), S2_pp = v14 - v12, v15 = v12 + v14,
-        S2_mp = w3_m * (m3 * v6) - v13, S2_mm = w3_m * (m3 * -v6) - v13, v16 = v5 * Y1_2_p,
-        v17 = v6 * Y1_2_m, v18 = m3 * Z1_3, v19 = m3 * -Z1_3, v20 = v16 + w3_p * v18,
-        v21 = v16 + w3_p * v19, v22 = v17 + w3_m * v18, v23 = v17 + w3_m * v19,
-        v24 = S2_pp * S2_pp + v20 * v20, v25 = v15 * v15 + v21 * v21,
-        v26 = S2_mp * S2_mp + v22 * v22, v27 = S2_mm * S2_mm + v23 * v23,
-        factor2_pp = sqrt_wide(v24) * (1.0 / v24), factor2_pm = sqrt_wide(v25) * (1.0 / v25),
-        factor2_mp = sqrt_wide(v26) * (1.0 / v26), factor2_mm = sqrt_wide(v27) * (1.0 / v27);
+    const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v13 = Z1_3 * Y1_2_p,
+        v14 = Z1_3 * Y1_2_m, v15 = w3_p * (m3 * v5), S2_pp = v15 - v13, v16 = v13 + v15,
+        S2_mp = w3_m * (m3 * v6) - v14, S2_mm = w3_m * (m3 * -v6) - v14, v17 = v5 * Y1_2_p,
+        v18 = v6 * Y1_2_m, v19 = m3 * Z1_3, v20 = m3 * -Z1_3, v21 = v17 + w3_p * v19,
+        v22 = v17 + w3_p * v20, v23 = v18 + w3_m * v19, v24 = v18 + w3_m * v20,
+        v25 = S2_pp * S2_pp + v21 * v21, v26 = v16 * v16 + v22 * v22,
+        v27 = S2_mp * S2_mp + v23 * v23, v28 = S2_mm * S2_mm + v24 * v24,
+        factor2_pp = sqrt_wide(v25) * (1.0 / v25), factor2_pm = sqrt_wide(v26) * (1.0 / v26),
+        factor2_mp = sqrt_wide(v27) * (1.0 / v27), factor2_mm = sqrt_wide(v28) * (1.0 / v28);
 
     /* theta4 */
-    const wide v28 = s3_p * S2_pp - v10 * v20, v29 = v10 * v21 - s3_p * v15,
-        v30 = s3_m * S2_mp - v11 * v22, v31 = s3_m * S2_mm + v11 * v23,
-        v32 = s3_p * v20 + v10 * S2_pp, v33 = s3_p * v21 + v10 * v15,
-        v34 = s3_m * v22 + v11 * S2_mp, v35 = s3_m * v23 - v11 * S2_mm, v36 = T21 * s1_p - T11 * v2,
-        v37 = T21 * s1_m - T11 * v3, X4_pp = v28 * v36 - T31 * v32, X4_pm = v29 * v36 - T31 * v33,
-        X4_mp = v30 * v37 - T31 * v34, X4_mm = v31 * v37 - T31 * v35, v38 = T21 * v2 + T11 * s1_p,
-        v39 = T21 * v3 + T11 * s1_m, v40 = v38 * v38, v41 = v39 * v39,
-        v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp)),
-        v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm)),
-        v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp)),
-        v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
+    const wide v29 = s3_p * S2_pp - v11 * v21, v30 = v11 * v22 - s3_p * v16,
+        v31 = s3_m * S2_mp - v12 * v23, v32 = s3_m * S2_mm + v12 * v24,
+        v33 = s3_p * v21 + v11 * S2_pp, v34 = s3_p * v22 + v11 * v16,
+        v35 = s3_m * v23 + v12 * S2_mp, v36 = s3_m * v24 - v12 * S2_mm, v37 = T21 * s1_p - T11 * v2,
+        v38 = T21 * s1_m - T11 * v3, X4_pp = v29 * v37 - T31 * v33, X4_pm = v30 * v37 - T31 * v34,
+        X4_mp = v31 * v38 - T31 * v35, X4_mm = v32 * v38 - T31 * v36, v39 = T21 * v2 + T11 * s1_p,
+        v40 = T21 * v3 + T11 * s1_m, v41 = v39 * v39, v42 = v40 * v40,
+        v43 = v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp)),
+        v44 = v41 + factor2_pm * (X4_pm * (factor2_pm * X4_pm)),
+        v45 = v42 + factor2_mp * (X4_mp * (factor2_mp * X4_mp)),
+        v46 = v42 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v46 = s1_p * T12 + v2 * T22, v47 = s1_m * T12 + v3 * T22,
-        v48 = s1_p * T22 - v2 * T12, v49 = s1_m * T22 - v3 * T12, v50 = v2 * T23 + s1_p * T13,
-        v51 = v3 * T23 + s1_m * T13, v52 = s1_p * T23 - v2 * T13, v53 = s1_m * T23 - v3 * T13,
-        angle1 = atan2_wide(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp + v38 *
-            (v28 * v48 - v32 * T32)),
-        angle2 = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm + v38 *
-            (v29 * v48 - v33 * T32)),
-        angle3 = atan2_wide(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp + v39 *
+    const wide v47 = s1_p * T12 + v2 * T22, v48 = s1_m * T12 + v3 * T22,
+        v49 = s1_p * T22 - v2 * T12, v50 = s1_m * T22 - v3 * T12, v51 = v2 * T23 + s1_p * T13,
+        v52 = v3 * T23 + s1_m * T13, v53 = s1_p * T23 - v2 * T13, v54 = s1_m * T23 - v3 * T13,
+        angle1 = atan2_wide(-(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)), v47 * -X4_pp + v39 *
+            (v29 * v49 - v33 * T32)),
+        angle2 = atan2_wide(-(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_pm + v39 *
             (v30 * v49 - v34 * T32)),
-        angle4 = atan2_wide(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm + v39 *
-            (v31 * v49 - v35 * T32));
+        angle3 = atan2_wide(-(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33)), v48 * -X4_mp + v40 *
+            (v31 * v50 - v35 * T32)),
+        angle4 = atan2_wide(-(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33)), v48 * -X4_mm + v40 *
+            (v32 * v50 - v36 * T32));
 
     /* joint values */
-    const wide angle5 = atan2_wide(S2_pp, -v20), v54 = angle5 - offset2,
-        angle6 = atan2_wide(-v15, -v21), v55 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v22),
-        v56 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v23), v57 = angle8 - offset2,
-        q2_ppp = lowered_wide(v54), q2_pmp = lowered_wide(v55), q2_mpp = lowered_wide(v56),
-        q2_mmp = lowered_wide(v57), angle9 = atan2_wide(s3_p, -v10),
-        angle10 = atan2_wide(s3_m, -v11), v58 = angle9 - offset3,
-        v59 = signed_wide(half_turn, s3_p) - angle9 - offset3, v60 = angle10 - offset3,
-        v61 = signed_wide(half_turn, s3_m) - angle10 - offset3, q3_ppp = raised_wide(v58),
-        q3_pmp = raised_wide(v59), q3_mpp = raised_wide(v60), q3_mmp = raised_wide(v61),
-        angle11 = atan2_wide(-v38, factor2_pp * -X4_pp),
-        angle12 = atan2_wide(-v38, factor2_pm * -X4_pm),
-        angle13 = atan2_wide(-v39, factor2_mp * -X4_mp),
-        angle14 = atan2_wide(-v39, factor2_mm * -X4_mm), v62 = signed_wide(half_turn, -v38),
-        v63 = signed_wide(half_turn, -v39), v64 = angle11 - offset4, v65 = angle11 - v62 - offset4,
-        v66 = angle12 - offset4, v67 = angle12 - v62 - offset4, v68 = angle13 - offset4,
-        v69 = angle13 - v63 - offset4, v70 = angle14 - offset4, v71 = angle14 - v63 - offset4,
-        angle15 = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 * v36)),
-        angle16 = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 * v36)),
-        angle17 = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 * v37)),
-        angle18 = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 * v37)),
-        v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5,
-        v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17,
-        v78 = angle18 - offset5, v79 = offset5 + angle18, q5_ppp = raised_wide(v72),
-        q5_ppm = only_wide(-v73 <= -half_turn, turn) - v73, q5_pmp = raised_wide(v74),
-        q5_pmm = only_wide(-v75 <= -half_turn, turn) - v75, q5_mpp = raised_wide(v76),
-        q5_mpm = only_wide(-v77 <= -half_turn, turn) - v77, q5_mmp = raised_wide(v78),
-        q5_mmm = only_wide(-v79 <= -half_turn, turn) - v79, angle19 = atan2_wide(s1_p, -v2),
+    const wide angle5 = atan2_wide(S2_pp, -v21), v55 = angle5 - offset2,
+        angle6 = atan2_wide(-v16, -v22), v56 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v23),
+        v57 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v24), v58 = angle8 - offset2,
+        q2_ppp = lowered_wide(v55), q2_pmp = lowered_wide(v56), q2_mpp = lowered_wide(v57),
+        q2_mmp = lowered_wide(v58), angle9 = atan2_wide(s3_p, -v11),
+        angle10 = atan2_wide(s3_m, -v12), v59 = angle9 - offset3,
+        v60 = signed_wide(half_turn, s3_p) - angle9 - offset3, v61 = angle10 - offset3,
+        v62 = signed_wide(half_turn, s3_m) - angle10 - offset3, q3_ppp = raised_wide(v59),
+        q3_pmp = raised_wide(v60), q3_mpp = raised_wide(v61), q3_mmp = raised_wide(v62),
+        angle11 = atan2_wide(-v39, factor2_pp * -X4_pp),
+        angle12 = atan2_wide(-v39, factor2_pm * -X4_pm),
+        angle13 = atan2_wide(-v40, factor2_mp * -X4_mp),
+        angle14 = atan2_wide(-v40, factor2_mm * -X4_mm), v63 = signed_wide(half_turn, -v39),
+        v64 = signed_wide(half_turn, -v40), v65 = angle11 - offset4, v66 = angle11 - v63 - offset4,
+        v67 = angle12 - offset4, v68 = angle12 - v63 - offset4, v69 = angle13 - offset4,
+        v70 = angle13 - v64 - offset4, v71 = angle14 - offset4, v72 = angle14 - v64 - offset4,
+        angle15 = atan2_wide(sqrt_wide(v43), factor2_pp * (T31 * v29 + v33 * v37)),
+        angle16 = atan2_wide(sqrt_wide(v44), factor2_pm * (T31 * v30 + v34 * v37)),
+        angle17 = atan2_wide(sqrt_wide(v45), factor2_mp * (T31 * v31 + v35 * v38)),
+        angle18 = atan2_wide(sqrt_wide(v46), factor2_mm * (T31 * v32 + v36 * v38)),
+        v73 = angle15 - offset5, v74 = offset5 + angle15, v75 = angle16 - offset5,
+        v76 = offset5 + angle16, v77 = angle17 - offset5, v78 = offset5 + angle17,
+        v79 = angle18 - offset5, v80 = offset5 + angle18, q5_ppp = raised_wide(v73),
+        q5_ppm = only_wide(-v74 <= -half_turn, turn) - v74, q5_pmp = raised_wide(v75),
+        q5_pmm = only_wide(-v76 <= -half_turn, turn) - v76, q5_mpp = raised_wide(v77),
+        q5_mpm = only_wide(-v78 <= -half_turn, turn) - v78, q5_mmp = raised_wide(v79),
+        q5_mmm = only_wide(-v80 <= -half_turn, turn) - v80, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask v80 = beyond(q2_ppp, 2) | exceeds(q3_ppp, 3),
-        v81 = beyond(q2_pmp, 2) | exceeds(q3_pmp, 3), v82 = beyond(q2_mpp, 2) | exceeds(q3_mpp, 3),
-        v83 = beyond(q2_mmp, 2) | exceeds(q3_mmp, 3),
-        doubt1 = (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) | (v43 <= m5) | (v25 <= m4) |
-            (v42 <= m5) | (v24 <= m4) | (abs_wide(w1 * D3_m) <= k5) | (abs_wide(D1) <= k2) |
-            (abs_wide(w1 * D3_p) <= k5);
+    const wide_mask v81 = beyond(q2_ppp, 2) | exceeds(q3_ppp, 3),
+        v82 = beyond(q2_pmp, 2) | exceeds(q3_pmp, 3), v83 = beyond(q2_mpp, 2) | exceeds(q3_mpp, 3),
+        v84 = beyond(q2_mmp, 2) | exceeds(q3_mmp, 3),
+        doubt1 = (v46 <= m5) | (v28 <= m4) | (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) |
+            (v43 <= m5) | (v25 <= m4) | (abs_wide(D3_m * v8) <= boundary3) | (abs_wide(D1) <= k2) |
+            (abs_wide(D3_p * v8) <= boundary3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v64); q[4] = q5_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v65); q[4] = q5_ppp;
     q[5] = angle1;
-    kind[0] = kind_of(q[0], v80 | beyond(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v65); q[10] = q5_ppm;
-    q[11] = angle1 - signed_wide(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)));
-    kind[1] = kind_of(q[6], v80 | beyond(q5_ppm, 5));
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v66); q[16] = q5_pmp;
+    kind[0] = kind_of(q[0], v81 | beyond(q5_ppp, 5));
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v66); q[10] = q5_ppm;
+    q[11] = angle1 - signed_wide(half_turn, -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)));
+    kind[1] = kind_of(q[6], v81 | beyond(q5_ppm, 5));
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v67); q[16] = q5_pmp;
     q[17] = angle2;
-    kind[2] = kind_of(q[12], v81 | beyond(q5_pmp, 5));
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v67); q[22] = q5_pmm;
-    q[23] = angle2 - signed_wide(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)));
-    kind[3] = kind_of(q[18], v81 | beyond(q5_pmm, 5));
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v68); q[28] = q5_mpp;
+    kind[2] = kind_of(q[12], v82 | beyond(q5_pmp, 5));
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v68); q[22] = q5_pmm;
+    q[23] = angle2 - signed_wide(half_turn, -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33)));
+    kind[3] = kind_of(q[18], v82 | beyond(q5_pmm, 5));
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v69); q[28] = q5_mpp;
     q[29] = angle3;
-    kind[4] = kind_of(q[24], v82 | beyond(q5_mpp, 5));
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v69); q[34] = q5_mpm;
-    q[35] = angle3 - signed_wide(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)));
-    kind[5] = kind_of(q[30], v82 | beyond(q5_mpm, 5));
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v70); q[40] = q5_mmp;
+    kind[4] = kind_of(q[24], v83 | beyond(q5_mpp, 5));
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v70); q[34] = q5_mpm;
+    q[35] = angle3 - signed_wide(half_turn, -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33)));
+    kind[5] = kind_of(q[30], v83 | beyond(q5_mpm, 5));
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v71); q[40] = q5_mmp;
     q[41] = angle4;
-    kind[6] = kind_of(q[36], v83 | beyond(q5_mmp, 5));
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v71); q[46] = q5_mmm;
-    q[47] = angle4 - signed_wide(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)));
-    kind[7] = kind_of(q[42], v83 | beyond(q5_mmm, 5));
+    kind[6] = kind_of(q[36], v84 | beyond(q5_mmp, 5));
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v72); q[46] = q5_mmm;
+    q[47] = angle4 - signed_wide(half_turn, -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33)));
+    kind[7] = kind_of(q[42], v84 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -564,50 +564,52 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T31 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(w1 * D3) <= k5;
-    const double v6 = m2 * v5 + (m2 * N1 - 1.0);
-    const four s3 = v6 + w1 * (m1 * e1), v7 = k6 * (k4 * w3);
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
+    const double v6 = k4 * w1;
+    const four w3 = sqrt_four(D3);
+    const four_mask doubt2 = abs_four(D3 * v6) <= boundary3;
+    const double v7 = m2 * v5 + (m2 * N1 - 1.0);
+    const four s3 = v7 + w1 * (m1 * e1), v8 = k6 * (k5 * w3);
 
     /* theta2 */
-    const four Y1_2 = a2 + d4 * s3, v8 = Z1_3 * Y1_2, S2 = w3 * (m3 * (e2 * v4)) - v8,
-        v9 = v4 * Y1_2, v10 = m3 * (e2 * Z1_3), v11 = v9 + w3 * v10, v12 = S2 * S2 + v11 * v11,
-        factor2 = sqrt_four(v12) * (1.0 / v12);
+    const four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m3 * (e2 * v4)) - v9,
+        v10 = v4 * Y1_2, v11 = m3 * (e2 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
+        factor2 = sqrt_four(v13) * (1.0 / v13);
 
     /* theta4 */
-    const four v13 = s3 * S2 - e2 * (v7 * v11), v14 = s3 * v11 + e2 * (v7 * S2),
-        v15 = T21 * s1 - T11 * v2, X4 = v13 * v15 - T31 * v14, v16 = T21 * v2 + T11 * s1,
-        v17 = v16 * v16, v18 = v17 + factor2 * (X4 * (factor2 * X4));
+    const four v14 = s3 * S2 - e2 * (v8 * v12), v15 = s3 * v12 + e2 * (v8 * S2),
+        v16 = T21 * s1 - T11 * v2, X4 = v14 * v16 - T31 * v15, v17 = T21 * v2 + T11 * s1,
+        v18 = v17 * v17, v19 = v18 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v19 = s1 * T12 + v2 * T22, v20 = s1 * T22 - v2 * T12, v21 = v2 * T23 + s1 * T13,
-        v22 = s1 * T23 - v2 * T13;
+    const four v20 = s1 * T12 + v2 * T22, v21 = s1 * T22 - v2 * T12, v22 = v2 * T23 + s1 * T13,
+        v23 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v24 = signed_four(half_turn, s3), v25 = m6 * (1.0 - e2),
-        v27 = signed_four(half_turn, -v16);
-    const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
+    const four v25 = signed_four(half_turn, s3), v26 = m6 * (1.0 - e2),
+        v28 = signed_four(half_turn, -v17);
+    const four_mask doubt3 = (v13 <= m4) | (v19 <= m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(S2, -v11),
-        ratio2 = ratio_four(shuffle(s3, s1, 0, 5, 2, 7), shuffle(-v7, -v2, 0, 5, 2, 7)),
-        ratio3 = ratio_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 * (v13 *
-            v20 - v14 * T32)), ratio4 = ratio_four(-v16, factor2 * -X4),
-        ratio5 = ratio_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
+    const four_ratio ratio1 = ratio_four(S2, -v12),
+        ratio2 = ratio_four(shuffle(s3, s1, 0, 5, 2, 7), shuffle(-v8, -v2, 0, 5, 2, 7)),
+        ratio3 = ratio_four(-(v22 * -X4 + v17 * (v14 * v23 - v15 * T33)), v20 * -X4 + v17 * (v14 *
+            v21 - v15 * T32)), ratio4 = ratio_four(-v17, factor2 * -X4),
+        ratio5 = ratio_four(sqrt_four(v19), factor2 * (T31 * v14 + v15 * v16));
     const four angle2 = angle_four(ratio1), packed2 = angle_four(ratio2),
         angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
         angle6 = shuffle(packed2, packed2, 1, 1, 3, 3), angle1 = angle_four(ratio3),
         angle4 = angle_four(ratio4), angle5 = angle_four(ratio5);
-    const four q6_m = angle1 - signed_four(half_turn, -(v21 * -X4 + v16 * (v13 * v22 - v14 * T33))),
-        v23 = angle2 - offset2, q2_p = lowered_four(v23), v26 = e2 * angle3 + v24 * v25 - offset3,
-        q3_p = raised_four(v26), v28 = angle4 - offset4, v29 = angle4 - v27 - offset4,
-        q4_p = raised_four(v28), q4_m = raised_four(v29), v30 = angle5 - offset5,
-        v31 = offset5 + angle5, q5_p = raised_four(v30),
-        q5_m = only_four(-v31 <= -half_turn, turn) - v31, q1_p = angle6 + (w3 - w3);
-    const four_mask v32 = beyond_four(q2_p, 2) | exceeds_four(q3_p, 3),
-        outside_p = v32 | beyond_four(q5_p, 5), outside_m = v32 | beyond_four(q5_m, 5);
+    const four q6_m = angle1 - signed_four(half_turn, -(v22 * -X4 + v17 * (v14 * v23 - v15 * T33))),
+        v24 = angle2 - offset2, q2_p = lowered_four(v24), v27 = e2 * angle3 + v25 * v26 - offset3,
+        q3_p = raised_four(v27), v29 = angle4 - offset4, v30 = angle4 - v28 - offset4,
+        q4_p = raised_four(v29), q4_m = raised_four(v30), v31 = angle5 - offset5,
+        v32 = offset5 + angle5, q5_p = raised_four(v31),
+        q5_m = only_four(-v32 <= -half_turn, turn) - v32, q1_p = angle6 + (w3 - w3);
+    const four_mask v33 = beyond_four(q2_p, 2) | exceeds_four(q3_p, 3),
+        outside_p = v33 | beyond_four(q5_p, 5), outside_m = v33 | beyond_four(q5_m, 5);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
@@ -688,7 +690,7 @@ static void solve(
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double t34 = T34 - d6 * T31;
     const double Z1_3 = t34 - d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
     const double v11 = seed[1] + offset2;
@@ -708,12 +710,12 @@ static void solve(
         /* theta3 */
         const double v3 = root1 + a1;
         const double N3 = v4 + v3 * v3;
-        const double K3 = N3 - k4;
+        const double K3 = N3 - k5;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k5 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double s3 = k4 * K3 * k6;
+        const double s3 = k5 * K3 * k6;
 
         /* theta2 */
         const double Y1_2 = a2 + d4 * s3;
@@ -732,7 +734,7 @@ static void solve(
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v6 = k6 * (k4 * (w3 * e2));
+            const double v6 = k6 * (k5 * (w3 * e2));
 
             /* theta2 */
             const double v7 = d4 * v6;
@@ -984,7 +986,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 56bdf2fa97abfc64"
+_KEY = "staubli_tx2_90 6e4b657bed02f709"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -165,9 +165,9 @@ d4 = 0.425  # joint offset 4 [m]
 d6 = 0.1  # z of the tool frame [m]
 free_limit_squared2 = 2.3347840000000007e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.831960264737285e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.5280000000000002  # the arm's size [m]
 longest3 = 0.7224999999999999  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
+boundary3 = 1.8769985565831955e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.7224999999999739  # the longest, where branches merge [m^2]
 shortest3_apart = 2.334784000000001e-28  # the shortest, where branches merge [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
@@ -178,9 +178,9 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.0025000000000000005  # d2^2 [m^2]
 k2 = 1.5280000000023352e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
-k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
-k5 = 2.8680537944591235e-13  # arm_size1 * boundary3 [m^5]
-k6 = 7.662743501634321  # 1 / (k4^2) [m^-4]
+k4 = 0.6544502617801046  # 1 / arm_size1 [m^-1]
+k5 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
+k6 = 7.662743501634321  # 1 / (k5^2) [m^-4]
 low2 = -2.2689280285926285
 high2 = 2.5743606476916363
 high3 = 2.530727416391778
@@ -519,7 +519,7 @@ def _solve(pose, seed, q, status):
     t34 = T34 - d6 * T31
     Z1_3 = t34 - d1
     v4 = Z1_3 * Z1_3
-    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     v11 = seed[1] + offset2
@@ -540,13 +540,13 @@ def _solve(pose, seed, q, status):
         # theta3
         v3 = root1 + a1
         N3 = v4 + v3 * v3
-        K3 = N3 - k4
+        K3 = N3 - k5
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k5 <= D3 * v5):
+        if not (-boundary3 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        s3 = k4 * K3 * k6
+        s3 = k5 * K3 * k6
 
         # theta2
         Y1_2 = a2 + d4 * s3
@@ -569,7 +569,7 @@ def _solve(pose, seed, q, status):
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v6 = k6 * (k4 * (w3 * e2))
+            v6 = k6 * (k5 * (w3 * e2))
 
             # theta2
             v7 = d4 * v6
@@ -1211,82 +1211,83 @@ def _regular(pose, q, status):
     N3_m = v7 + v6 * v6
     D3_p = (longest3 - N3_p) * (N3_p - shortest3)
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+    v8 = k4 * w1
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
-    v8 = m2 * v7 + (m2 * N1 - 1.0)
-    v9 = m1 * w1
-    s3_p = v8 + v9
-    s3_m = v8 - v9
-    v10 = k6 * (k4 * w3_p)
-    v11 = k6 * (k4 * w3_m)
+    v9 = m2 * v7 + (m2 * N1 - 1.0)
+    v10 = m1 * w1
+    s3_p = v9 + v10
+    s3_m = v9 - v10
+    v11 = k6 * (k5 * w3_p)
+    v12 = k6 * (k5 * w3_m)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     Y1_2_p = a2 + d4 * s3_p
     Y1_2_m = a2 + d4 * s3_m
-    v12 = Z1_3 * Y1_2_p
-    v13 = Z1_3 * Y1_2_m
-    v14 = w3_p * (m3 * v5)
-    S2_pp = v14 - v12
-    v15 = v12 + v14
-    S2_mp = w3_m * (m3 * v6) - v13
-    S2_mm = w3_m * (m3 * -v6) - v13
-    v16 = v5 * Y1_2_p
-    v17 = v6 * Y1_2_m
-    v18 = m3 * Z1_3
-    v19 = m3 * -Z1_3
-    v20 = v16 + w3_p * v18
-    v21 = v16 + w3_p * v19
-    v22 = v17 + w3_m * v18
-    v23 = v17 + w3_m * v19
-    v24 = S2_pp * S2_pp + v20 * v20
-    v25 = v15 * v15 + v21 * v21
-    v26 = S2_mp * S2_mp + v22 * v22
-    v27 = S2_mm * S2_mm + v23 * v23
-    factor2_pp = math.sqrt(v24) * (1.0 / v24)
-    factor2_pm = math.sqrt(v25) * (1.0 / v25)
-    factor2_mp = math.sqrt(v26) * (1.0 / v26)
-    factor2_mm = math.sqrt(v27) * (1.0 / v27)
+    v13 = Z1_3 * Y1_2_p
+    v14 = Z1_3 * Y1_2_m
+    v15 = w3_p * (m3 * v5)
+    S2_pp = v15 - v13
+    v16 = v13 + v15
+    S2_mp = w3_m * (m3 * v6) - v14
+    S2_mm = w3_m * (m3 * -v6) - v14
+    v17 = v5 * Y1_2_p
+    v18 = v6 * Y1_2_m
+    v19 = m3 * Z1_3
+    v20 = m3 * -Z1_3
+    v21 = v17 + w3_p * v19
+    v22 = v17 + w3_p * v20
+    v23 = v18 + w3_m * v19
+    v24 = v18 + w3_m * v20
+    v25 = S2_pp * S2_pp + v21 * v21
+    v26 = v16 * v16 + v22 * v22
+    v27 = S2_mp * S2_mp + v23 * v23
+    v28 = S2_mm * S2_mm + v24 * v24
+    factor2_pp = math.sqrt(v25) * (1.0 / v25)
+    factor2_pm = math.sqrt(v26) * (1.0 / v26)
+    factor2_mp = math.sqrt(v27) * (1.0 / v27)
+    factor2_mm = math.sqrt(v28) * (1.0 / v28)
 
     # theta4, type 2: U4[3, 3]
-    v28 = s3_p * S2_pp - v10 * v20
-    v29 = v10 * v21 - s3_p * v15
-    v30 = s3_m * S2_mp - v11 * v22
-    v31 = s3_m * S2_mm + v11 * v23
-    v32 = s3_p * v20 + v10 * S2_pp
-    v33 = s3_p * v21 + v10 * v15
-    v34 = s3_m * v22 + v11 * S2_mp
-    v35 = s3_m * v23 - v11 * S2_mm
-    v36 = T21 * s1_p - T11 * v2
-    v37 = T21 * s1_m - T11 * v3
-    X4_pp = v28 * v36 - T31 * v32
-    X4_pm = v29 * v36 - T31 * v33
-    X4_mp = v30 * v37 - T31 * v34
-    X4_mm = v31 * v37 - T31 * v35
-    v38 = T21 * v2 + T11 * s1_p
-    v39 = T21 * v3 + T11 * s1_m
-    v40 = v38 * v38
+    v29 = s3_p * S2_pp - v11 * v21
+    v30 = v11 * v22 - s3_p * v16
+    v31 = s3_m * S2_mp - v12 * v23
+    v32 = s3_m * S2_mm + v12 * v24
+    v33 = s3_p * v21 + v11 * S2_pp
+    v34 = s3_p * v22 + v11 * v16
+    v35 = s3_m * v23 + v12 * S2_mp
+    v36 = s3_m * v24 - v12 * S2_mm
+    v37 = T21 * s1_p - T11 * v2
+    v38 = T21 * s1_m - T11 * v3
+    X4_pp = v29 * v37 - T31 * v33
+    X4_pm = v30 * v37 - T31 * v34
+    X4_mp = v31 * v38 - T31 * v35
+    X4_mm = v32 * v38 - T31 * v36
+    v39 = T21 * v2 + T11 * s1_p
+    v40 = T21 * v3 + T11 * s1_m
     v41 = v39 * v39
-    v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
-    v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
-    v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
-    v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
+    v42 = v40 * v40
+    v43 = v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+    v44 = v41 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+    v45 = v42 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+    v46 = v42 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v46 = s1_p * T12 + v2 * T22
-    v47 = s1_m * T12 + v3 * T22
-    v48 = s1_p * T22 - v2 * T12
-    v49 = s1_m * T22 - v3 * T12
-    v50 = v2 * T23 + s1_p * T13
-    v51 = v3 * T23 + s1_m * T13
-    v52 = s1_p * T23 - v2 * T13
-    v53 = s1_m * T23 - v3 * T13
+    v47 = s1_p * T12 + v2 * T22
+    v48 = s1_m * T12 + v3 * T22
+    v49 = s1_p * T22 - v2 * T12
+    v50 = s1_m * T22 - v3 * T12
+    v51 = v2 * T23 + s1_p * T13
+    v52 = v3 * T23 + s1_m * T13
+    v53 = s1_p * T23 - v2 * T13
+    v54 = s1_m * T23 - v3 * T13
 
     # joint values
-    v62 = math.copysign(half_turn, -v38)
     v63 = math.copysign(half_turn, -v39)
+    v64 = math.copysign(half_turn, -v40)
     doubt1 = (
-        v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <= m5 or
-        v24 <= m4 or abs(w1 * D3_m) <= k5 or abs(D1) <= k2 or abs(w1 * D3_p) <= k5
+        v46 <= m5 or v28 <= m4 or v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or
+        v25 <= m4 or abs(D3_m * v8) <= boundary3 or abs(D1) <= k2 or abs(D3_p * v8) <= boundary3
     )
 
     # a joint is free, or branches meet
@@ -1294,44 +1295,44 @@ def _regular(pose, q, status):
         return False
 
     # angles, side by side
-    room[0] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
-    room[1] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
-    room[2] = -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))
-    room[3] = -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))
+    room[0] = -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33))
+    room[1] = -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33))
+    room[2] = -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33))
+    room[3] = -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33))
     room[4] = S2_pp
-    room[5] = -v15
+    room[5] = -v16
     room[6] = S2_mp
     room[7] = S2_mm
     room[8] = s3_p
     room[9] = s3_m
-    room[10] = -v38
-    room[11] = -v38
-    room[12] = -v39
-    room[13] = -v39
-    room[14] = math.sqrt(v42)
-    room[15] = math.sqrt(v43)
-    room[16] = math.sqrt(v44)
-    room[17] = math.sqrt(v45)
+    room[10] = -v39
+    room[11] = -v39
+    room[12] = -v40
+    room[13] = -v40
+    room[14] = math.sqrt(v43)
+    room[15] = math.sqrt(v44)
+    room[16] = math.sqrt(v45)
+    room[17] = math.sqrt(v46)
     room[18] = s1_p
     room[19] = s1_m
-    room[24] = v46 * -X4_pp + v38 * (v28 * v48 - v32 * T32)
-    room[25] = v46 * -X4_pm + v38 * (v29 * v48 - v33 * T32)
-    room[26] = v47 * -X4_mp + v39 * (v30 * v49 - v34 * T32)
-    room[27] = v47 * -X4_mm + v39 * (v31 * v49 - v35 * T32)
-    room[28] = -v20
-    room[29] = -v21
-    room[30] = -v22
-    room[31] = -v23
-    room[32] = -v10
-    room[33] = -v11
+    room[24] = v47 * -X4_pp + v39 * (v29 * v49 - v33 * T32)
+    room[25] = v47 * -X4_pm + v39 * (v30 * v49 - v34 * T32)
+    room[26] = v48 * -X4_mp + v40 * (v31 * v50 - v35 * T32)
+    room[27] = v48 * -X4_mm + v40 * (v32 * v50 - v36 * T32)
+    room[28] = -v21
+    room[29] = -v22
+    room[30] = -v23
+    room[31] = -v24
+    room[32] = -v11
+    room[33] = -v12
     room[34] = factor2_pp * -X4_pp
     room[35] = factor2_pm * -X4_pm
     room[36] = factor2_mp * -X4_mp
     room[37] = factor2_mm * -X4_mm
-    room[38] = factor2_pp * (T31 * v28 + v32 * v36)
-    room[39] = factor2_pm * (T31 * v29 + v33 * v36)
-    room[40] = factor2_mp * (T31 * v30 + v34 * v37)
-    room[41] = factor2_mm * (T31 * v31 + v35 * v37)
+    room[38] = factor2_pp * (T31 * v29 + v33 * v37)
+    room[39] = factor2_pm * (T31 * v30 + v34 * v37)
+    room[40] = factor2_mp * (T31 * v31 + v35 * v38)
+    room[41] = factor2_mm * (T31 * v32 + v36 * v38)
     room[42] = -v2
     room[43] = -v3
     for k in range(20, 24):
@@ -1360,74 +1361,74 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)))
-    q6_pmm = angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)))
-    q6_mpm = angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)))
-    q6_mmm = angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)))
+    q6_ppm = angle1 - math.copysign(half_turn, -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)))
+    q6_pmm = angle2 - math.copysign(half_turn, -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33)))
+    q6_mpm = angle3 - math.copysign(half_turn, -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33)))
+    q6_mmm = angle4 - math.copysign(half_turn, -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33)))
 
     # joint values
-    v54 = angle5 - offset2
-    v55 = angle6 - offset2
-    v56 = angle7 - offset2
-    v57 = angle8 - offset2
-    q2_ppp = v54 + (-turn if half_turn < v54 else 0.0)
-    q2_pmp = v55 + (-turn if half_turn < v55 else 0.0)
-    q2_mpp = v56 + (-turn if half_turn < v56 else 0.0)
-    q2_mmp = v57 + (-turn if half_turn < v57 else 0.0)
-    v58 = angle9 - offset3
-    v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
-    v60 = angle10 - offset3
-    v61 = math.copysign(half_turn, s3_m) - angle10 - offset3
-    q3_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
-    q3_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
-    q3_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
-    q3_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
-    v64 = angle11 - offset4
-    v65 = angle11 - v62 - offset4
-    v66 = angle12 - offset4
-    v67 = angle12 - v62 - offset4
-    v68 = angle13 - offset4
-    v69 = angle13 - v63 - offset4
-    v70 = angle14 - offset4
-    v71 = angle14 - v63 - offset4
-    q4_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
-    q4_ppm = v65 + (turn if v65 <= -half_turn else 0.0)
-    q4_pmp = v66 + (turn if v66 <= -half_turn else 0.0)
-    q4_pmm = v67 + (turn if v67 <= -half_turn else 0.0)
-    q4_mpp = v68 + (turn if v68 <= -half_turn else 0.0)
-    q4_mpm = v69 + (turn if v69 <= -half_turn else 0.0)
-    q4_mmp = v70 + (turn if v70 <= -half_turn else 0.0)
-    q4_mmm = v71 + (turn if v71 <= -half_turn else 0.0)
-    v72 = angle15 - offset5
-    v73 = offset5 + angle15
-    v74 = angle16 - offset5
-    v75 = offset5 + angle16
-    v76 = angle17 - offset5
-    v77 = offset5 + angle17
-    v78 = angle18 - offset5
-    v79 = offset5 + angle18
-    q5_ppp = v72 + (turn if v72 <= -half_turn else 0.0)
-    q5_ppm = (turn if -v73 <= -half_turn else 0.0) - v73
-    q5_pmp = v74 + (turn if v74 <= -half_turn else 0.0)
-    q5_pmm = (turn if -v75 <= -half_turn else 0.0) - v75
-    q5_mpp = v76 + (turn if v76 <= -half_turn else 0.0)
-    q5_mpm = (turn if -v77 <= -half_turn else 0.0) - v77
-    q5_mmp = v78 + (turn if v78 <= -half_turn else 0.0)
-    q5_mmm = (turn if -v79 <= -half_turn else 0.0) - v79
+    v55 = angle5 - offset2
+    v56 = angle6 - offset2
+    v57 = angle7 - offset2
+    v58 = angle8 - offset2
+    q2_ppp = v55 + (-turn if half_turn < v55 else 0.0)
+    q2_pmp = v56 + (-turn if half_turn < v56 else 0.0)
+    q2_mpp = v57 + (-turn if half_turn < v57 else 0.0)
+    q2_mmp = v58 + (-turn if half_turn < v58 else 0.0)
+    v59 = angle9 - offset3
+    v60 = math.copysign(half_turn, s3_p) - angle9 - offset3
+    v61 = angle10 - offset3
+    v62 = math.copysign(half_turn, s3_m) - angle10 - offset3
+    q3_ppp = v59 + (turn if v59 <= -half_turn else 0.0)
+    q3_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
+    q3_mpp = v61 + (turn if v61 <= -half_turn else 0.0)
+    q3_mmp = v62 + (turn if v62 <= -half_turn else 0.0)
+    v65 = angle11 - offset4
+    v66 = angle11 - v63 - offset4
+    v67 = angle12 - offset4
+    v68 = angle12 - v63 - offset4
+    v69 = angle13 - offset4
+    v70 = angle13 - v64 - offset4
+    v71 = angle14 - offset4
+    v72 = angle14 - v64 - offset4
+    q4_ppp = v65 + (turn if v65 <= -half_turn else 0.0)
+    q4_ppm = v66 + (turn if v66 <= -half_turn else 0.0)
+    q4_pmp = v67 + (turn if v67 <= -half_turn else 0.0)
+    q4_pmm = v68 + (turn if v68 <= -half_turn else 0.0)
+    q4_mpp = v69 + (turn if v69 <= -half_turn else 0.0)
+    q4_mpm = v70 + (turn if v70 <= -half_turn else 0.0)
+    q4_mmp = v71 + (turn if v71 <= -half_turn else 0.0)
+    q4_mmm = v72 + (turn if v72 <= -half_turn else 0.0)
+    v73 = angle15 - offset5
+    v74 = offset5 + angle15
+    v75 = angle16 - offset5
+    v76 = offset5 + angle16
+    v77 = angle17 - offset5
+    v78 = offset5 + angle17
+    v79 = angle18 - offset5
+    v80 = offset5 + angle18
+    q5_ppp = v73 + (turn if v73 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v74 <= -half_turn else 0.0) - v74
+    q5_pmp = v75 + (turn if v75 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v76 <= -half_turn else 0.0) - v76
+    q5_mpp = v77 + (turn if v77 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v78 <= -half_turn else 0.0) - v78
+    q5_mmp = v79 + (turn if v79 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v80 <= -half_turn else 0.0) - v80
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
-    v80 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
-    v81 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
-    v82 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
-    v83 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
-    outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
+    v81 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
+    v82 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
+    v83 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
+    v84 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
+    outside_ppp = v81 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v81 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v82 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v82 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v83 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v83 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v84 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v84 or q5_mmm < low5 or high5 < q5_mmm
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1779,138 +1780,140 @@ def _in_tiles(T, q, status):
             N3_m = v7 + v6 * v6
             D3_p = (longest3 - N3_p) * (N3_p - shortest3)
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+            v8 = k4 * w1
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v8 = m2 * v7 + (m2 * N1 - 1.0)
-            v9 = m1 * w1
-            s3_p = v8 + v9
-            s3_m = v8 - v9
-            v10 = k6 * (k4 * w3_p)
-            v11 = k6 * (k4 * w3_m)
+            v9 = m2 * v7 + (m2 * N1 - 1.0)
+            v10 = m1 * w1
+            s3_p = v9 + v10
+            s3_m = v9 - v10
+            v11 = k6 * (k5 * w3_p)
+            v12 = k6 * (k5 * w3_m)
             Y1_2_p = a2 + d4 * s3_p
             Y1_2_m = a2 + d4 * s3_m
-            v12 = Z1_3 * Y1_2_p
-            v13 = Z1_3 * Y1_2_m
-            v14 = w3_p * (m3 * v5)
-            S2_pp = v14 - v12
-            v15 = v12 + v14
-            S2_mp = w3_m * (m3 * v6) - v13
-            S2_mm = w3_m * (m3 * -v6) - v13
-            v16 = v5 * Y1_2_p
-            v17 = v6 * Y1_2_m
-            v18 = m3 * Z1_3
-            v19 = m3 * -Z1_3
-            v20 = v16 + w3_p * v18
-            v21 = v16 + w3_p * v19
-            v22 = v17 + w3_m * v18
-            v23 = v17 + w3_m * v19
-            v24 = S2_pp * S2_pp + v20 * v20
-            v25 = v15 * v15 + v21 * v21
-            v26 = S2_mp * S2_mp + v22 * v22
-            v27 = S2_mm * S2_mm + v23 * v23
-            factor2_pp = math.sqrt(v24) * (1.0 / v24)
-            factor2_pm = math.sqrt(v25) * (1.0 / v25)
-            factor2_mp = math.sqrt(v26) * (1.0 / v26)
-            factor2_mm = math.sqrt(v27) * (1.0 / v27)
-            v28 = s3_p * S2_pp - v10 * v20
-            v29 = v10 * v21 - s3_p * v15
-            v30 = s3_m * S2_mp - v11 * v22
-            v31 = s3_m * S2_mm + v11 * v23
-            v32 = s3_p * v20 + v10 * S2_pp
-            v33 = s3_p * v21 + v10 * v15
-            v34 = s3_m * v22 + v11 * S2_mp
-            v35 = s3_m * v23 - v11 * S2_mm
-            v36 = T21 * s1_p - T11 * v2
-            v37 = T21 * s1_m - T11 * v3
-            X4_pp = v28 * v36 - T31 * v32
-            X4_pm = v29 * v36 - T31 * v33
-            X4_mp = v30 * v37 - T31 * v34
-            X4_mm = v31 * v37 - T31 * v35
-            v38 = T21 * v2 + T11 * s1_p
-            v39 = T21 * v3 + T11 * s1_m
-            v40 = v38 * v38
+            v13 = Z1_3 * Y1_2_p
+            v14 = Z1_3 * Y1_2_m
+            v15 = w3_p * (m3 * v5)
+            S2_pp = v15 - v13
+            v16 = v13 + v15
+            S2_mp = w3_m * (m3 * v6) - v14
+            S2_mm = w3_m * (m3 * -v6) - v14
+            v17 = v5 * Y1_2_p
+            v18 = v6 * Y1_2_m
+            v19 = m3 * Z1_3
+            v20 = m3 * -Z1_3
+            v21 = v17 + w3_p * v19
+            v22 = v17 + w3_p * v20
+            v23 = v18 + w3_m * v19
+            v24 = v18 + w3_m * v20
+            v25 = S2_pp * S2_pp + v21 * v21
+            v26 = v16 * v16 + v22 * v22
+            v27 = S2_mp * S2_mp + v23 * v23
+            v28 = S2_mm * S2_mm + v24 * v24
+            factor2_pp = math.sqrt(v25) * (1.0 / v25)
+            factor2_pm = math.sqrt(v26) * (1.0 / v26)
+            factor2_mp = math.sqrt(v27) * (1.0 / v27)
+            factor2_mm = math.sqrt(v28) * (1.0 / v28)
+            v29 = s3_p * S2_pp - v11 * v21
+            v30 = v11 * v22 - s3_p * v16
+            v31 = s3_m * S2_mp - v12 * v23
+            v32 = s3_m * S2_mm + v12 * v24
+            v33 = s3_p * v21 + v11 * S2_pp
+            v34 = s3_p * v22 + v11 * v16
+            v35 = s3_m * v23 + v12 * S2_mp
+            v36 = s3_m * v24 - v12 * S2_mm
+            v37 = T21 * s1_p - T11 * v2
+            v38 = T21 * s1_m - T11 * v3
+            X4_pp = v29 * v37 - T31 * v33
+            X4_pm = v30 * v37 - T31 * v34
+            X4_mp = v31 * v38 - T31 * v35
+            X4_mm = v32 * v38 - T31 * v36
+            v39 = T21 * v2 + T11 * s1_p
+            v40 = T21 * v3 + T11 * s1_m
             v41 = v39 * v39
-            v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
-            v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
-            v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
-            v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
-            v46 = s1_p * T12 + v2 * T22
-            v47 = s1_m * T12 + v3 * T22
-            v48 = s1_p * T22 - v2 * T12
-            v49 = s1_m * T22 - v3 * T12
-            v50 = v2 * T23 + s1_p * T13
-            v51 = v3 * T23 + s1_m * T13
-            v52 = s1_p * T23 - v2 * T13
-            v53 = s1_m * T23 - v3 * T13
-            v62 = math.copysign(half_turn, -v38)
+            v42 = v40 * v40
+            v43 = v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+            v44 = v41 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+            v45 = v42 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+            v46 = v42 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
+            v47 = s1_p * T12 + v2 * T22
+            v48 = s1_m * T12 + v3 * T22
+            v49 = s1_p * T22 - v2 * T12
+            v50 = s1_m * T22 - v3 * T12
+            v51 = v2 * T23 + s1_p * T13
+            v52 = v3 * T23 + s1_m * T13
+            v53 = s1_p * T23 - v2 * T13
+            v54 = s1_m * T23 - v3 * T13
             v63 = math.copysign(half_turn, -v39)
+            v64 = math.copysign(half_turn, -v40)
             doubt1 = (
-                v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <=
-                m5 or v24 <= m4 or abs(w1 * D3_m) <= k5 or abs(D1) <= k2 or abs(w1 * D3_p) <= k5
+                v46 <= m5 or v28 <= m4 or v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <=
+                m5 or v25 <= m4 or abs(D3_m * v8) <= boundary3 or abs(D1) <= k2 or abs(D3_p * v8) <=
+                boundary3
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
             work[304 + k] = s3_p
             work[320 + k] = s3_m
-            work[336 + k] = v28
-            work[352 + k] = v29
-            work[368 + k] = v30
-            work[384 + k] = v31
-            work[400 + k] = v32
-            work[416 + k] = v33
-            work[432 + k] = v34
-            work[448 + k] = v35
+            work[336 + k] = v29
+            work[352 + k] = v30
+            work[368 + k] = v31
+            work[384 + k] = v32
+            work[400 + k] = v33
+            work[416 + k] = v34
+            work[432 + k] = v35
+            work[448 + k] = v36
             work[464 + k] = X4_pp
             work[480 + k] = X4_pm
             work[496 + k] = X4_mp
             work[512 + k] = X4_mm
-            work[528 + k] = v38
-            work[544 + k] = v39
-            work[560 + k] = v50
-            work[576 + k] = v51
-            work[592 + k] = v52
-            work[608 + k] = v53
-            work[624 + k] = v62
-            work[640 + k] = v63
+            work[528 + k] = v39
+            work[544 + k] = v40
+            work[560 + k] = v51
+            work[576 + k] = v52
+            work[592 + k] = v53
+            work[608 + k] = v54
+            work[624 + k] = v63
+            work[640 + k] = v64
             work[656 + k] = doubt1
-            work[672 + k] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
-            work[688 + k] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
-            work[704 + k] = -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))
-            work[720 + k] = -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))
+            work[672 + k] = -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33))
+            work[688 + k] = -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33))
+            work[704 + k] = -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33))
+            work[720 + k] = -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33))
             work[736 + k] = S2_pp
-            work[752 + k] = -v15
+            work[752 + k] = -v16
             work[768 + k] = S2_mp
             work[784 + k] = S2_mm
             work[800 + k] = s3_p
             work[816 + k] = s3_m
-            work[832 + k] = -v38
-            work[848 + k] = -v38
-            work[864 + k] = -v39
-            work[880 + k] = -v39
-            work[896 + k] = math.sqrt(v42)
-            work[912 + k] = math.sqrt(v43)
-            work[928 + k] = math.sqrt(v44)
-            work[944 + k] = math.sqrt(v45)
+            work[832 + k] = -v39
+            work[848 + k] = -v39
+            work[864 + k] = -v40
+            work[880 + k] = -v40
+            work[896 + k] = math.sqrt(v43)
+            work[912 + k] = math.sqrt(v44)
+            work[928 + k] = math.sqrt(v45)
+            work[944 + k] = math.sqrt(v46)
             work[960 + k] = s1_p
             work[976 + k] = s1_m
-            work[992 + k] = v46 * -X4_pp + v38 * (v28 * v48 - v32 * T32)
-            work[1008 + k] = v46 * -X4_pm + v38 * (v29 * v48 - v33 * T32)
-            work[1024 + k] = v47 * -X4_mp + v39 * (v30 * v49 - v34 * T32)
-            work[1040 + k] = v47 * -X4_mm + v39 * (v31 * v49 - v35 * T32)
-            work[1056 + k] = -v20
-            work[1072 + k] = -v21
-            work[1088 + k] = -v22
-            work[1104 + k] = -v23
-            work[1120 + k] = -v10
-            work[1136 + k] = -v11
+            work[992 + k] = v47 * -X4_pp + v39 * (v29 * v49 - v33 * T32)
+            work[1008 + k] = v47 * -X4_pm + v39 * (v30 * v49 - v34 * T32)
+            work[1024 + k] = v48 * -X4_mp + v40 * (v31 * v50 - v35 * T32)
+            work[1040 + k] = v48 * -X4_mm + v40 * (v32 * v50 - v36 * T32)
+            work[1056 + k] = -v21
+            work[1072 + k] = -v22
+            work[1088 + k] = -v23
+            work[1104 + k] = -v24
+            work[1120 + k] = -v11
+            work[1136 + k] = -v12
             work[1152 + k] = factor2_pp * -X4_pp
             work[1168 + k] = factor2_pm * -X4_pm
             work[1184 + k] = factor2_mp * -X4_mp
             work[1200 + k] = factor2_mm * -X4_mm
-            work[1216 + k] = factor2_pp * (T31 * v28 + v32 * v36)
-            work[1232 + k] = factor2_pm * (T31 * v29 + v33 * v36)
-            work[1248 + k] = factor2_mp * (T31 * v30 + v34 * v37)
-            work[1264 + k] = factor2_mm * (T31 * v31 + v35 * v37)
+            work[1216 + k] = factor2_pp * (T31 * v29 + v33 * v37)
+            work[1232 + k] = factor2_pm * (T31 * v30 + v34 * v37)
+            work[1248 + k] = factor2_mp * (T31 * v31 + v35 * v38)
+            work[1264 + k] = factor2_mm * (T31 * v32 + v36 * v38)
             work[1280 + k] = -v2
             work[1296 + k] = -v3
         for k in range(672, 992):
@@ -1921,26 +1924,26 @@ def _in_tiles(T, q, status):
             w3_m = work[288 + k]
             s3_p = work[304 + k]
             s3_m = work[320 + k]
-            v28 = work[336 + k]
-            v29 = work[352 + k]
-            v30 = work[368 + k]
-            v31 = work[384 + k]
-            v32 = work[400 + k]
-            v33 = work[416 + k]
-            v34 = work[432 + k]
-            v35 = work[448 + k]
+            v29 = work[336 + k]
+            v30 = work[352 + k]
+            v31 = work[368 + k]
+            v32 = work[384 + k]
+            v33 = work[400 + k]
+            v34 = work[416 + k]
+            v35 = work[432 + k]
+            v36 = work[448 + k]
             X4_pp = work[464 + k]
             X4_pm = work[480 + k]
             X4_mp = work[496 + k]
             X4_mm = work[512 + k]
-            v38 = work[528 + k]
-            v39 = work[544 + k]
-            v50 = work[560 + k]
-            v51 = work[576 + k]
-            v52 = work[592 + k]
-            v53 = work[608 + k]
-            v62 = work[624 + k]
-            v63 = work[640 + k]
+            v39 = work[528 + k]
+            v40 = work[544 + k]
+            v51 = work[560 + k]
+            v52 = work[576 + k]
+            v53 = work[592 + k]
+            v54 = work[608 + k]
+            v63 = work[624 + k]
+            v64 = work[640 + k]
             doubt1 = work[656 + k] != 0.0
             angle1 = work[672 + k]
             angle2 = work[688 + k]
@@ -1963,79 +1966,79 @@ def _in_tiles(T, q, status):
             angle19 = work[960 + k]
             angle20 = work[976 + k]
             q6_ppm = (
-                angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)))
+                angle1 - math.copysign(half_turn, -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)))
             )
             q6_pmm = (
-                angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)))
+                angle2 - math.copysign(half_turn, -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33)))
             )
             q6_mpm = (
-                angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)))
+                angle3 - math.copysign(half_turn, -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33)))
             )
             q6_mmm = (
-                angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)))
+                angle4 - math.copysign(half_turn, -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33)))
             )
-            v54 = angle5 - offset2
-            v55 = angle6 - offset2
-            v56 = angle7 - offset2
-            v57 = angle8 - offset2
-            q2_ppp = v54 + (-turn if half_turn < v54 else 0.0)
-            q2_pmp = v55 + (-turn if half_turn < v55 else 0.0)
-            q2_mpp = v56 + (-turn if half_turn < v56 else 0.0)
-            q2_mmp = v57 + (-turn if half_turn < v57 else 0.0)
-            v58 = angle9 - offset3
-            v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
-            v60 = angle10 - offset3
-            v61 = math.copysign(half_turn, s3_m) - angle10 - offset3
-            q3_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
-            q3_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
-            q3_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
-            q3_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
-            v64 = angle11 - offset4
-            v65 = angle11 - v62 - offset4
-            v66 = angle12 - offset4
-            v67 = angle12 - v62 - offset4
-            v68 = angle13 - offset4
-            v69 = angle13 - v63 - offset4
-            v70 = angle14 - offset4
-            v71 = angle14 - v63 - offset4
-            q4_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
-            q4_ppm = v65 + (turn if v65 <= -half_turn else 0.0)
-            q4_pmp = v66 + (turn if v66 <= -half_turn else 0.0)
-            q4_pmm = v67 + (turn if v67 <= -half_turn else 0.0)
-            q4_mpp = v68 + (turn if v68 <= -half_turn else 0.0)
-            q4_mpm = v69 + (turn if v69 <= -half_turn else 0.0)
-            q4_mmp = v70 + (turn if v70 <= -half_turn else 0.0)
-            q4_mmm = v71 + (turn if v71 <= -half_turn else 0.0)
-            v72 = angle15 - offset5
-            v73 = offset5 + angle15
-            v74 = angle16 - offset5
-            v75 = offset5 + angle16
-            v76 = angle17 - offset5
-            v77 = offset5 + angle17
-            v78 = angle18 - offset5
-            v79 = offset5 + angle18
-            q5_ppp = v72 + (turn if v72 <= -half_turn else 0.0)
-            q5_ppm = (turn if -v73 <= -half_turn else 0.0) - v73
-            q5_pmp = v74 + (turn if v74 <= -half_turn else 0.0)
-            q5_pmm = (turn if -v75 <= -half_turn else 0.0) - v75
-            q5_mpp = v76 + (turn if v76 <= -half_turn else 0.0)
-            q5_mpm = (turn if -v77 <= -half_turn else 0.0) - v77
-            q5_mmp = v78 + (turn if v78 <= -half_turn else 0.0)
-            q5_mmm = (turn if -v79 <= -half_turn else 0.0) - v79
+            v55 = angle5 - offset2
+            v56 = angle6 - offset2
+            v57 = angle7 - offset2
+            v58 = angle8 - offset2
+            q2_ppp = v55 + (-turn if half_turn < v55 else 0.0)
+            q2_pmp = v56 + (-turn if half_turn < v56 else 0.0)
+            q2_mpp = v57 + (-turn if half_turn < v57 else 0.0)
+            q2_mmp = v58 + (-turn if half_turn < v58 else 0.0)
+            v59 = angle9 - offset3
+            v60 = math.copysign(half_turn, s3_p) - angle9 - offset3
+            v61 = angle10 - offset3
+            v62 = math.copysign(half_turn, s3_m) - angle10 - offset3
+            q3_ppp = v59 + (turn if v59 <= -half_turn else 0.0)
+            q3_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
+            q3_mpp = v61 + (turn if v61 <= -half_turn else 0.0)
+            q3_mmp = v62 + (turn if v62 <= -half_turn else 0.0)
+            v65 = angle11 - offset4
+            v66 = angle11 - v63 - offset4
+            v67 = angle12 - offset4
+            v68 = angle12 - v63 - offset4
+            v69 = angle13 - offset4
+            v70 = angle13 - v64 - offset4
+            v71 = angle14 - offset4
+            v72 = angle14 - v64 - offset4
+            q4_ppp = v65 + (turn if v65 <= -half_turn else 0.0)
+            q4_ppm = v66 + (turn if v66 <= -half_turn else 0.0)
+            q4_pmp = v67 + (turn if v67 <= -half_turn else 0.0)
+            q4_pmm = v68 + (turn if v68 <= -half_turn else 0.0)
+            q4_mpp = v69 + (turn if v69 <= -half_turn else 0.0)
+            q4_mpm = v70 + (turn if v70 <= -half_turn else 0.0)
+            q4_mmp = v71 + (turn if v71 <= -half_turn else 0.0)
+            q4_mmm = v72 + (turn if v72 <= -half_turn else 0.0)
+            v73 = angle15 - offset5
+            v74 = offset5 + angle15
+            v75 = angle16 - offset5
+            v76 = offset5 + angle16
+            v77 = angle17 - offset5
+            v78 = offset5 + angle17
+            v79 = angle18 - offset5
+            v80 = offset5 + angle18
+            q5_ppp = v73 + (turn if v73 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v74 <= -half_turn else 0.0) - v74
+            q5_pmp = v75 + (turn if v75 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v76 <= -half_turn else 0.0) - v76
+            q5_mpp = v77 + (turn if v77 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v78 <= -half_turn else 0.0) - v78
+            q5_mmp = v79 + (turn if v79 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v80 <= -half_turn else 0.0) - v80
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
-            v80 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
-            v81 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
-            v82 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
-            v83 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
-            outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
+            v81 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
+            v82 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
+            v83 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
+            v84 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
+            outside_ppp = v81 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v81 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v82 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v82 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v83 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v83 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v84 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v84 or q5_mmm < low5 or high5 < q5_mmm
             _1312 = q1_ppp
             work[1312 + k] = _1312
             _1328 = q2_ppp

@@ -254,10 +254,10 @@ static const double
     d6 = 0.065, /* joint offset 6 [m] */
     free_limit_squared2 = 7.5690000000000015e-25, /* square of a length that fixes no angle [m^2] */
     least_root1 = 2.75118156434649e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 0.8700000000000001, /* the arm's size [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     longest3 = 0.2025, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
+    boundary3 = 1.5849821455311018e-14, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.20249999999999216, /* the longest, where branches merge [m^2] */
     shortest3_apart = 7.569000000000003e-29, /* the shortest, where branches merge [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
@@ -268,15 +268,15 @@ static const double
     k1 = 0.0012250000000000002, /* d3^2 [m^2] */
     k2 = 6.09000000000757e-15, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 6.090000000000759e-16, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-    k4 = 0.10125, /* 2 * d4 * a2 [m^2] */
-    k5 = 1.3789344666120587e-14, /* arm_size1 * boundary3 [m^5] */
-    k6 = 97.54610577655845, /* 1 / (k4^2) [m^-4] */
+    k4 = 1.1494252873563218, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.10125, /* 2 * d4 * a2 [m^2] */
+    k6 = 97.54610577655845, /* 1 / (k5^2) [m^-4] */
     m2 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
     m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 2.2222222222222223, m3 = 21.947873799725652, m4 = 4.4444444444444455;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -397,7 +397,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v6 = w3 - w3,
-        v7 = k4 * (N3 - k4);
+        v7 = k5 * (N3 - k5);
 
     /* theta2 */
     const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
@@ -440,7 +440,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle9 = atan2_wide(S2_pm, C2_mp), v44 = angle9 - offset2,
         angle10 = atan2_wide(S2_pp, C2_mm), v45 = angle10 - offset2, q2_ppp = raised_wide(v42),
         q2_pmp = raised_wide(v43), q2_mpp = raised_wide(v44), q2_mmp = raised_wide(v45),
-        angle11 = atan2_wide(v7, -(k4 * w3)), v46 = angle11 - offset3,
+        angle11 = atan2_wide(v7, -(k5 * w3)), v46 = angle11 - offset3,
         v47 = signed_wide(half_turn, v7) - angle11 - offset3,
         angle12 = atan2_wide(Y4_p, factor2_pp * -X4_pp),
         angle13 = atan2_wide(Y4_p, factor2_pm * -X4_pm),
@@ -461,7 +461,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q1_mpp = v6 + raised_wide(v41), q3_ppp = v1 + raised_wide(v46),
         q3_pmp = v1 + raised_wide(v47);
     const wide_mask doubt1 = (v31 <= m5) | (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) |
-        (v16 <= m2) | (v28 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(w1 * D3) <= k5) | (v14 <= m2);
+        (v16 <= m2) | (v28 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(D3 * (k4 * w1)) <= boundary3) |
+        (v14 <= m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v50); q[4] = raised_wide(v60);
     q[5] = angle1;
@@ -516,7 +517,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k4 * (N3 - k4);
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k5 * (N3 - k5);
 
     /* theta2 */
     const four v7 = e1 * e2;
@@ -541,14 +542,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v27 = copysign(half_turn, v6);
     const four v29 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(w1 * D3) <= k5);
+    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
     const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(v6), 0, 5, 2, 3), shuffle(-v3,
-        all_four(-(k4 * w3)), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2),
+        all_four(-(k5 * w3)), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2),
         ratio3 = ratio_four(s6, Y4 * (s23 * T32 - v12 * v22) - v21 * -X4),
         ratio4 = ratio_four(Y4, factor2 * -X4),
         ratio5 = ratio_four(sqrt_four(v20), -(factor2 * (T33 * v12 + s23 * v18)));
@@ -639,7 +640,7 @@ static void solve(
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? arm_size1 : (apart1 ? w1 : least_root1);
+    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double v9 = seed[1] + offset2;
@@ -657,12 +658,12 @@ static void solve(
 
         /* theta3 */
         const double N3 = v4 + root1 * root1;
-        const double K3 = N3 - k4;
+        const double K3 = N3 - k5;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-k5 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double s3 = k4 * K3 * k6;
+        const double s3 = k5 * K3 * k6;
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
@@ -684,7 +685,7 @@ static void solve(
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v6 = k6 * (k4 * (w3 * e2));
+            const double v6 = k6 * (k5 * (w3 * e2));
 
             /* theta2 */
             const double Y1_2 = d4 * v6;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 026c2bd0c0f49ff3"
+_KEY = "staubli_tx40 e71e7b0d8690655f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -164,10 +164,10 @@ d4 = 0.225  # joint offset 4 [m]
 d6 = 0.065  # joint offset 6 [m]
 free_limit_squared2 = 7.5690000000000015e-25  # square of a length that fixes no angle [m^2]
 least_root1 = 2.75118156434649e-07  # a root of nothing, by rounding [m]
-arm_size1 = 0.8700000000000001  # the arm's size [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 longest3 = 0.2025  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
+boundary3 = 1.5849821455311018e-14  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.20249999999999216  # the longest, where branches merge [m^2]
 shortest3_apart = 7.569000000000003e-29  # the shortest, where branches merge [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -178,9 +178,9 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.0012250000000000002  # d3^2 [m^2]
 k2 = 6.09000000000757e-15  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
-k4 = 0.10125  # 2 * d4 * a2 [m^2]
-k5 = 1.3789344666120587e-14  # arm_size1 * boundary3 [m^5]
-k6 = 97.54610577655845  # 1 / (k4^2) [m^-4]
+k4 = 1.1494252873563218  # 1 / arm_size1 [m^-1]
+k5 = 0.10125  # 2 * d4 * a2 [m^2]
+k6 = 97.54610577655845  # 1 / (k5^2) [m^-4]
 m1 = 2.2222222222222223  # a coefficient of S2
 m2 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
 m3 = 21.947873799725652  # a coefficient of v10
@@ -517,7 +517,7 @@ def _solve(pose, seed, q, status):
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v4 = Z1_3 * Z1_3
-    v5 = arm_size1 if free1 else (w1 if apart1 else least_root1)
+    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     v9 = seed[1] + offset2
@@ -536,13 +536,13 @@ def _solve(pose, seed, q, status):
 
         # theta3
         N3 = v4 + root1 * root1
-        K3 = N3 - k4
+        K3 = N3 - k5
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-k5 <= D3 * v5):
+        if not (-boundary3 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        s3 = k4 * K3 * k6
+        s3 = k5 * K3 * k6
 
         # theta2
         X1_2 = a2 + d4 * s3
@@ -568,7 +568,7 @@ def _solve(pose, seed, q, status):
             # theta3
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v6 = k6 * (k4 * (w3 * e2))
+            v6 = k6 * (k5 * (w3 * e2))
 
             # theta2
             Y1_2 = d4 * v6
@@ -921,7 +921,7 @@ def _regular(pose, q, status):
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
     v6 = w3 - w3
-    v7 = k4 * (N3 - k4)
+    v7 = k5 * (N3 - k5)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     v8 = m1 * (Z1_3 * N3)
@@ -992,7 +992,7 @@ def _regular(pose, q, status):
     v59 = T33 * S2_pp
     doubt1 = (
         v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or
-        abs(D1) <= k2 or abs(w1 * D3) <= k5 or v14 <= m2
+        abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v14 <= m2
     )
 
     # a joint is free, or branches meet
@@ -1029,7 +1029,7 @@ def _regular(pose, q, status):
     room[31] = C2_pm
     room[32] = C2_mp
     room[33] = C2_mm
-    room[34] = -(k4 * w3)
+    room[34] = -(k5 * w3)
     room[35] = factor2_pp * -X4_pp
     room[36] = factor2_pm * -X4_pm
     room[37] = factor2_mp * -X4_mp
@@ -1466,7 +1466,7 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v6 = w3 - w3
-            v7 = k4 * (N3 - k4)
+            v7 = k5 * (N3 - k5)
             v8 = m1 * (Z1_3 * N3)
             v9 = w3 * (m1 * w1)
             S2_pp = v8 - v9
@@ -1529,7 +1529,7 @@ def _in_tiles(T, q, status):
             v59 = T33 * S2_pp
             doubt1 = (
                 v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <=
-                m5 or abs(D1) <= k2 or abs(w1 * D3) <= k5 or v14 <= m2
+                m5 or abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v14 <= m2
             )
             work[272 + k] = v1
             work[288 + k] = v6
@@ -1570,7 +1570,7 @@ def _in_tiles(T, q, status):
             work[848 + k] = C2_pm
             work[864 + k] = C2_mp
             work[880 + k] = C2_mm
-            work[896 + k] = -(k4 * w3)
+            work[896 + k] = -(k5 * w3)
             work[912 + k] = factor2_pp * -X4_pp
             work[928 + k] = factor2_pm * -X4_pm
             work[944 + k] = factor2_mp * -X4_mp

@@ -265,12 +265,12 @@ static const double
     d6 = 0.11315, /* joint offset 6 [m] */
     free_limit_squared2 = 1.7613271225000004e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.196816796692465e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.3271500000000003, /* the arm's size [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     near_limit = 0.001, /* a length whose direction is good to few digits */
     longest3 = 0.70644025, /* square of the longest reach [m^2] */
     shortest3 = 0.00030625000000000053, /* square of the shortest reach [m^2] */
+    boundary3 = 1.574988146569254e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.7064402499999777, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.000306250000000465, /* the shortest, where branches merge [m^2] */
     longest3_clear = 0.7064402499776906, /* the longest, where blurred branches do [m^2] */
@@ -280,8 +280,8 @@ static const double
     k1 = 0.014957290000000002, /* d3^2 [m^2] */
     k2 = 3.2462089000017624e-14, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
     k3 = 3.246208900000177e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-    k4 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
-    k5 = 2.0902455187193858e-13, /* arm_size1 * boundary3 [m^5] */
+    k4 = 0.753494329955167, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
     k6 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
@@ -289,7 +289,7 @@ static const double
 /* coefficients */
 static const double m4 = 1.1655011655011656, m5 = 0.017143065268065267;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -428,16 +428,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta1 */
     const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d3 * wy),
-        c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1),
-        v2 = inverse1 * (d3 * X1), s1_p = v2 + w1 * (wy * inverse1),
-        s1_m = v2 + w1 * (inverse1 * -wy);
+        w1 = sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy),
+        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
+        v3 = inverse1 * (d3 * X1), s1_p = v3 + w1 * (wy * inverse1),
+        s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta6 */
     const wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11,
         Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12,
-        v3 = X6_p * X6_p + Y6_p * Y6_p, v4 = X6_m * X6_m + Y6_m * Y6_m, w6_p = sqrt_wide(v3),
-        w6_m = sqrt_wide(v4), v5 = 1.0 / v3, v6 = 1.0 / v4, angle1 = atan2_wide(Y6_p, -X6_p),
+        v4 = X6_p * X6_p + Y6_p * Y6_p, v5 = X6_m * X6_m + Y6_m * Y6_m, w6_p = sqrt_wide(v4),
+        w6_m = sqrt_wide(v5), v6 = 1.0 / v4, v7 = 1.0 / v5, angle1 = atan2_wide(Y6_p, -X6_p),
         angle2 = atan2_wide(Y6_m, -X6_m);
 
     /* theta5 */
@@ -445,21 +445,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle3 = atan2_wide(w6_p, c5_p), angle4 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v7 = v5 * (Y6_p * T31 - X6_p * T32), v8 = v6 * (Y6_m * T31 - X6_m * T32),
-        Z1_234_p = w6_p * v7, Z1_234_m = w6_m * v8,
-        v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32)),
-        v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32)), s234_p = w6_p * v9,
-        s234_m = w6_m * v10, angle5 = atan2_wide(v9, -v7), angle6 = atan2_wide(v10, -v8),
-        theta234_pm = angle5 - signed_wide(half_turn, v9),
-        theta234_mm = angle6 - signed_wide(half_turn, v10);
+    const wide v8 = v6 * (Y6_p * T31 - X6_p * T32), v9 = v7 * (Y6_m * T31 - X6_m * T32),
+        Z1_234_p = w6_p * v8, Z1_234_m = w6_m * v9,
+        v10 = T33 - v6 * (c5_p * (X6_p * T31 + Y6_p * T32)),
+        v11 = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32)), s234_p = w6_p * v10,
+        s234_m = w6_m * v11, angle5 = atan2_wide(v10, -v8), angle6 = atan2_wide(v11, -v9),
+        theta234_pm = angle5 - signed_wide(half_turn, v10),
+        theta234_mm = angle6 - signed_wide(half_turn, v11);
 
     /* theta3 */
-    const wide v11 = d6 * w6_p, v12 = d6 * w6_m, v13 = T34 - d1, v14 = d5 * Z1_234_p,
-        v15 = d5 * Z1_234_m, v16 = s234_p * v11, v17 = s234_m * v12, Z1_3_pp = v13 - (v14 + v16),
-        Z1_3_pm = v13 - (v16 - v14), Z1_3_mp = v13 - (v15 + v17), Z1_3_mm = v13 - (v17 - v15),
-        v18 = T14 * c1_p + T24 * s1_p, v19 = T14 * c1_m + T24 * s1_m, v20 = Z1_234_p * v11,
-        v21 = Z1_234_m * v12, v22 = d5 * s234_p, v23 = d5 * s234_m, Z2_3_pp = v18 + (v20 - v22),
-        Z2_3_pm = v18 + (v20 + v22), Z2_3_mp = v19 + (v21 - v23), Z2_3_mm = v19 + (v21 + v23),
+    const wide v12 = d6 * w6_p, v13 = d6 * w6_m, v14 = T34 - d1, v15 = d5 * Z1_234_p,
+        v16 = d5 * Z1_234_m, v17 = s234_p * v12, v18 = s234_m * v13, Z1_3_pp = v14 - (v15 + v17),
+        Z1_3_pm = v14 - (v17 - v15), Z1_3_mp = v14 - (v16 + v18), Z1_3_mm = v14 - (v18 - v16),
+        v19 = T14 * c1_p + T24 * s1_p, v20 = T14 * c1_m + T24 * s1_m, v21 = Z1_234_p * v12,
+        v22 = Z1_234_m * v13, v23 = d5 * s234_p, v24 = d5 * s234_m, Z2_3_pp = v19 + (v21 - v23),
+        Z2_3_pm = v19 + (v21 + v23), Z2_3_mp = v20 + (v22 - v24), Z2_3_mm = v20 + (v22 + v24),
         N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
@@ -469,72 +469,72 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
         D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
         w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
-        v24 = w3_pp - w3_pp, v25 = w3_pm - w3_pm, v26 = w3_mp - w3_mp, v27 = w3_mm - w3_mm,
-        angle7 = atan2_wide(w3_pp, N3_pp - k4), angle8 = atan2_wide(w3_pm, N3_pm - k4),
-        angle9 = atan2_wide(w3_mp, N3_mp - k4), angle10 = atan2_wide(w3_mm, N3_mm - k4);
+        v25 = w3_pp - w3_pp, v26 = w3_pm - w3_pm, v27 = w3_mp - w3_mp, v28 = w3_mm - w3_mm,
+        angle7 = atan2_wide(w3_pp, N3_pp - k5), angle8 = atan2_wide(w3_pm, N3_pm - k5),
+        angle9 = atan2_wide(w3_mp, N3_mp - k5), angle10 = atan2_wide(w3_mm, N3_mm - k5);
 
     /* theta2 */
-    const wide v28 = m5 + m4 * N3_pp, v29 = m5 + m4 * N3_pm, v30 = m5 + m4 * N3_mp,
-        v31 = m5 + m4 * N3_mm, v32 = Z1_3_pp * v28, v33 = Z1_3_pm * v29, v34 = Z1_3_mp * v30,
-        v35 = Z1_3_mm * v31, v36 = Z2_3_pp * v28, v37 = Z2_3_pm * v29, v38 = Z2_3_mp * v30,
-        v39 = Z2_3_mm * v31, v40 = w3_pp * (m4 * Z2_3_pp),
-        angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp)),
-        angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp)),
-        v41 = w3_pm * (m4 * Z2_3_pm), angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm)),
-        angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm)),
-        v42 = w3_mp * (m4 * Z2_3_mp), angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp)),
-        angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp)),
-        v43 = w3_mm * (m4 * Z2_3_mm), angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm)),
-        angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm));
+    const wide v29 = m5 + m4 * N3_pp, v30 = m5 + m4 * N3_pm, v31 = m5 + m4 * N3_mp,
+        v32 = m5 + m4 * N3_mm, v33 = Z1_3_pp * v29, v34 = Z1_3_pm * v30, v35 = Z1_3_mp * v31,
+        v36 = Z1_3_mm * v32, v37 = Z2_3_pp * v29, v38 = Z2_3_pm * v30, v39 = Z2_3_mp * v31,
+        v40 = Z2_3_mm * v32, v41 = w3_pp * (m4 * Z2_3_pp),
+        angle11 = atan2_wide(v33 - v41, v37 + w3_pp * (m4 * Z1_3_pp)),
+        angle12 = atan2_wide(v33 + v41, v37 + w3_pp * (m4 * -Z1_3_pp)),
+        v42 = w3_pm * (m4 * Z2_3_pm), angle13 = atan2_wide(v34 - v42, v38 + w3_pm * (m4 * Z1_3_pm)),
+        angle14 = atan2_wide(v34 + v42, v38 + w3_pm * (m4 * -Z1_3_pm)),
+        v43 = w3_mp * (m4 * Z2_3_mp), angle15 = atan2_wide(v35 - v43, v39 + w3_mp * (m4 * Z1_3_mp)),
+        angle16 = atan2_wide(v35 + v43, v39 + w3_mp * (m4 * -Z1_3_mp)),
+        v44 = w3_mm * (m4 * Z2_3_mm), angle17 = atan2_wide(v36 - v44, v40 + w3_mm * (m4 * Z1_3_mm)),
+        angle18 = atan2_wide(v36 + v44, v40 + w3_mm * (m4 * -Z1_3_mm));
 
     /* joint values */
-    const wide angle19 = atan2_wide(s1_p, c1_p), v44 = angle19 - offset1,
-        angle20 = atan2_wide(s1_m, c1_m), v45 = angle20 - offset1, q1__p = raised_wide(v44),
-        q1__m = raised_wide(v45), v46 = angle11 - offset2, v47 = angle12 - offset2,
-        v48 = angle13 - offset2, v49 = angle14 - offset2, v50 = angle15 - offset2,
-        v51 = angle16 - offset2, v52 = angle17 - offset2, v53 = angle18 - offset2,
-        v54 = angle5 - (angle7 + angle11) - offset4, v55 = angle5 - (angle12 - angle7) - offset4,
-        v56 = theta234_pm - (angle8 + angle13) - offset4,
-        v57 = theta234_pm - (angle14 - angle8) - offset4,
-        v58 = angle6 - (angle9 + angle15) - offset4, v59 = angle6 - (angle16 - angle9) - offset4,
-        v60 = theta234_mm - (angle10 + angle17) - offset4,
-        v61 = theta234_mm - (angle18 - angle10) - offset4, v62 = centred_wide(v54),
-        v63 = centred_wide(v55), v64 = centred_wide(v56), v65 = centred_wide(v57),
-        v66 = centred_wide(v58), v67 = centred_wide(v59), v68 = centred_wide(v60),
-        v69 = centred_wide(v61);
+    const wide angle19 = atan2_wide(s1_p, c1_p), v45 = angle19 - offset1,
+        angle20 = atan2_wide(s1_m, c1_m), v46 = angle20 - offset1, q1__p = raised_wide(v45),
+        q1__m = raised_wide(v46), v47 = angle11 - offset2, v48 = angle12 - offset2,
+        v49 = angle13 - offset2, v50 = angle14 - offset2, v51 = angle15 - offset2,
+        v52 = angle16 - offset2, v53 = angle17 - offset2, v54 = angle18 - offset2,
+        v55 = angle5 - (angle7 + angle11) - offset4, v56 = angle5 - (angle12 - angle7) - offset4,
+        v57 = theta234_pm - (angle8 + angle13) - offset4,
+        v58 = theta234_pm - (angle14 - angle8) - offset4,
+        v59 = angle6 - (angle9 + angle15) - offset4, v60 = angle6 - (angle16 - angle9) - offset4,
+        v61 = theta234_mm - (angle10 + angle17) - offset4,
+        v62 = theta234_mm - (angle18 - angle10) - offset4, v63 = centred_wide(v55),
+        v64 = centred_wide(v56), v65 = centred_wide(v57), v66 = centred_wide(v58),
+        v67 = centred_wide(v59), v68 = centred_wide(v60), v69 = centred_wide(v61),
+        v70 = centred_wide(v62);
     const wide_mask outside_ppp = exceeds(angle7, 3), outside_pmp = exceeds(angle8, 3),
         outside_mpp = exceeds(angle9, 3), outside_mmp = exceeds(angle10, 3);
-    const wide q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m,
-        q1_mmp = v27 + q1__m, q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26,
-        q5_mmp = v27 - angle4, q6_ppp = angle1 + v24,
-        q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v26,
-        q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
-    const wide_mask doubt1 = (abs_wide(w1 * D3_mm) <= m3) | (abs_wide(w1 * D3_mp) <= m3) |
-        (abs_wide(w1 * D3_pm) <= m3) | (abs_wide(w1 * D3_pp) <= m3) | (v4 <= m1) | (abs_wide(D1) <=
-        k2) | (v3 <= m1);
+    const wide q1_ppp = v25 + q1__p, q1_pmp = v26 + q1__p, q1_mpp = v27 + q1__m,
+        q1_mmp = v28 + q1__m, q5_ppp = angle3 + v25, q5_pmp = v26 - angle3, q5_mpp = angle4 + v27,
+        q5_mmp = v28 - angle4, q6_ppp = angle1 + v25,
+        q6_pmp = v26 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v27,
+        q6_mmp = v28 + (angle2 - signed_wide(half_turn, Y6_m));
+    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
+        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v5 <= m1) | (abs_wide(D1) <=
+        k2) | (v4 <= m1);
 
-    q[0] = q1_ppp; q[1] = raised_wide(v46); q[2] = angle7; q[3] = raised_wide(v62); q[4] = q5_ppp;
+    q[0] = q1_ppp; q[1] = raised_wide(v47); q[2] = angle7; q[3] = raised_wide(v63); q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = raised_wide(v47); q[8] = -angle7; q[9] = raised_wide(v63); q[10] = q5_ppp;
+    q[6] = q1_ppp; q[7] = raised_wide(v48); q[8] = -angle7; q[9] = raised_wide(v64); q[10] = q5_ppp;
     q[11] = q6_ppp;
     kind[1] = kind_of(q[6], outside_ppp);
-    q[12] = q1_pmp; q[13] = raised_wide(v48); q[14] = angle8; q[15] = raised_wide(v64);
+    q[12] = q1_pmp; q[13] = raised_wide(v49); q[14] = angle8; q[15] = raised_wide(v65);
     q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], outside_pmp);
-    q[18] = q1_pmp; q[19] = raised_wide(v49); q[20] = -angle8; q[21] = raised_wide(v65);
+    q[18] = q1_pmp; q[19] = raised_wide(v50); q[20] = -angle8; q[21] = raised_wide(v66);
     q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], outside_pmp);
-    q[24] = q1_mpp; q[25] = raised_wide(v50); q[26] = angle9; q[27] = raised_wide(v66);
+    q[24] = q1_mpp; q[25] = raised_wide(v51); q[26] = angle9; q[27] = raised_wide(v67);
     q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = raised_wide(v51); q[32] = -angle9; q[33] = raised_wide(v67);
+    q[30] = q1_mpp; q[31] = raised_wide(v52); q[32] = -angle9; q[33] = raised_wide(v68);
     q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], outside_mpp);
-    q[36] = q1_mmp; q[37] = raised_wide(v52); q[38] = angle10; q[39] = raised_wide(v68);
+    q[36] = q1_mmp; q[37] = raised_wide(v53); q[38] = angle10; q[39] = raised_wide(v69);
     q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], outside_mmp);
-    q[42] = q1_mmp; q[43] = raised_wide(v53); q[44] = -angle10; q[45] = raised_wide(v69);
+    q[42] = q1_mmp; q[43] = raised_wide(v54); q[44] = -angle10; q[45] = raised_wide(v70);
     q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -555,58 +555,58 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1);
+        w1 = sqrt(D1), v1 = k4 * w1;
     const int doubt1 = fabs(D1) <= k2;
-    const double inverse1 = 1.0 / N1, v1 = inverse1 * (d3 * wy);
-    const four c1 = v1 - w1 * (inverse1 * (e1 * X1));
-    const double v2 = inverse1 * (d3 * X1);
-    const four s1 = v2 + w1 * (inverse1 * (e1 * wy));
+    const double inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
+    const four c1 = v2 - w1 * (inverse1 * (e1 * X1));
+    const double v3 = inverse1 * (d3 * X1);
+    const four s1 = v3 + w1 * (inverse1 * (e1 * wy));
 
     /* theta6 */
-    const four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v3 = X6 * X6 + Y6 * Y6,
-        w6 = sqrt_four(v3);
-    const four_mask doubt2 = v3 <= m1;
-    const four v4 = 1.0 / v3, v5 = signed_four(half_turn, Y6), v6 = m2 * (e2 - 1.0);
+    const four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
+        w6 = sqrt_four(v4);
+    const four_mask doubt2 = v4 <= m1;
+    const four v5 = 1.0 / v4, v6 = signed_four(half_turn, Y6), v7 = m2 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T23 * c1 - T13 * s1;
 
     /* theta234 */
-    const four v7 = v4 * (Y6 * T31 - X6 * T32), Z1_234 = w6 * v7,
-        v8 = T33 - v4 * (c5 * (X6 * T31 + Y6 * T32)), s234 = w6 * v8,
-        v9 = signed_four(half_turn, v8);
+    const four v8 = v5 * (Y6 * T31 - X6 * T32), Z1_234 = w6 * v8,
+        v9 = T33 - v5 * (c5 * (X6 * T31 + Y6 * T32)), s234 = w6 * v9,
+        v10 = signed_four(half_turn, v9);
 
     /* theta3 */
-    const four v10 = d6 * w6;
-    const double v11 = T34 - d1;
-    const four v12 = d5 * Z1_234, v13 = s234 * v10, Z1_3 = v11 - (v13 + e2 * v12),
-        v14 = T14 * c1 + T24 * s1, v15 = Z1_234 * v10, v16 = d5 * s234,
-        Z2_3 = v14 + (v15 - e2 * v16), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v17 = w3 - w3;
-    const four_mask doubt3 = abs_four(w1 * D3) <= m3;
+    const four v11 = d6 * w6;
+    const double v12 = T34 - d1;
+    const four v13 = d5 * Z1_234, v14 = s234 * v11, Z1_3 = v12 - (v14 + e2 * v13),
+        v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
+        Z2_3 = v15 + (v16 - e2 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v18 = w3 - w3;
+    const four_mask doubt3 = abs_four(v1 * D3) <= m3;
 
     /* theta2 */
-    const four v18 = m5 + m4 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m4 * Z2_3);
+    const four v19 = m5 + m4 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m4 * Z2_3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(Y6, w6, 0, 5, 2, 7), shuffle(-X6, c5, 0, 5, 2, 7)),
-        ratio2 = ratio_four(shuffle(v8, s1, 0, 5, 2, 7), shuffle(-v7, c1, 0, 5, 2, 7)),
-        ratio3 = ratio_four(w3, N3 - k4), ratio4 = ratio_four(v19 - v21, v20 + w3 * (m4 * Z1_3)),
-        ratio5 = ratio_four(v19 + v21, v20 + w3 * (m4 * -Z1_3));
+        ratio2 = ratio_four(shuffle(v9, s1, 0, 5, 2, 7), shuffle(-v8, c1, 0, 5, 2, 7)),
+        ratio3 = ratio_four(w3, N3 - k5), ratio4 = ratio_four(v20 - v22, v21 + w3 * (m4 * Z1_3)),
+        ratio5 = ratio_four(v20 + v22, v21 + w3 * (m4 * -Z1_3));
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = angle_four(ratio2),
         angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
         angle7 = shuffle(packed2, packed2, 1, 1, 3, 3), angle4 = angle_four(ratio3),
         angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
-    const four theta234 = angle3 + v6 * v9, v22 = angle7 - offset1, q1_ = raised_four(v22),
-        v23 = angle5 - offset2, v24 = angle6 - offset2, q2_p = raised_four(v23),
-        q2_m = raised_four(v24), v25 = theta234 - (angle4 + angle5) - offset4,
-        v26 = theta234 - (angle6 - angle4) - offset4, v27 = centred_four(v25),
-        v28 = centred_four(v26), q4_p = raised_four(v27), q4_m = raised_four(v28);
+    const four theta234 = angle3 + v7 * v10, v23 = angle7 - offset1, q1_ = raised_four(v23),
+        v24 = angle5 - offset2, v25 = angle6 - offset2, q2_p = raised_four(v24),
+        q2_m = raised_four(v25), v26 = theta234 - (angle4 + angle5) - offset4,
+        v27 = theta234 - (angle6 - angle4) - offset4, v28 = centred_four(v26),
+        v29 = centred_four(v27), q4_p = raised_four(v28), q4_m = raised_four(v29);
     const four_mask outside_p = exceeds_four(angle4, 3);
-    const four q1_p = v17 + q1_, q5_p = v17 + e2 * angle2, q6_p = v17 + (angle1 + v5 * v6);
+    const four q1_p = v18 + q1_, q5_p = v18 + e2 * angle2, q6_p = v18 + (angle1 + v6 * v7);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle4, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -693,7 +693,7 @@ static void solve(
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double v1 = apart1 ? w1 : least_root1;
+    const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
     const double v2 = X1 * d3, v3 = wy * d3, v4 = seed[0] + offset1;
 
@@ -723,7 +723,7 @@ static void solve(
         const double c5 = T23 * c1 - T13 * s1;
 
         /* theta3 */
-        const double v9 = T14 * c1 + T24 * s1, v10 = (free6 || free1 || near6) ? arm_size1 : v1;
+        const double v9 = T14 * c1 + T24 * s1, v10 = (free6 || free1 || near6) ? 1.0 : v1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -755,10 +755,10 @@ static void solve(
             const double Z1_3 = v8 - (Z1_234 * d5 + s234 * v7);
             const double Z2_3 = Z1_234 * v7 - s234 * d5 + v9;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-            const double K3 = N3 - k4;
+            const double K3 = N3 - k5;
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(-k5 <= D3 * v10)) {
+            if (!(-boundary3 <= D3 * v10)) {
                 if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2(v6, -v5);
                 if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
@@ -1085,7 +1085,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 78d8ee09697668e6"
+_KEY = "techman_tm5_900 bac2330e9bb0879d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -165,12 +165,12 @@ d5 = 0.106  # joint offset 5 [m]
 d6 = 0.11315  # joint offset 6 [m]
 free_limit_squared2 = 1.7613271225000004e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.196816796692465e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.3271500000000003  # the arm's size [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 near_limit = 0.001  # a length whose direction is good to few digits
 longest3 = 0.70644025  # square of the longest reach [m^2]
 shortest3 = 0.00030625000000000053  # square of the shortest reach [m^2]
+boundary3 = 1.574988146569254e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.7064402499999777  # the longest, where branches merge [m^2]
 shortest3_apart = 0.000306250000000465  # the shortest, where branches merge [m^2]
 longest3_clear = 0.7064402499776906  # the longest, where blurred branches do [m^2]
@@ -180,8 +180,8 @@ offset4 = 1.5707963267948966  # offset of joint 4 [rad]
 k1 = 0.014957290000000002  # d3^2 [m^2]
 k2 = 3.2462089000017624e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
-k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
-k5 = 2.0902455187193858e-13  # arm_size1 * boundary3 [m^5]
+k4 = 0.753494329955167  # 1 / arm_size1 [m^-1]
+k5 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k6 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 high3 = 2.705260341591211
 m1 = 9.999999999999999e-09  # doubt_limit^2
@@ -514,7 +514,7 @@ def _solve(pose, seed, q, status):
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    v1 = w1 if apart1 else least_root1
+    v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
     v2 = X1 * d3
     v3 = wy * d3
@@ -548,7 +548,7 @@ def _solve(pose, seed, q, status):
 
         # theta3
         v9 = T14 * c1 + T24 * s1
-        v10 = arm_size1 if (free6 or free1 or near6) else v1
+        v10 = 1.0 if (free6 or free1 or near6) else v1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -583,10 +583,10 @@ def _solve(pose, seed, q, status):
             Z1_3 = v8 - (Z1_234 * d5 + s234 * v7)
             Z2_3 = Z1_234 * v7 - s234 * d5 + v9
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            K3 = N3 - k4
+            K3 = N3 - k5
             D3 = (longest3 - N3) * (N3 - shortest3)
             apart3 = shortest3_apart < N3 and N3 < longest3_apart
-            if not (-k5 <= D3 * v10):
+            if not (-boundary3 <= D3 * v10):
                 if near6:
                     status[4 * i1 + 2 * i2] = _NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
@@ -1317,62 +1317,63 @@ def _regular(pose, q, status):
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
     w1 = math.sqrt(D1)
+    v1 = k4 * w1
     inverse1 = 1.0 / N1
-    v1 = inverse1 * (d3 * wy)
-    c1_p = v1 - w1 * (X1 * inverse1)
-    c1_m = v1 - w1 * (inverse1 * -X1)
-    v2 = inverse1 * (d3 * X1)
-    s1_p = v2 + w1 * (wy * inverse1)
-    s1_m = v2 + w1 * (inverse1 * -wy)
+    v2 = inverse1 * (d3 * wy)
+    c1_p = v2 - w1 * (X1 * inverse1)
+    c1_m = v2 - w1 * (inverse1 * -X1)
+    v3 = inverse1 * (d3 * X1)
+    s1_p = v3 + w1 * (wy * inverse1)
+    s1_m = v3 + w1 * (inverse1 * -wy)
 
     # theta6, type 2: U1 A6^-1 [3, 2]
     X6_p = c1_p * T21 - s1_p * T11
     X6_m = c1_m * T21 - s1_m * T11
     Y6_p = c1_p * T22 - s1_p * T12
     Y6_m = c1_m * T22 - s1_m * T12
-    v3 = X6_p * X6_p + Y6_p * Y6_p
-    v4 = X6_m * X6_m + Y6_m * Y6_m
-    w6_p = math.sqrt(v3)
-    w6_m = math.sqrt(v4)
-    v5 = 1.0 / v3
+    v4 = X6_p * X6_p + Y6_p * Y6_p
+    v5 = X6_m * X6_m + Y6_m * Y6_m
+    w6_p = math.sqrt(v4)
+    w6_m = math.sqrt(v5)
     v6 = 1.0 / v4
+    v7 = 1.0 / v5
 
     # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
     c5_p = T23 * c1_p - T13 * s1_p
     c5_m = T23 * c1_m - T13 * s1_m
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    v7 = v5 * (Y6_p * T31 - X6_p * T32)
-    v8 = v6 * (Y6_m * T31 - X6_m * T32)
-    Z1_234_p = w6_p * v7
-    Z1_234_m = w6_m * v8
-    v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32))
-    v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32))
-    s234_p = w6_p * v9
-    s234_m = w6_m * v10
+    v8 = v6 * (Y6_p * T31 - X6_p * T32)
+    v9 = v7 * (Y6_m * T31 - X6_m * T32)
+    Z1_234_p = w6_p * v8
+    Z1_234_m = w6_m * v9
+    v10 = T33 - v6 * (c5_p * (X6_p * T31 + Y6_p * T32))
+    v11 = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32))
+    s234_p = w6_p * v10
+    s234_m = w6_m * v11
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v11 = d6 * w6_p
-    v12 = d6 * w6_m
-    v13 = T34 - d1
-    v14 = d5 * Z1_234_p
-    v15 = d5 * Z1_234_m
-    v16 = s234_p * v11
-    v17 = s234_m * v12
-    Z1_3_pp = v13 - (v14 + v16)
-    Z1_3_pm = v13 - (v16 - v14)
-    Z1_3_mp = v13 - (v15 + v17)
-    Z1_3_mm = v13 - (v17 - v15)
-    v18 = T14 * c1_p + T24 * s1_p
-    v19 = T14 * c1_m + T24 * s1_m
-    v20 = Z1_234_p * v11
-    v21 = Z1_234_m * v12
-    v22 = d5 * s234_p
-    v23 = d5 * s234_m
-    Z2_3_pp = v18 + (v20 - v22)
-    Z2_3_pm = v18 + (v20 + v22)
-    Z2_3_mp = v19 + (v21 - v23)
-    Z2_3_mm = v19 + (v21 + v23)
+    v12 = d6 * w6_p
+    v13 = d6 * w6_m
+    v14 = T34 - d1
+    v15 = d5 * Z1_234_p
+    v16 = d5 * Z1_234_m
+    v17 = s234_p * v12
+    v18 = s234_m * v13
+    Z1_3_pp = v14 - (v15 + v17)
+    Z1_3_pm = v14 - (v17 - v15)
+    Z1_3_mp = v14 - (v16 + v18)
+    Z1_3_mm = v14 - (v18 - v16)
+    v19 = T14 * c1_p + T24 * s1_p
+    v20 = T14 * c1_m + T24 * s1_m
+    v21 = Z1_234_p * v12
+    v22 = Z1_234_m * v13
+    v23 = d5 * s234_p
+    v24 = d5 * s234_m
+    Z2_3_pp = v19 + (v21 - v23)
+    Z2_3_pm = v19 + (v21 + v23)
+    Z2_3_mp = v20 + (v22 - v24)
+    Z2_3_mm = v20 + (v22 + v24)
     N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -1385,33 +1386,33 @@ def _regular(pose, q, status):
     w3_pm = math.sqrt(D3_pm)
     w3_mp = math.sqrt(D3_mp)
     w3_mm = math.sqrt(D3_mm)
-    v24 = w3_pp - w3_pp
-    v25 = w3_pm - w3_pm
-    v26 = w3_mp - w3_mp
-    v27 = w3_mm - w3_mm
+    v25 = w3_pp - w3_pp
+    v26 = w3_pm - w3_pm
+    v27 = w3_mp - w3_mp
+    v28 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v28 = m5 + m4 * N3_pp
-    v29 = m5 + m4 * N3_pm
-    v30 = m5 + m4 * N3_mp
-    v31 = m5 + m4 * N3_mm
-    v32 = Z1_3_pp * v28
-    v33 = Z1_3_pm * v29
-    v34 = Z1_3_mp * v30
-    v35 = Z1_3_mm * v31
-    v36 = Z2_3_pp * v28
-    v37 = Z2_3_pm * v29
-    v38 = Z2_3_mp * v30
-    v39 = Z2_3_mm * v31
-    v40 = w3_pp * (m4 * Z2_3_pp)
-    v41 = w3_pm * (m4 * Z2_3_pm)
-    v42 = w3_mp * (m4 * Z2_3_mp)
-    v43 = w3_mm * (m4 * Z2_3_mm)
+    v29 = m5 + m4 * N3_pp
+    v30 = m5 + m4 * N3_pm
+    v31 = m5 + m4 * N3_mp
+    v32 = m5 + m4 * N3_mm
+    v33 = Z1_3_pp * v29
+    v34 = Z1_3_pm * v30
+    v35 = Z1_3_mp * v31
+    v36 = Z1_3_mm * v32
+    v37 = Z2_3_pp * v29
+    v38 = Z2_3_pm * v30
+    v39 = Z2_3_mp * v31
+    v40 = Z2_3_mm * v32
+    v41 = w3_pp * (m4 * Z2_3_pp)
+    v42 = w3_pm * (m4 * Z2_3_pm)
+    v43 = w3_mp * (m4 * Z2_3_mp)
+    v44 = w3_mm * (m4 * Z2_3_mm)
 
     # joint values
     doubt1 = (
-        abs(w1 * D3_mm) <= m3 or abs(w1 * D3_mp) <= m3 or abs(w1 * D3_pm) <= m3 or abs(w1 * D3_pp)
-        <= m3 or v4 <= m1 or abs(D1) <= k2 or v3 <= m1
+        abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 * D3_pp)
+        <= m3 or v5 <= m1 or abs(D1) <= k2 or v4 <= m1
     )
 
     # a joint is free, or branches meet
@@ -1423,40 +1424,40 @@ def _regular(pose, q, status):
     room[1] = Y6_m
     room[2] = w6_p
     room[3] = w6_m
-    room[4] = v9
-    room[5] = v10
+    room[4] = v10
+    room[5] = v11
     room[6] = w3_pp
     room[7] = w3_pm
     room[8] = w3_mp
     room[9] = w3_mm
-    room[10] = v32 - v40
-    room[11] = v32 + v40
-    room[12] = v33 - v41
-    room[13] = v33 + v41
-    room[14] = v34 - v42
-    room[15] = v34 + v42
-    room[16] = v35 - v43
-    room[17] = v35 + v43
+    room[10] = v33 - v41
+    room[11] = v33 + v41
+    room[12] = v34 - v42
+    room[13] = v34 + v42
+    room[14] = v35 - v43
+    room[15] = v35 + v43
+    room[16] = v36 - v44
+    room[17] = v36 + v44
     room[18] = s1_p
     room[19] = s1_m
     room[24] = -X6_p
     room[25] = -X6_m
     room[26] = c5_p
     room[27] = c5_m
-    room[28] = -v7
-    room[29] = -v8
-    room[30] = N3_pp - k4
-    room[31] = N3_pm - k4
-    room[32] = N3_mp - k4
-    room[33] = N3_mm - k4
-    room[34] = v36 + w3_pp * (m4 * Z1_3_pp)
-    room[35] = v36 + w3_pp * (m4 * -Z1_3_pp)
-    room[36] = v37 + w3_pm * (m4 * Z1_3_pm)
-    room[37] = v37 + w3_pm * (m4 * -Z1_3_pm)
-    room[38] = v38 + w3_mp * (m4 * Z1_3_mp)
-    room[39] = v38 + w3_mp * (m4 * -Z1_3_mp)
-    room[40] = v39 + w3_mm * (m4 * Z1_3_mm)
-    room[41] = v39 + w3_mm * (m4 * -Z1_3_mm)
+    room[28] = -v8
+    room[29] = -v9
+    room[30] = N3_pp - k5
+    room[31] = N3_pm - k5
+    room[32] = N3_mp - k5
+    room[33] = N3_mm - k5
+    room[34] = v37 + w3_pp * (m4 * Z1_3_pp)
+    room[35] = v37 + w3_pp * (m4 * -Z1_3_pp)
+    room[36] = v38 + w3_pm * (m4 * Z1_3_pm)
+    room[37] = v38 + w3_pm * (m4 * -Z1_3_pm)
+    room[38] = v39 + w3_mp * (m4 * Z1_3_mp)
+    room[39] = v39 + w3_mp * (m4 * -Z1_3_mp)
+    room[40] = v40 + w3_mm * (m4 * Z1_3_mm)
+    room[41] = v40 + w3_mm * (m4 * -Z1_3_mm)
     room[42] = c1_p
     room[43] = c1_m
     for k in range(20, 24):
@@ -1485,39 +1486,38 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    theta234_pm = angle5 - math.copysign(half_turn, v9)
-    theta234_mm = angle6 - math.copysign(half_turn, v10)
+    theta234_pm = angle5 - math.copysign(half_turn, v10)
+    theta234_mm = angle6 - math.copysign(half_turn, v11)
 
     # joint values
-    v44 = angle19 - offset1
-    v45 = angle20 - offset1
-    q1__p = v44 + (turn if v44 <= -half_turn else 0.0)
-    q1__m = v45 + (turn if v45 <= -half_turn else 0.0)
-    v46 = angle11 - offset2
-    v47 = angle12 - offset2
-    v48 = angle13 - offset2
-    v49 = angle14 - offset2
-    v50 = angle15 - offset2
-    v51 = angle16 - offset2
-    v52 = angle17 - offset2
-    v53 = angle18 - offset2
-    q2_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
-    q2_ppm = v47 + (turn if v47 <= -half_turn else 0.0)
-    q2_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
-    q2_pmm = v49 + (turn if v49 <= -half_turn else 0.0)
-    q2_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
-    q2_mpm = v51 + (turn if v51 <= -half_turn else 0.0)
-    q2_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
-    q2_mmm = v53 + (turn if v53 <= -half_turn else 0.0)
-    v54 = angle5 - (angle7 + angle11) - offset4
-    v55 = angle5 - (angle12 - angle7) - offset4
-    v56 = theta234_pm - (angle8 + angle13) - offset4
-    v57 = theta234_pm - (angle14 - angle8) - offset4
-    v58 = angle6 - (angle9 + angle15) - offset4
-    v59 = angle6 - (angle16 - angle9) - offset4
-    v60 = theta234_mm - (angle10 + angle17) - offset4
-    v61 = theta234_mm - (angle18 - angle10) - offset4
-    v62 = v54 + (turn if v54 <= -half_turn else (-turn if half_turn < v54 else 0.0))
+    v45 = angle19 - offset1
+    v46 = angle20 - offset1
+    q1__p = v45 + (turn if v45 <= -half_turn else 0.0)
+    q1__m = v46 + (turn if v46 <= -half_turn else 0.0)
+    v47 = angle11 - offset2
+    v48 = angle12 - offset2
+    v49 = angle13 - offset2
+    v50 = angle14 - offset2
+    v51 = angle15 - offset2
+    v52 = angle16 - offset2
+    v53 = angle17 - offset2
+    v54 = angle18 - offset2
+    q2_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
+    q2_ppm = v48 + (turn if v48 <= -half_turn else 0.0)
+    q2_pmp = v49 + (turn if v49 <= -half_turn else 0.0)
+    q2_pmm = v50 + (turn if v50 <= -half_turn else 0.0)
+    q2_mpp = v51 + (turn if v51 <= -half_turn else 0.0)
+    q2_mpm = v52 + (turn if v52 <= -half_turn else 0.0)
+    q2_mmp = v53 + (turn if v53 <= -half_turn else 0.0)
+    q2_mmm = v54 + (turn if v54 <= -half_turn else 0.0)
+    v55 = angle5 - (angle7 + angle11) - offset4
+    v56 = angle5 - (angle12 - angle7) - offset4
+    v57 = theta234_pm - (angle8 + angle13) - offset4
+    v58 = theta234_pm - (angle14 - angle8) - offset4
+    v59 = angle6 - (angle9 + angle15) - offset4
+    v60 = angle6 - (angle16 - angle9) - offset4
+    v61 = theta234_mm - (angle10 + angle17) - offset4
+    v62 = theta234_mm - (angle18 - angle10) - offset4
     v63 = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
     v64 = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
     v65 = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
@@ -1525,30 +1525,31 @@ def _regular(pose, q, status):
     v67 = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
     v68 = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
     v69 = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
-    q4_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
-    q4_ppm = v63 + (turn if v63 <= -half_turn else 0.0)
-    q4_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
-    q4_pmm = v65 + (turn if v65 <= -half_turn else 0.0)
-    q4_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
-    q4_mpm = v67 + (turn if v67 <= -half_turn else 0.0)
-    q4_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
-    q4_mmm = v69 + (turn if v69 <= -half_turn else 0.0)
+    v70 = v62 + (turn if v62 <= -half_turn else (-turn if half_turn < v62 else 0.0))
+    q4_ppp = v63 + (turn if v63 <= -half_turn else 0.0)
+    q4_ppm = v64 + (turn if v64 <= -half_turn else 0.0)
+    q4_pmp = v65 + (turn if v65 <= -half_turn else 0.0)
+    q4_pmm = v66 + (turn if v66 <= -half_turn else 0.0)
+    q4_mpp = v67 + (turn if v67 <= -half_turn else 0.0)
+    q4_mpm = v68 + (turn if v68 <= -half_turn else 0.0)
+    q4_mmp = v69 + (turn if v69 <= -half_turn else 0.0)
+    q4_mmm = v70 + (turn if v70 <= -half_turn else 0.0)
     outside_ppp = high3 < abs(angle7)
     outside_pmp = high3 < abs(angle8)
     outside_mpp = high3 < abs(angle9)
     outside_mmp = high3 < abs(angle10)
-    q1_ppp = v24 + q1__p
-    q1_pmp = v25 + q1__p
-    q1_mpp = v26 + q1__m
-    q1_mmp = v27 + q1__m
-    q5_ppp = angle3 + v24
-    q5_pmp = v25 - angle3
-    q5_mpp = angle4 + v26
-    q5_mmp = v27 - angle4
-    q6_ppp = angle1 + v24
-    q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p))
-    q6_mpp = angle2 + v26
-    q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m))
+    q1_ppp = v25 + q1__p
+    q1_pmp = v26 + q1__p
+    q1_mpp = v27 + q1__m
+    q1_mmp = v28 + q1__m
+    q5_ppp = angle3 + v25
+    q5_pmp = v26 - angle3
+    q5_mpp = angle4 + v27
+    q5_mmp = v28 - angle4
+    q6_ppp = angle1 + v25
+    q6_pmp = v26 + (angle1 - math.copysign(half_turn, Y6_p))
+    q6_mpp = angle2 + v27
+    q6_mmp = v28 + (angle2 - math.copysign(half_turn, Y6_m))
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1885,54 +1886,55 @@ def _in_tiles(T, q, status):
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
             w1 = math.sqrt(D1)
+            v1 = k4 * w1
             inverse1 = 1.0 / N1
-            v1 = inverse1 * (d3 * wy)
-            c1_p = v1 - w1 * (X1 * inverse1)
-            c1_m = v1 - w1 * (inverse1 * -X1)
-            v2 = inverse1 * (d3 * X1)
-            s1_p = v2 + w1 * (wy * inverse1)
-            s1_m = v2 + w1 * (inverse1 * -wy)
+            v2 = inverse1 * (d3 * wy)
+            c1_p = v2 - w1 * (X1 * inverse1)
+            c1_m = v2 - w1 * (inverse1 * -X1)
+            v3 = inverse1 * (d3 * X1)
+            s1_p = v3 + w1 * (wy * inverse1)
+            s1_m = v3 + w1 * (inverse1 * -wy)
             X6_p = c1_p * T21 - s1_p * T11
             X6_m = c1_m * T21 - s1_m * T11
             Y6_p = c1_p * T22 - s1_p * T12
             Y6_m = c1_m * T22 - s1_m * T12
-            v3 = X6_p * X6_p + Y6_p * Y6_p
-            v4 = X6_m * X6_m + Y6_m * Y6_m
-            w6_p = math.sqrt(v3)
-            w6_m = math.sqrt(v4)
-            v5 = 1.0 / v3
+            v4 = X6_p * X6_p + Y6_p * Y6_p
+            v5 = X6_m * X6_m + Y6_m * Y6_m
+            w6_p = math.sqrt(v4)
+            w6_m = math.sqrt(v5)
             v6 = 1.0 / v4
+            v7 = 1.0 / v5
             c5_p = T23 * c1_p - T13 * s1_p
             c5_m = T23 * c1_m - T13 * s1_m
-            v7 = v5 * (Y6_p * T31 - X6_p * T32)
-            v8 = v6 * (Y6_m * T31 - X6_m * T32)
-            Z1_234_p = w6_p * v7
-            Z1_234_m = w6_m * v8
-            v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32))
-            v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32))
-            s234_p = w6_p * v9
-            s234_m = w6_m * v10
-            v11 = d6 * w6_p
-            v12 = d6 * w6_m
-            v13 = T34 - d1
-            v14 = d5 * Z1_234_p
-            v15 = d5 * Z1_234_m
-            v16 = s234_p * v11
-            v17 = s234_m * v12
-            Z1_3_pp = v13 - (v14 + v16)
-            Z1_3_pm = v13 - (v16 - v14)
-            Z1_3_mp = v13 - (v15 + v17)
-            Z1_3_mm = v13 - (v17 - v15)
-            v18 = T14 * c1_p + T24 * s1_p
-            v19 = T14 * c1_m + T24 * s1_m
-            v20 = Z1_234_p * v11
-            v21 = Z1_234_m * v12
-            v22 = d5 * s234_p
-            v23 = d5 * s234_m
-            Z2_3_pp = v18 + (v20 - v22)
-            Z2_3_pm = v18 + (v20 + v22)
-            Z2_3_mp = v19 + (v21 - v23)
-            Z2_3_mm = v19 + (v21 + v23)
+            v8 = v6 * (Y6_p * T31 - X6_p * T32)
+            v9 = v7 * (Y6_m * T31 - X6_m * T32)
+            Z1_234_p = w6_p * v8
+            Z1_234_m = w6_m * v9
+            v10 = T33 - v6 * (c5_p * (X6_p * T31 + Y6_p * T32))
+            v11 = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32))
+            s234_p = w6_p * v10
+            s234_m = w6_m * v11
+            v12 = d6 * w6_p
+            v13 = d6 * w6_m
+            v14 = T34 - d1
+            v15 = d5 * Z1_234_p
+            v16 = d5 * Z1_234_m
+            v17 = s234_p * v12
+            v18 = s234_m * v13
+            Z1_3_pp = v14 - (v15 + v17)
+            Z1_3_pm = v14 - (v17 - v15)
+            Z1_3_mp = v14 - (v16 + v18)
+            Z1_3_mm = v14 - (v18 - v16)
+            v19 = T14 * c1_p + T24 * s1_p
+            v20 = T14 * c1_m + T24 * s1_m
+            v21 = Z1_234_p * v12
+            v22 = Z1_234_m * v13
+            v23 = d5 * s234_p
+            v24 = d5 * s234_m
+            Z2_3_pp = v19 + (v21 - v23)
+            Z2_3_pm = v19 + (v21 + v23)
+            Z2_3_mp = v20 + (v22 - v24)
+            Z2_3_mm = v20 + (v22 + v24)
             N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -1945,77 +1947,77 @@ def _in_tiles(T, q, status):
             w3_pm = math.sqrt(D3_pm)
             w3_mp = math.sqrt(D3_mp)
             w3_mm = math.sqrt(D3_mm)
-            v24 = w3_pp - w3_pp
-            v25 = w3_pm - w3_pm
-            v26 = w3_mp - w3_mp
-            v27 = w3_mm - w3_mm
-            v28 = m5 + m4 * N3_pp
-            v29 = m5 + m4 * N3_pm
-            v30 = m5 + m4 * N3_mp
-            v31 = m5 + m4 * N3_mm
-            v32 = Z1_3_pp * v28
-            v33 = Z1_3_pm * v29
-            v34 = Z1_3_mp * v30
-            v35 = Z1_3_mm * v31
-            v36 = Z2_3_pp * v28
-            v37 = Z2_3_pm * v29
-            v38 = Z2_3_mp * v30
-            v39 = Z2_3_mm * v31
-            v40 = w3_pp * (m4 * Z2_3_pp)
-            v41 = w3_pm * (m4 * Z2_3_pm)
-            v42 = w3_mp * (m4 * Z2_3_mp)
-            v43 = w3_mm * (m4 * Z2_3_mm)
+            v25 = w3_pp - w3_pp
+            v26 = w3_pm - w3_pm
+            v27 = w3_mp - w3_mp
+            v28 = w3_mm - w3_mm
+            v29 = m5 + m4 * N3_pp
+            v30 = m5 + m4 * N3_pm
+            v31 = m5 + m4 * N3_mp
+            v32 = m5 + m4 * N3_mm
+            v33 = Z1_3_pp * v29
+            v34 = Z1_3_pm * v30
+            v35 = Z1_3_mp * v31
+            v36 = Z1_3_mm * v32
+            v37 = Z2_3_pp * v29
+            v38 = Z2_3_pm * v30
+            v39 = Z2_3_mp * v31
+            v40 = Z2_3_mm * v32
+            v41 = w3_pp * (m4 * Z2_3_pp)
+            v42 = w3_pm * (m4 * Z2_3_pm)
+            v43 = w3_mp * (m4 * Z2_3_mp)
+            v44 = w3_mm * (m4 * Z2_3_mm)
             doubt1 = (
-                abs(w1 * D3_mm) <= m3 or abs(w1 * D3_mp) <= m3 or abs(w1 * D3_pm) <= m3 or abs(w1 *
-                D3_pp) <= m3 or v4 <= m1 or abs(D1) <= k2 or v3 <= m1
+                abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 *
+                D3_pp) <= m3 or v5 <= m1 or abs(D1) <= k2 or v4 <= m1
             )
             work[272 + k] = Y6_p
             work[288 + k] = Y6_m
-            work[304 + k] = v9
-            work[320 + k] = v10
-            work[336 + k] = v24
-            work[352 + k] = v25
-            work[368 + k] = v26
-            work[384 + k] = v27
+            work[304 + k] = v10
+            work[320 + k] = v11
+            work[336 + k] = v25
+            work[352 + k] = v26
+            work[368 + k] = v27
+            work[384 + k] = v28
             work[400 + k] = doubt1
             work[416 + k] = Y6_p
             work[432 + k] = Y6_m
             work[448 + k] = w6_p
             work[464 + k] = w6_m
-            work[480 + k] = v9
-            work[496 + k] = v10
+            work[480 + k] = v10
+            work[496 + k] = v11
             work[512 + k] = w3_pp
             work[528 + k] = w3_pm
             work[544 + k] = w3_mp
             work[560 + k] = w3_mm
-            work[576 + k] = v32 - v40
-            work[592 + k] = v32 + v40
-            work[608 + k] = v33 - v41
-            work[624 + k] = v33 + v41
-            work[640 + k] = v34 - v42
-            work[656 + k] = v34 + v42
-            work[672 + k] = v35 - v43
-            work[688 + k] = v35 + v43
+            work[576 + k] = v33 - v41
+            work[592 + k] = v33 + v41
+            work[608 + k] = v34 - v42
+            work[624 + k] = v34 + v42
+            work[640 + k] = v35 - v43
+            work[656 + k] = v35 + v43
+            work[672 + k] = v36 - v44
+            work[688 + k] = v36 + v44
             work[704 + k] = s1_p
             work[720 + k] = s1_m
             work[736 + k] = -X6_p
             work[752 + k] = -X6_m
             work[768 + k] = c5_p
             work[784 + k] = c5_m
-            work[800 + k] = -v7
-            work[816 + k] = -v8
-            work[832 + k] = N3_pp - k4
-            work[848 + k] = N3_pm - k4
-            work[864 + k] = N3_mp - k4
-            work[880 + k] = N3_mm - k4
-            work[896 + k] = v36 + w3_pp * (m4 * Z1_3_pp)
-            work[912 + k] = v36 + w3_pp * (m4 * -Z1_3_pp)
-            work[928 + k] = v37 + w3_pm * (m4 * Z1_3_pm)
-            work[944 + k] = v37 + w3_pm * (m4 * -Z1_3_pm)
-            work[960 + k] = v38 + w3_mp * (m4 * Z1_3_mp)
-            work[976 + k] = v38 + w3_mp * (m4 * -Z1_3_mp)
-            work[992 + k] = v39 + w3_mm * (m4 * Z1_3_mm)
-            work[1008 + k] = v39 + w3_mm * (m4 * -Z1_3_mm)
+            work[800 + k] = -v8
+            work[816 + k] = -v9
+            work[832 + k] = N3_pp - k5
+            work[848 + k] = N3_pm - k5
+            work[864 + k] = N3_mp - k5
+            work[880 + k] = N3_mm - k5
+            work[896 + k] = v37 + w3_pp * (m4 * Z1_3_pp)
+            work[912 + k] = v37 + w3_pp * (m4 * -Z1_3_pp)
+            work[928 + k] = v38 + w3_pm * (m4 * Z1_3_pm)
+            work[944 + k] = v38 + w3_pm * (m4 * -Z1_3_pm)
+            work[960 + k] = v39 + w3_mp * (m4 * Z1_3_mp)
+            work[976 + k] = v39 + w3_mp * (m4 * -Z1_3_mp)
+            work[992 + k] = v40 + w3_mm * (m4 * Z1_3_mm)
+            work[1008 + k] = v40 + w3_mm * (m4 * -Z1_3_mm)
             work[1024 + k] = c1_p
             work[1040 + k] = c1_m
         for k in range(416, 736):
@@ -2023,12 +2025,12 @@ def _in_tiles(T, q, status):
         for k in range(0, 16):
             Y6_p = work[272 + k]
             Y6_m = work[288 + k]
-            v9 = work[304 + k]
-            v10 = work[320 + k]
-            v24 = work[336 + k]
-            v25 = work[352 + k]
-            v26 = work[368 + k]
-            v27 = work[384 + k]
+            v10 = work[304 + k]
+            v11 = work[320 + k]
+            v25 = work[336 + k]
+            v26 = work[352 + k]
+            v27 = work[368 + k]
+            v28 = work[384 + k]
             doubt1 = work[400 + k] != 0.0
             angle1 = work[416 + k]
             angle2 = work[432 + k]
@@ -2050,37 +2052,36 @@ def _in_tiles(T, q, status):
             angle18 = work[688 + k]
             angle19 = work[704 + k]
             angle20 = work[720 + k]
-            theta234_pm = angle5 - math.copysign(half_turn, v9)
-            theta234_mm = angle6 - math.copysign(half_turn, v10)
-            v44 = angle19 - offset1
-            v45 = angle20 - offset1
-            q1__p = v44 + (turn if v44 <= -half_turn else 0.0)
-            q1__m = v45 + (turn if v45 <= -half_turn else 0.0)
-            v46 = angle11 - offset2
-            v47 = angle12 - offset2
-            v48 = angle13 - offset2
-            v49 = angle14 - offset2
-            v50 = angle15 - offset2
-            v51 = angle16 - offset2
-            v52 = angle17 - offset2
-            v53 = angle18 - offset2
-            q2_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
-            q2_ppm = v47 + (turn if v47 <= -half_turn else 0.0)
-            q2_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
-            q2_pmm = v49 + (turn if v49 <= -half_turn else 0.0)
-            q2_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
-            q2_mpm = v51 + (turn if v51 <= -half_turn else 0.0)
-            q2_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
-            q2_mmm = v53 + (turn if v53 <= -half_turn else 0.0)
-            v54 = angle5 - (angle7 + angle11) - offset4
-            v55 = angle5 - (angle12 - angle7) - offset4
-            v56 = theta234_pm - (angle8 + angle13) - offset4
-            v57 = theta234_pm - (angle14 - angle8) - offset4
-            v58 = angle6 - (angle9 + angle15) - offset4
-            v59 = angle6 - (angle16 - angle9) - offset4
-            v60 = theta234_mm - (angle10 + angle17) - offset4
-            v61 = theta234_mm - (angle18 - angle10) - offset4
-            v62 = v54 + (turn if v54 <= -half_turn else (-turn if half_turn < v54 else 0.0))
+            theta234_pm = angle5 - math.copysign(half_turn, v10)
+            theta234_mm = angle6 - math.copysign(half_turn, v11)
+            v45 = angle19 - offset1
+            v46 = angle20 - offset1
+            q1__p = v45 + (turn if v45 <= -half_turn else 0.0)
+            q1__m = v46 + (turn if v46 <= -half_turn else 0.0)
+            v47 = angle11 - offset2
+            v48 = angle12 - offset2
+            v49 = angle13 - offset2
+            v50 = angle14 - offset2
+            v51 = angle15 - offset2
+            v52 = angle16 - offset2
+            v53 = angle17 - offset2
+            v54 = angle18 - offset2
+            q2_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
+            q2_ppm = v48 + (turn if v48 <= -half_turn else 0.0)
+            q2_pmp = v49 + (turn if v49 <= -half_turn else 0.0)
+            q2_pmm = v50 + (turn if v50 <= -half_turn else 0.0)
+            q2_mpp = v51 + (turn if v51 <= -half_turn else 0.0)
+            q2_mpm = v52 + (turn if v52 <= -half_turn else 0.0)
+            q2_mmp = v53 + (turn if v53 <= -half_turn else 0.0)
+            q2_mmm = v54 + (turn if v54 <= -half_turn else 0.0)
+            v55 = angle5 - (angle7 + angle11) - offset4
+            v56 = angle5 - (angle12 - angle7) - offset4
+            v57 = theta234_pm - (angle8 + angle13) - offset4
+            v58 = theta234_pm - (angle14 - angle8) - offset4
+            v59 = angle6 - (angle9 + angle15) - offset4
+            v60 = angle6 - (angle16 - angle9) - offset4
+            v61 = theta234_mm - (angle10 + angle17) - offset4
+            v62 = theta234_mm - (angle18 - angle10) - offset4
             v63 = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
             v64 = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
             v65 = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
@@ -2088,30 +2089,31 @@ def _in_tiles(T, q, status):
             v67 = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
             v68 = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
             v69 = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
-            q4_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
-            q4_ppm = v63 + (turn if v63 <= -half_turn else 0.0)
-            q4_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
-            q4_pmm = v65 + (turn if v65 <= -half_turn else 0.0)
-            q4_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
-            q4_mpm = v67 + (turn if v67 <= -half_turn else 0.0)
-            q4_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
-            q4_mmm = v69 + (turn if v69 <= -half_turn else 0.0)
+            v70 = v62 + (turn if v62 <= -half_turn else (-turn if half_turn < v62 else 0.0))
+            q4_ppp = v63 + (turn if v63 <= -half_turn else 0.0)
+            q4_ppm = v64 + (turn if v64 <= -half_turn else 0.0)
+            q4_pmp = v65 + (turn if v65 <= -half_turn else 0.0)
+            q4_pmm = v66 + (turn if v66 <= -half_turn else 0.0)
+            q4_mpp = v67 + (turn if v67 <= -half_turn else 0.0)
+            q4_mpm = v68 + (turn if v68 <= -half_turn else 0.0)
+            q4_mmp = v69 + (turn if v69 <= -half_turn else 0.0)
+            q4_mmm = v70 + (turn if v70 <= -half_turn else 0.0)
             outside_ppp = high3 < abs(angle7)
             outside_pmp = high3 < abs(angle8)
             outside_mpp = high3 < abs(angle9)
             outside_mmp = high3 < abs(angle10)
-            q1_ppp = v24 + q1__p
-            q1_pmp = v25 + q1__p
-            q1_mpp = v26 + q1__m
-            q1_mmp = v27 + q1__m
-            q5_ppp = angle3 + v24
-            q5_pmp = v25 - angle3
-            q5_mpp = angle4 + v26
-            q5_mmp = v27 - angle4
-            q6_ppp = angle1 + v24
-            q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p))
-            q6_mpp = angle2 + v26
-            q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m))
+            q1_ppp = v25 + q1__p
+            q1_pmp = v26 + q1__p
+            q1_mpp = v27 + q1__m
+            q1_mmp = v28 + q1__m
+            q5_ppp = angle3 + v25
+            q5_pmp = v26 - angle3
+            q5_mpp = angle4 + v27
+            q5_mmp = v28 - angle4
+            q6_ppp = angle1 + v25
+            q6_pmp = v26 + (angle1 - math.copysign(half_turn, Y6_p))
+            q6_mpp = angle2 + v27
+            q6_mmp = v28 + (angle2 - math.copysign(half_turn, Y6_m))
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = q2_ppp

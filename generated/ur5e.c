@@ -257,11 +257,11 @@ static const double
     d6 = 0.0996, /* joint offset 6 [m] */
     free_limit_squared2 = 1.7221312899999994e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.149856973438963e-07, /* a root of nothing, by rounding [m] */
-    arm_size1 = 1.3122999999999998, /* the arm's size [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
     near_limit = 0.001, /* a length whose direction is good to few digits */
     longest3 = 0.6678158399999998, /* square of the longest reach [m^2] */
     shortest3 = 0.0010758399999999998, /* square of the shortest reach [m^2] */
+    boundary3 = 1.4301245521157901e-13, /* rounding at the boundary of the workspace [m^4] */
     longest3_apart = 0.6678158399999785, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0010758400000008604, /* the shortest, where branches merge [m^2] */
     longest3_clear = 0.6678158399785518, /* the longest, where blurred branches do [m^2] */
@@ -269,8 +269,8 @@ static const double
     k1 = 0.01776889, /* d4^2 [m^2] */
     k2 = 3.4985918000017217e-14, /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
     k3 = 3.4985918000001716e-15, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
-    k4 = 0.33444584, /* a2^2 + a3^2 [m^2] */
-    k5 = 1.876752449741551e-13, /* arm_size1 * boundary3 [m^5] */
+    k4 = 0.762020879372095, /* 1 / arm_size1 [m^-1] */
+    k5 = 0.33444584, /* a2^2 + a3^2 [m^2] */
     k6 = 2.9996700362960076, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
@@ -278,7 +278,7 @@ static const double
 /* coefficients */
 static const double m4 = 1.1764705882352942, m5 = 0.031534305882352925;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
@@ -417,36 +417,36 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta1 */
     const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d4 * wy),
-        v2 = v1 + w1 * (X1 * inverse1), v3 = v1 + w1 * (inverse1 * -X1), v4 = inverse1 * (d4 * X1),
-        s1_p = w1 * (wy * inverse1) - v4, s1_m = w1 * (inverse1 * -wy) - v4,
-        angle1 = atan2_wide(s1_p, -v2), angle2 = atan2_wide(s1_m, -v3);
+        w1 = sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy),
+        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d4 * X1),
+        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5,
+        angle1 = atan2_wide(s1_p, -v3), angle2 = atan2_wide(s1_m, -v4);
 
     /* theta6 */
-    const wide v5 = v2 * T21 + s1_p * T11, v6 = v3 * T21 + s1_m * T11, v7 = v2 * T22 + s1_p * T12,
-        v8 = v3 * T22 + s1_m * T12, v9 = v5 * v5 + v7 * v7, v10 = v6 * v6 + v8 * v8,
-        w6_p = sqrt_wide(v9), w6_m = sqrt_wide(v10), v11 = 1.0 / v9, v12 = 1.0 / v10,
-        angle3 = atan2_wide(-v7, v5), angle4 = atan2_wide(-v8, v6);
+    const wide v6 = v3 * T21 + s1_p * T11, v7 = v4 * T21 + s1_m * T11, v8 = v3 * T22 + s1_p * T12,
+        v9 = v4 * T22 + s1_m * T12, v10 = v6 * v6 + v8 * v8, v11 = v7 * v7 + v9 * v9,
+        w6_p = sqrt_wide(v10), w6_m = sqrt_wide(v11), v12 = 1.0 / v10, v13 = 1.0 / v11,
+        angle3 = atan2_wide(-v8, v6), angle4 = atan2_wide(-v9, v7);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v2, c5_m = T13 * s1_m + T23 * v3,
+    const wide c5_p = T13 * s1_p + T23 * v3, c5_m = T13 * s1_m + T23 * v4,
         angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v13 = v11 * (v5 * T32 - v7 * T31), v14 = v12 * (v6 * T32 - v8 * T31),
-        c234_p = w6_p * v13, c234_m = w6_m * v14, v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33,
-        v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33, s234_p = w6_p * v15, s234_m = w6_m * v16,
-        angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14),
-        theta234_pm = angle7 - signed_wide(half_turn, v15),
-        theta234_mm = angle8 - signed_wide(half_turn, v16);
+    const wide v14 = v12 * (v6 * T32 - v8 * T31), v15 = v13 * (v7 * T32 - v9 * T31),
+        c234_p = w6_p * v14, c234_m = w6_m * v15, v16 = v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33,
+        v17 = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33, s234_p = w6_p * v16, s234_m = w6_m * v17,
+        angle7 = atan2_wide(v16, v14), angle8 = atan2_wide(v17, v15),
+        theta234_pm = angle7 - signed_wide(half_turn, v16),
+        theta234_mm = angle8 - signed_wide(half_turn, v17);
 
     /* theta3 */
-    const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p,
-        v21 = d5 * c234_m, v22 = s234_p * v17, v23 = s234_m * v18, Z1_3_pp = v19 + (v20 + v22),
-        Z1_3_pm = v19 + (v22 - v20), Z1_3_mp = v19 + (v21 + v23), Z1_3_mm = v19 + (v23 - v21),
-        v24 = T24 * s1_p - T14 * v2, v25 = T24 * s1_m - T14 * v3, v26 = c234_p * v17,
-        v27 = c234_m * v18, v28 = d5 * s234_p, v29 = d5 * s234_m, Z2_3_pp = v24 + (v26 - v28),
-        Z2_3_pm = v24 + (v26 + v28), Z2_3_mp = v25 + (v27 - v29), Z2_3_mm = v25 + (v27 + v29),
+    const wide v18 = d6 * w6_p, v19 = d6 * w6_m, v20 = T34 - d1, v21 = d5 * c234_p,
+        v22 = d5 * c234_m, v23 = s234_p * v18, v24 = s234_m * v19, Z1_3_pp = v20 + (v21 + v23),
+        Z1_3_pm = v20 + (v23 - v21), Z1_3_mp = v20 + (v22 + v24), Z1_3_mm = v20 + (v24 - v22),
+        v25 = T24 * s1_p - T14 * v3, v26 = T24 * s1_m - T14 * v4, v27 = c234_p * v18,
+        v28 = c234_m * v19, v29 = d5 * s234_p, v30 = d5 * s234_m, Z2_3_pp = v25 + (v27 - v29),
+        Z2_3_pm = v25 + (v27 + v29), Z2_3_mp = v26 + (v28 - v30), Z2_3_mm = v26 + (v28 + v30),
         N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
@@ -456,59 +456,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
         D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
         w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
-        v30 = w3_pp - w3_pp, v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
-        angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4),
-        angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
+        v31 = w3_pp - w3_pp, v32 = w3_pm - w3_pm, v33 = w3_mp - w3_mp, v34 = w3_mm - w3_mm,
+        angle9 = atan2_wide(w3_pp, N3_pp - k5), angle10 = atan2_wide(w3_pm, N3_pm - k5),
+        angle11 = atan2_wide(w3_mp, N3_mp - k5), angle12 = atan2_wide(w3_mm, N3_mm - k5);
 
     /* theta2 */
-    const wide v34 = m5 + m4 * N3_pp, v35 = m5 + m4 * N3_pm, v36 = m5 + m4 * N3_mp,
-        v37 = m5 + m4 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
-        v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36,
-        v45 = Z2_3_mm * v37, v46 = w3_pp * (m4 * Z2_3_pp), v47 = w3_pp * (m4 * Z1_3_pp),
-        angle13 = atan2_wide(v46 - v38, -(v42 + v47)),
-        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m4 * Z2_3_pm),
-        v49 = w3_pm * (m4 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
-        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m4 * Z2_3_mp),
-        v51 = w3_mp * (m4 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
-        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m4 * Z2_3_mm),
-        v53 = w3_mm * (m4 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
-        angle20 = atan2_wide(-(v41 + v52), v53 - v45);
+    const wide v35 = m5 + m4 * N3_pp, v36 = m5 + m4 * N3_pm, v37 = m5 + m4 * N3_mp,
+        v38 = m5 + m4 * N3_mm, v39 = Z1_3_pp * v35, v40 = Z1_3_pm * v36, v41 = Z1_3_mp * v37,
+        v42 = Z1_3_mm * v38, v43 = Z2_3_pp * v35, v44 = Z2_3_pm * v36, v45 = Z2_3_mp * v37,
+        v46 = Z2_3_mm * v38, v47 = w3_pp * (m4 * Z2_3_pp), v48 = w3_pp * (m4 * Z1_3_pp),
+        angle13 = atan2_wide(v47 - v39, -(v43 + v48)),
+        angle14 = atan2_wide(-(v39 + v47), v48 - v43), v49 = w3_pm * (m4 * Z2_3_pm),
+        v50 = w3_pm * (m4 * Z1_3_pm), angle15 = atan2_wide(v49 - v40, -(v44 + v50)),
+        angle16 = atan2_wide(-(v40 + v49), v50 - v44), v51 = w3_mp * (m4 * Z2_3_mp),
+        v52 = w3_mp * (m4 * Z1_3_mp), angle17 = atan2_wide(v51 - v41, -(v45 + v52)),
+        angle18 = atan2_wide(-(v41 + v51), v52 - v45), v53 = w3_mm * (m4 * Z2_3_mm),
+        v54 = w3_mm * (m4 * Z1_3_mm), angle19 = atan2_wide(v53 - v42, -(v46 + v54)),
+        angle20 = atan2_wide(-(v42 + v53), v54 - v46);
 
     /* joint values */
-    const wide v54 = angle7 - (angle9 + angle13), v55 = angle7 - (angle14 - angle9),
-        v56 = theta234_pm - (angle10 + angle15), v57 = theta234_pm - (angle16 - angle10),
-        v58 = angle8 - (angle11 + angle17), v59 = angle8 - (angle18 - angle11),
-        v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12),
-        q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32, q1_mmp = angle2 + v33,
-        q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
-        q6_ppp = angle3 + v30, q6_pmp = v31 + (angle3 - signed_wide(half_turn, -v7)),
-        q6_mpp = angle4 + v32, q6_mmp = v33 + (angle4 - signed_wide(half_turn, -v8));
-    const wide_mask doubt1 = (abs_wide(w1 * D3_mm) <= m3) | (abs_wide(w1 * D3_mp) <= m3) |
-        (abs_wide(w1 * D3_pm) <= m3) | (abs_wide(w1 * D3_pp) <= m3) | (v10 <= m1) | (abs_wide(D1) <=
-        k2) | (v9 <= m1);
+    const wide v55 = angle7 - (angle9 + angle13), v56 = angle7 - (angle14 - angle9),
+        v57 = theta234_pm - (angle10 + angle15), v58 = theta234_pm - (angle16 - angle10),
+        v59 = angle8 - (angle11 + angle17), v60 = angle8 - (angle18 - angle11),
+        v61 = theta234_mm - (angle12 + angle19), v62 = theta234_mm - (angle20 - angle12),
+        q1_ppp = angle1 + v31, q1_pmp = angle1 + v32, q1_mpp = angle2 + v33, q1_mmp = angle2 + v34,
+        q5_ppp = angle5 + v31, q5_pmp = v32 - angle5, q5_mpp = angle6 + v33, q5_mmp = v34 - angle6,
+        q6_ppp = angle3 + v31, q6_pmp = v32 + (angle3 - signed_wide(half_turn, -v8)),
+        q6_mpp = angle4 + v33, q6_mmp = v34 + (angle4 - signed_wide(half_turn, -v9));
+    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
+        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v11 <= m1) | (abs_wide(D1) <=
+        k2) | (v10 <= m1);
 
-    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v54); q[4] = q5_ppp;
+    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v55); q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = centred_wide(v55); q[10] = q5_ppp;
+    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = centred_wide(v56); q[10] = q5_ppp;
     q[11] = q6_ppp;
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = centred_wide(v56); q[16] = q5_pmp;
+    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = centred_wide(v57); q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = centred_wide(v57); q[22] = q5_pmp;
+    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = centred_wide(v58); q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = centred_wide(v58); q[28] = q5_mpp;
+    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = centred_wide(v59); q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = centred_wide(v59); q[34] = q5_mpp;
+    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = centred_wide(v60); q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = centred_wide(v60); q[40] = q5_mmp;
+    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = centred_wide(v61); q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = centred_wide(v61); q[46] = q5_mmp;
+    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = centred_wide(v62); q[46] = q5_mmp;
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -529,55 +529,55 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1);
+        w1 = sqrt(D1), v1 = k4 * w1;
     const int doubt1 = fabs(D1) <= k2;
-    const double inverse1 = 1.0 / N1, v1 = inverse1 * (d4 * wy);
-    const four v2 = v1 + w1 * (inverse1 * (e1 * X1));
-    const double v3 = inverse1 * (d4 * X1);
-    const four s1 = w1 * (inverse1 * (e1 * wy)) - v3;
+    const double inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy);
+    const four v3 = v2 + w1 * (inverse1 * (e1 * X1));
+    const double v4 = inverse1 * (d4 * X1);
+    const four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta6 */
-    const four v4 = v2 * T21 + s1 * T11, v5 = v2 * T22 + s1 * T12, v6 = v4 * v4 + v5 * v5,
-        w6 = sqrt_four(v6);
-    const four_mask doubt2 = v6 <= m1;
-    const four v7 = 1.0 / v6, v8 = signed_four(half_turn, -v5), v9 = m2 * (e2 - 1.0);
+    const four v5 = v3 * T21 + s1 * T11, v6 = v3 * T22 + s1 * T12, v7 = v5 * v5 + v6 * v6,
+        w6 = sqrt_four(v7);
+    const four_mask doubt2 = v7 <= m1;
+    const four v8 = 1.0 / v7, v9 = signed_four(half_turn, -v6), v10 = m2 * (e2 - 1.0);
 
     /* theta5 */
-    const four c5 = T13 * s1 + T23 * v2;
+    const four c5 = T13 * s1 + T23 * v3;
 
     /* theta234 */
-    const four v10 = v7 * (v4 * T32 - v5 * T31), c234 = w6 * v10,
-        v11 = v7 * (c5 * (v4 * T31 + v5 * T32)) - T33, s234 = w6 * v11,
-        v12 = signed_four(half_turn, v11);
+    const four v11 = v8 * (v5 * T32 - v6 * T31), c234 = w6 * v11,
+        v12 = v8 * (c5 * (v5 * T31 + v6 * T32)) - T33, s234 = w6 * v12,
+        v13 = signed_four(half_turn, v12);
 
     /* theta3 */
-    const four v13 = d6 * w6;
-    const double v14 = T34 - d1;
-    const four v15 = d5 * c234, v16 = s234 * v13, Z1_3 = v14 + (v16 + e2 * v15),
-        v17 = T24 * s1 - T14 * v2, v18 = c234 * v13, v19 = d5 * s234, Z2_3 = v17 + (v18 - e2 * v19),
+    const four v14 = d6 * w6;
+    const double v15 = T34 - d1;
+    const four v16 = d5 * c234, v17 = s234 * v14, Z1_3 = v15 + (v17 + e2 * v16),
+        v18 = T24 * s1 - T14 * v3, v19 = c234 * v14, v20 = d5 * s234, Z2_3 = v18 + (v19 - e2 * v20),
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
-        v20 = w3 - w3;
-    const four_mask doubt3 = abs_four(w1 * D3) <= m3;
+        v21 = w3 - w3;
+    const four_mask doubt3 = abs_four(v1 * D3) <= m3;
 
     /* theta2 */
-    const four v21 = m5 + m4 * N3, v22 = Z1_3 * v21, v23 = Z2_3 * v21, v24 = w3 * (m4 * Z2_3),
-        v25 = w3 * (m4 * Z1_3);
+    const four v22 = m5 + m4 * N3, v23 = Z1_3 * v22, v24 = Z2_3 * v22, v25 = w3 * (m4 * Z2_3),
+        v26 = w3 * (m4 * Z1_3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(shuffle(s1, -v5, 0, 5, 2, 7), shuffle(-v2, v4, 0, 5, 2,
-        7)), ratio2 = ratio_four(shuffle(w6, v11, 0, 5, 2, 7), shuffle(c5, v10, 0, 5, 2, 7)),
-        ratio3 = ratio_four(w3, N3 - k4), ratio4 = ratio_four(v24 - v22, -(v23 + v25)),
-        ratio5 = ratio_four(-(v22 + v24), v25 - v23);
+    const four_ratio ratio1 = ratio_four(shuffle(s1, -v6, 0, 5, 2, 7), shuffle(-v3, v5, 0, 5, 2,
+        7)), ratio2 = ratio_four(shuffle(w6, v12, 0, 5, 2, 7), shuffle(c5, v11, 0, 5, 2, 7)),
+        ratio3 = ratio_four(w3, N3 - k5), ratio4 = ratio_four(v25 - v23, -(v24 + v26)),
+        ratio5 = ratio_four(-(v23 + v25), v26 - v24);
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = angle_four(ratio2),
         angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
         angle4 = shuffle(packed2, packed2, 1, 1, 3, 3), angle5 = angle_four(ratio3),
         angle6 = angle_four(ratio4), angle7 = angle_four(ratio5);
-    const four theta234 = angle4 + v9 * v12, v26 = theta234 - (angle5 + angle6),
-        v27 = theta234 - (angle7 - angle5), q4_p = centred_four(v26), q4_m = centred_four(v27),
-        q1_p = angle1 + v20, q5_p = v20 + e2 * angle3, q6_p = v20 + (angle2 + v8 * v9);
+    const four theta234 = angle4 + v10 * v13, v27 = theta234 - (angle5 + angle6),
+        v28 = theta234 - (angle7 - angle5), q4_p = centred_four(v27), q4_m = centred_four(v28),
+        q1_p = angle1 + v21, q5_p = v21 + e2 * angle3, q6_p = v21 + (angle2 + v9 * v10);
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle6, angle5, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -661,7 +661,7 @@ static void solve(
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double v1 = apart1 ? w1 : least_root1;
+    const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d4 * sqrt(N1)));
     const double v2 = X1 * d4, v3 = wy * d4;
 
@@ -689,7 +689,7 @@ static void solve(
         const double c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const double v8 = T14 * c1 + T24 * s1, v9 = (free6 || free1 || near6) ? arm_size1 : v1;
+        const double v8 = T14 * c1 + T24 * s1, v9 = (free6 || free1 || near6) ? 1.0 : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -717,10 +717,10 @@ static void solve(
             const double Z1_3 = c234 * d5 + s234 * v6 + v7;
             const double Z2_3 = c234 * v6 - s234 * d5 + v8;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-            const double K3 = N3 - k4;
+            const double K3 = N3 - k5;
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(-k5 <= D3 * v9)) {
+            if (!(-boundary3 <= D3 * v9)) {
                 if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2(v5, -v4);
                 if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
@@ -1045,7 +1045,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

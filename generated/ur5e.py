@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5e dac341bcbc4d3ecf"
+_KEY = "ur5e f1722aedb459f37b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -164,11 +164,11 @@ d5 = 0.0997  # joint offset 5 [m]
 d6 = 0.0996  # joint offset 6 [m]
 free_limit_squared2 = 1.7221312899999994e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.149856973438963e-07  # a root of nothing, by rounding [m]
-arm_size1 = 1.3122999999999998  # the arm's size [m]
 free_limit = 1e-12  # a length that fixes no angle
 near_limit = 0.001  # a length whose direction is good to few digits
 longest3 = 0.6678158399999998  # square of the longest reach [m^2]
 shortest3 = 0.0010758399999999998  # square of the shortest reach [m^2]
+boundary3 = 1.4301245521157901e-13  # rounding at the boundary of the workspace [m^4]
 longest3_apart = 0.6678158399999785  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0010758400000008604  # the shortest, where branches merge [m^2]
 longest3_clear = 0.6678158399785518  # the longest, where blurred branches do [m^2]
@@ -176,8 +176,8 @@ shortest3_clear = 0.0010758400008608687  # the shortest, where blurred branches 
 k1 = 0.01776889  # d4^2 [m^2]
 k2 = 3.4985918000017217e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 3.4985918000001716e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
-k4 = 0.33444584  # a2^2 + a3^2 [m^2]
-k5 = 1.876752449741551e-13  # arm_size1 * boundary3 [m^5]
+k4 = 0.762020879372095  # 1 / arm_size1 [m^-1]
+k5 = 0.33444584  # a2^2 + a3^2 [m^2]
 k6 = 2.9996700362960076  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 1.4300283221564012e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
@@ -505,7 +505,7 @@ def _solve(pose, seed, q, status):
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    v1 = w1 if apart1 else least_root1
+    v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d4 * math.sqrt(N1)))
     v2 = X1 * d4
     v3 = wy * d4
@@ -536,7 +536,7 @@ def _solve(pose, seed, q, status):
 
         # theta3
         v8 = T14 * c1 + T24 * s1
-        v9 = arm_size1 if (free6 or free1 or near6) else v1
+        v9 = 1.0 if (free6 or free1 or near6) else v1
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -568,10 +568,10 @@ def _solve(pose, seed, q, status):
             Z1_3 = c234 * d5 + s234 * v6 + v7
             Z2_3 = c234 * v6 - s234 * d5 + v8
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            K3 = N3 - k4
+            K3 = N3 - k5
             D3 = (longest3 - N3) * (N3 - shortest3)
             apart3 = shortest3_apart < N3 and N3 < longest3_apart
-            if not (-k5 <= D3 * v9):
+            if not (-boundary3 <= D3 * v9):
                 if near6:
                     status[4 * i1 + 2 * i2] = _NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
@@ -1301,62 +1301,63 @@ def _regular(pose, q, status):
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
     w1 = math.sqrt(D1)
+    v1 = k4 * w1
     inverse1 = 1.0 / N1
-    v1 = inverse1 * (d4 * wy)
-    v2 = v1 + w1 * (X1 * inverse1)
-    v3 = v1 + w1 * (inverse1 * -X1)
-    v4 = inverse1 * (d4 * X1)
-    s1_p = w1 * (wy * inverse1) - v4
-    s1_m = w1 * (inverse1 * -wy) - v4
+    v2 = inverse1 * (d4 * wy)
+    v3 = v2 + w1 * (X1 * inverse1)
+    v4 = v2 + w1 * (inverse1 * -X1)
+    v5 = inverse1 * (d4 * X1)
+    s1_p = w1 * (wy * inverse1) - v5
+    s1_m = w1 * (inverse1 * -wy) - v5
 
     # theta6, type 2: U1 A6^-1 [3, 2]
-    v5 = v2 * T21 + s1_p * T11
-    v6 = v3 * T21 + s1_m * T11
-    v7 = v2 * T22 + s1_p * T12
-    v8 = v3 * T22 + s1_m * T12
-    v9 = v5 * v5 + v7 * v7
+    v6 = v3 * T21 + s1_p * T11
+    v7 = v4 * T21 + s1_m * T11
+    v8 = v3 * T22 + s1_p * T12
+    v9 = v4 * T22 + s1_m * T12
     v10 = v6 * v6 + v8 * v8
-    w6_p = math.sqrt(v9)
-    w6_m = math.sqrt(v10)
-    v11 = 1.0 / v9
+    v11 = v7 * v7 + v9 * v9
+    w6_p = math.sqrt(v10)
+    w6_m = math.sqrt(v11)
     v12 = 1.0 / v10
+    v13 = 1.0 / v11
 
     # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
-    c5_p = T13 * s1_p + T23 * v2
-    c5_m = T13 * s1_m + T23 * v3
+    c5_p = T13 * s1_p + T23 * v3
+    c5_m = T13 * s1_m + T23 * v4
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    v13 = v11 * (v5 * T32 - v7 * T31)
     v14 = v12 * (v6 * T32 - v8 * T31)
-    c234_p = w6_p * v13
-    c234_m = w6_m * v14
-    v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33
-    v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33
-    s234_p = w6_p * v15
-    s234_m = w6_m * v16
+    v15 = v13 * (v7 * T32 - v9 * T31)
+    c234_p = w6_p * v14
+    c234_m = w6_m * v15
+    v16 = v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33
+    v17 = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33
+    s234_p = w6_p * v16
+    s234_m = w6_m * v17
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v17 = d6 * w6_p
-    v18 = d6 * w6_m
-    v19 = T34 - d1
-    v20 = d5 * c234_p
-    v21 = d5 * c234_m
-    v22 = s234_p * v17
-    v23 = s234_m * v18
-    Z1_3_pp = v19 + (v20 + v22)
-    Z1_3_pm = v19 + (v22 - v20)
-    Z1_3_mp = v19 + (v21 + v23)
-    Z1_3_mm = v19 + (v23 - v21)
-    v24 = T24 * s1_p - T14 * v2
-    v25 = T24 * s1_m - T14 * v3
-    v26 = c234_p * v17
-    v27 = c234_m * v18
-    v28 = d5 * s234_p
-    v29 = d5 * s234_m
-    Z2_3_pp = v24 + (v26 - v28)
-    Z2_3_pm = v24 + (v26 + v28)
-    Z2_3_mp = v25 + (v27 - v29)
-    Z2_3_mm = v25 + (v27 + v29)
+    v18 = d6 * w6_p
+    v19 = d6 * w6_m
+    v20 = T34 - d1
+    v21 = d5 * c234_p
+    v22 = d5 * c234_m
+    v23 = s234_p * v18
+    v24 = s234_m * v19
+    Z1_3_pp = v20 + (v21 + v23)
+    Z1_3_pm = v20 + (v23 - v21)
+    Z1_3_mp = v20 + (v22 + v24)
+    Z1_3_mm = v20 + (v24 - v22)
+    v25 = T24 * s1_p - T14 * v3
+    v26 = T24 * s1_m - T14 * v4
+    v27 = c234_p * v18
+    v28 = c234_m * v19
+    v29 = d5 * s234_p
+    v30 = d5 * s234_m
+    Z2_3_pp = v25 + (v27 - v29)
+    Z2_3_pm = v25 + (v27 + v29)
+    Z2_3_mp = v26 + (v28 - v30)
+    Z2_3_mm = v26 + (v28 + v30)
     N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -1369,37 +1370,37 @@ def _regular(pose, q, status):
     w3_pm = math.sqrt(D3_pm)
     w3_mp = math.sqrt(D3_mp)
     w3_mm = math.sqrt(D3_mm)
-    v30 = w3_pp - w3_pp
-    v31 = w3_pm - w3_pm
-    v32 = w3_mp - w3_mp
-    v33 = w3_mm - w3_mm
+    v31 = w3_pp - w3_pp
+    v32 = w3_pm - w3_pm
+    v33 = w3_mp - w3_mp
+    v34 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v34 = m5 + m4 * N3_pp
-    v35 = m5 + m4 * N3_pm
-    v36 = m5 + m4 * N3_mp
-    v37 = m5 + m4 * N3_mm
-    v38 = Z1_3_pp * v34
-    v39 = Z1_3_pm * v35
-    v40 = Z1_3_mp * v36
-    v41 = Z1_3_mm * v37
-    v42 = Z2_3_pp * v34
-    v43 = Z2_3_pm * v35
-    v44 = Z2_3_mp * v36
-    v45 = Z2_3_mm * v37
-    v46 = w3_pp * (m4 * Z2_3_pp)
-    v47 = w3_pp * (m4 * Z1_3_pp)
-    v48 = w3_pm * (m4 * Z2_3_pm)
-    v49 = w3_pm * (m4 * Z1_3_pm)
-    v50 = w3_mp * (m4 * Z2_3_mp)
-    v51 = w3_mp * (m4 * Z1_3_mp)
-    v52 = w3_mm * (m4 * Z2_3_mm)
-    v53 = w3_mm * (m4 * Z1_3_mm)
+    v35 = m5 + m4 * N3_pp
+    v36 = m5 + m4 * N3_pm
+    v37 = m5 + m4 * N3_mp
+    v38 = m5 + m4 * N3_mm
+    v39 = Z1_3_pp * v35
+    v40 = Z1_3_pm * v36
+    v41 = Z1_3_mp * v37
+    v42 = Z1_3_mm * v38
+    v43 = Z2_3_pp * v35
+    v44 = Z2_3_pm * v36
+    v45 = Z2_3_mp * v37
+    v46 = Z2_3_mm * v38
+    v47 = w3_pp * (m4 * Z2_3_pp)
+    v48 = w3_pp * (m4 * Z1_3_pp)
+    v49 = w3_pm * (m4 * Z2_3_pm)
+    v50 = w3_pm * (m4 * Z1_3_pm)
+    v51 = w3_mp * (m4 * Z2_3_mp)
+    v52 = w3_mp * (m4 * Z1_3_mp)
+    v53 = w3_mm * (m4 * Z2_3_mm)
+    v54 = w3_mm * (m4 * Z1_3_mm)
 
     # joint values
     doubt1 = (
-        abs(w1 * D3_mm) <= m3 or abs(w1 * D3_mp) <= m3 or abs(w1 * D3_pm) <= m3 or abs(w1 * D3_pp)
-        <= m3 or v10 <= m1 or abs(D1) <= k2 or v9 <= m1
+        abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 * D3_pp)
+        <= m3 or v11 <= m1 or abs(D1) <= k2 or v10 <= m1
     )
 
     # a joint is free, or branches meet
@@ -1409,44 +1410,44 @@ def _regular(pose, q, status):
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
-    room[2] = -v7
-    room[3] = -v8
+    room[2] = -v8
+    room[3] = -v9
     room[4] = w6_p
     room[5] = w6_m
-    room[6] = v15
-    room[7] = v16
+    room[6] = v16
+    room[7] = v17
     room[8] = w3_pp
     room[9] = w3_pm
     room[10] = w3_mp
     room[11] = w3_mm
-    room[12] = v46 - v38
-    room[13] = -(v38 + v46)
-    room[14] = v48 - v39
-    room[15] = -(v39 + v48)
-    room[16] = v50 - v40
-    room[17] = -(v40 + v50)
-    room[18] = v52 - v41
-    room[19] = -(v41 + v52)
-    room[24] = -v2
-    room[25] = -v3
-    room[26] = v5
-    room[27] = v6
+    room[12] = v47 - v39
+    room[13] = -(v39 + v47)
+    room[14] = v49 - v40
+    room[15] = -(v40 + v49)
+    room[16] = v51 - v41
+    room[17] = -(v41 + v51)
+    room[18] = v53 - v42
+    room[19] = -(v42 + v53)
+    room[24] = -v3
+    room[25] = -v4
+    room[26] = v6
+    room[27] = v7
     room[28] = c5_p
     room[29] = c5_m
-    room[30] = v13
-    room[31] = v14
-    room[32] = N3_pp - k4
-    room[33] = N3_pm - k4
-    room[34] = N3_mp - k4
-    room[35] = N3_mm - k4
-    room[36] = -(v42 + v47)
-    room[37] = v47 - v42
-    room[38] = -(v43 + v49)
-    room[39] = v49 - v43
-    room[40] = -(v44 + v51)
-    room[41] = v51 - v44
-    room[42] = -(v45 + v53)
-    room[43] = v53 - v45
+    room[30] = v14
+    room[31] = v15
+    room[32] = N3_pp - k5
+    room[33] = N3_pm - k5
+    room[34] = N3_mp - k5
+    room[35] = N3_mm - k5
+    room[36] = -(v43 + v48)
+    room[37] = v48 - v43
+    room[38] = -(v44 + v50)
+    room[39] = v50 - v44
+    room[40] = -(v45 + v52)
+    room[41] = v52 - v45
+    room[42] = -(v46 + v54)
+    room[43] = v54 - v46
     for k in range(20, 24):
         room[k] = room[k + 24] = 1.0
     for k in range(24):
@@ -1473,38 +1474,38 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    theta234_pm = angle7 - math.copysign(half_turn, v15)
-    theta234_mm = angle8 - math.copysign(half_turn, v16)
+    theta234_pm = angle7 - math.copysign(half_turn, v16)
+    theta234_mm = angle8 - math.copysign(half_turn, v17)
 
     # joint values
-    v54 = angle7 - (angle9 + angle13)
-    v55 = angle7 - (angle14 - angle9)
-    v56 = theta234_pm - (angle10 + angle15)
-    v57 = theta234_pm - (angle16 - angle10)
-    v58 = angle8 - (angle11 + angle17)
-    v59 = angle8 - (angle18 - angle11)
-    v60 = theta234_mm - (angle12 + angle19)
-    v61 = theta234_mm - (angle20 - angle12)
-    q4_ppp = v54 + (turn if v54 <= -half_turn else (-turn if half_turn < v54 else 0.0))
-    q4_ppm = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
-    q4_pmp = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
-    q4_pmm = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
-    q4_mpp = v58 + (turn if v58 <= -half_turn else (-turn if half_turn < v58 else 0.0))
-    q4_mpm = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
-    q4_mmp = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
-    q4_mmm = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
-    q1_ppp = angle1 + v30
-    q1_pmp = angle1 + v31
-    q1_mpp = angle2 + v32
-    q1_mmp = angle2 + v33
-    q5_ppp = angle5 + v30
-    q5_pmp = v31 - angle5
-    q5_mpp = angle6 + v32
-    q5_mmp = v33 - angle6
-    q6_ppp = angle3 + v30
-    q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7))
-    q6_mpp = angle4 + v32
-    q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8))
+    v55 = angle7 - (angle9 + angle13)
+    v56 = angle7 - (angle14 - angle9)
+    v57 = theta234_pm - (angle10 + angle15)
+    v58 = theta234_pm - (angle16 - angle10)
+    v59 = angle8 - (angle11 + angle17)
+    v60 = angle8 - (angle18 - angle11)
+    v61 = theta234_mm - (angle12 + angle19)
+    v62 = theta234_mm - (angle20 - angle12)
+    q4_ppp = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
+    q4_ppm = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
+    q4_pmp = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
+    q4_pmm = v58 + (turn if v58 <= -half_turn else (-turn if half_turn < v58 else 0.0))
+    q4_mpp = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
+    q4_mpm = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
+    q4_mmp = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
+    q4_mmm = v62 + (turn if v62 <= -half_turn else (-turn if half_turn < v62 else 0.0))
+    q1_ppp = angle1 + v31
+    q1_pmp = angle1 + v32
+    q1_mpp = angle2 + v33
+    q1_mmp = angle2 + v34
+    q5_ppp = angle5 + v31
+    q5_pmp = v32 - angle5
+    q5_mpp = angle6 + v33
+    q5_mmp = v34 - angle6
+    q6_ppp = angle3 + v31
+    q6_pmp = v32 + (angle3 - math.copysign(half_turn, -v8))
+    q6_mpp = angle4 + v33
+    q6_mmp = v34 + (angle4 - math.copysign(half_turn, -v9))
 
     q[0, 0] = q1_ppp
     q[0, 1] = angle13
@@ -1841,54 +1842,55 @@ def _in_tiles(T, q, status):
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
             w1 = math.sqrt(D1)
+            v1 = k4 * w1
             inverse1 = 1.0 / N1
-            v1 = inverse1 * (d4 * wy)
-            v2 = v1 + w1 * (X1 * inverse1)
-            v3 = v1 + w1 * (inverse1 * -X1)
-            v4 = inverse1 * (d4 * X1)
-            s1_p = w1 * (wy * inverse1) - v4
-            s1_m = w1 * (inverse1 * -wy) - v4
-            v5 = v2 * T21 + s1_p * T11
-            v6 = v3 * T21 + s1_m * T11
-            v7 = v2 * T22 + s1_p * T12
-            v8 = v3 * T22 + s1_m * T12
-            v9 = v5 * v5 + v7 * v7
+            v2 = inverse1 * (d4 * wy)
+            v3 = v2 + w1 * (X1 * inverse1)
+            v4 = v2 + w1 * (inverse1 * -X1)
+            v5 = inverse1 * (d4 * X1)
+            s1_p = w1 * (wy * inverse1) - v5
+            s1_m = w1 * (inverse1 * -wy) - v5
+            v6 = v3 * T21 + s1_p * T11
+            v7 = v4 * T21 + s1_m * T11
+            v8 = v3 * T22 + s1_p * T12
+            v9 = v4 * T22 + s1_m * T12
             v10 = v6 * v6 + v8 * v8
-            w6_p = math.sqrt(v9)
-            w6_m = math.sqrt(v10)
-            v11 = 1.0 / v9
+            v11 = v7 * v7 + v9 * v9
+            w6_p = math.sqrt(v10)
+            w6_m = math.sqrt(v11)
             v12 = 1.0 / v10
-            c5_p = T13 * s1_p + T23 * v2
-            c5_m = T13 * s1_m + T23 * v3
-            v13 = v11 * (v5 * T32 - v7 * T31)
+            v13 = 1.0 / v11
+            c5_p = T13 * s1_p + T23 * v3
+            c5_m = T13 * s1_m + T23 * v4
             v14 = v12 * (v6 * T32 - v8 * T31)
-            c234_p = w6_p * v13
-            c234_m = w6_m * v14
-            v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33
-            v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33
-            s234_p = w6_p * v15
-            s234_m = w6_m * v16
-            v17 = d6 * w6_p
-            v18 = d6 * w6_m
-            v19 = T34 - d1
-            v20 = d5 * c234_p
-            v21 = d5 * c234_m
-            v22 = s234_p * v17
-            v23 = s234_m * v18
-            Z1_3_pp = v19 + (v20 + v22)
-            Z1_3_pm = v19 + (v22 - v20)
-            Z1_3_mp = v19 + (v21 + v23)
-            Z1_3_mm = v19 + (v23 - v21)
-            v24 = T24 * s1_p - T14 * v2
-            v25 = T24 * s1_m - T14 * v3
-            v26 = c234_p * v17
-            v27 = c234_m * v18
-            v28 = d5 * s234_p
-            v29 = d5 * s234_m
-            Z2_3_pp = v24 + (v26 - v28)
-            Z2_3_pm = v24 + (v26 + v28)
-            Z2_3_mp = v25 + (v27 - v29)
-            Z2_3_mm = v25 + (v27 + v29)
+            v15 = v13 * (v7 * T32 - v9 * T31)
+            c234_p = w6_p * v14
+            c234_m = w6_m * v15
+            v16 = v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33
+            v17 = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33
+            s234_p = w6_p * v16
+            s234_m = w6_m * v17
+            v18 = d6 * w6_p
+            v19 = d6 * w6_m
+            v20 = T34 - d1
+            v21 = d5 * c234_p
+            v22 = d5 * c234_m
+            v23 = s234_p * v18
+            v24 = s234_m * v19
+            Z1_3_pp = v20 + (v21 + v23)
+            Z1_3_pm = v20 + (v23 - v21)
+            Z1_3_mp = v20 + (v22 + v24)
+            Z1_3_mm = v20 + (v24 - v22)
+            v25 = T24 * s1_p - T14 * v3
+            v26 = T24 * s1_m - T14 * v4
+            v27 = c234_p * v18
+            v28 = c234_m * v19
+            v29 = d5 * s234_p
+            v30 = d5 * s234_m
+            Z2_3_pp = v25 + (v27 - v29)
+            Z2_3_pm = v25 + (v27 + v29)
+            Z2_3_mp = v26 + (v28 - v30)
+            Z2_3_mm = v26 + (v28 + v30)
             N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -1901,94 +1903,94 @@ def _in_tiles(T, q, status):
             w3_pm = math.sqrt(D3_pm)
             w3_mp = math.sqrt(D3_mp)
             w3_mm = math.sqrt(D3_mm)
-            v30 = w3_pp - w3_pp
-            v31 = w3_pm - w3_pm
-            v32 = w3_mp - w3_mp
-            v33 = w3_mm - w3_mm
-            v34 = m5 + m4 * N3_pp
-            v35 = m5 + m4 * N3_pm
-            v36 = m5 + m4 * N3_mp
-            v37 = m5 + m4 * N3_mm
-            v38 = Z1_3_pp * v34
-            v39 = Z1_3_pm * v35
-            v40 = Z1_3_mp * v36
-            v41 = Z1_3_mm * v37
-            v42 = Z2_3_pp * v34
-            v43 = Z2_3_pm * v35
-            v44 = Z2_3_mp * v36
-            v45 = Z2_3_mm * v37
-            v46 = w3_pp * (m4 * Z2_3_pp)
-            v47 = w3_pp * (m4 * Z1_3_pp)
-            v48 = w3_pm * (m4 * Z2_3_pm)
-            v49 = w3_pm * (m4 * Z1_3_pm)
-            v50 = w3_mp * (m4 * Z2_3_mp)
-            v51 = w3_mp * (m4 * Z1_3_mp)
-            v52 = w3_mm * (m4 * Z2_3_mm)
-            v53 = w3_mm * (m4 * Z1_3_mm)
+            v31 = w3_pp - w3_pp
+            v32 = w3_pm - w3_pm
+            v33 = w3_mp - w3_mp
+            v34 = w3_mm - w3_mm
+            v35 = m5 + m4 * N3_pp
+            v36 = m5 + m4 * N3_pm
+            v37 = m5 + m4 * N3_mp
+            v38 = m5 + m4 * N3_mm
+            v39 = Z1_3_pp * v35
+            v40 = Z1_3_pm * v36
+            v41 = Z1_3_mp * v37
+            v42 = Z1_3_mm * v38
+            v43 = Z2_3_pp * v35
+            v44 = Z2_3_pm * v36
+            v45 = Z2_3_mp * v37
+            v46 = Z2_3_mm * v38
+            v47 = w3_pp * (m4 * Z2_3_pp)
+            v48 = w3_pp * (m4 * Z1_3_pp)
+            v49 = w3_pm * (m4 * Z2_3_pm)
+            v50 = w3_pm * (m4 * Z1_3_pm)
+            v51 = w3_mp * (m4 * Z2_3_mp)
+            v52 = w3_mp * (m4 * Z1_3_mp)
+            v53 = w3_mm * (m4 * Z2_3_mm)
+            v54 = w3_mm * (m4 * Z1_3_mm)
             doubt1 = (
-                abs(w1 * D3_mm) <= m3 or abs(w1 * D3_mp) <= m3 or abs(w1 * D3_pm) <= m3 or abs(w1 *
-                D3_pp) <= m3 or v10 <= m1 or abs(D1) <= k2 or v9 <= m1
+                abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 *
+                D3_pp) <= m3 or v11 <= m1 or abs(D1) <= k2 or v10 <= m1
             )
-            work[272 + k] = v7
-            work[288 + k] = v8
-            work[304 + k] = v15
-            work[320 + k] = v16
-            work[336 + k] = v30
-            work[352 + k] = v31
-            work[368 + k] = v32
-            work[384 + k] = v33
+            work[272 + k] = v8
+            work[288 + k] = v9
+            work[304 + k] = v16
+            work[320 + k] = v17
+            work[336 + k] = v31
+            work[352 + k] = v32
+            work[368 + k] = v33
+            work[384 + k] = v34
             work[400 + k] = doubt1
             work[416 + k] = s1_p
             work[432 + k] = s1_m
-            work[448 + k] = -v7
-            work[464 + k] = -v8
+            work[448 + k] = -v8
+            work[464 + k] = -v9
             work[480 + k] = w6_p
             work[496 + k] = w6_m
-            work[512 + k] = v15
-            work[528 + k] = v16
+            work[512 + k] = v16
+            work[528 + k] = v17
             work[544 + k] = w3_pp
             work[560 + k] = w3_pm
             work[576 + k] = w3_mp
             work[592 + k] = w3_mm
-            work[608 + k] = v46 - v38
-            work[624 + k] = -(v38 + v46)
-            work[640 + k] = v48 - v39
-            work[656 + k] = -(v39 + v48)
-            work[672 + k] = v50 - v40
-            work[688 + k] = -(v40 + v50)
-            work[704 + k] = v52 - v41
-            work[720 + k] = -(v41 + v52)
-            work[736 + k] = -v2
-            work[752 + k] = -v3
-            work[768 + k] = v5
-            work[784 + k] = v6
+            work[608 + k] = v47 - v39
+            work[624 + k] = -(v39 + v47)
+            work[640 + k] = v49 - v40
+            work[656 + k] = -(v40 + v49)
+            work[672 + k] = v51 - v41
+            work[688 + k] = -(v41 + v51)
+            work[704 + k] = v53 - v42
+            work[720 + k] = -(v42 + v53)
+            work[736 + k] = -v3
+            work[752 + k] = -v4
+            work[768 + k] = v6
+            work[784 + k] = v7
             work[800 + k] = c5_p
             work[816 + k] = c5_m
-            work[832 + k] = v13
-            work[848 + k] = v14
-            work[864 + k] = N3_pp - k4
-            work[880 + k] = N3_pm - k4
-            work[896 + k] = N3_mp - k4
-            work[912 + k] = N3_mm - k4
-            work[928 + k] = -(v42 + v47)
-            work[944 + k] = v47 - v42
-            work[960 + k] = -(v43 + v49)
-            work[976 + k] = v49 - v43
-            work[992 + k] = -(v44 + v51)
-            work[1008 + k] = v51 - v44
-            work[1024 + k] = -(v45 + v53)
-            work[1040 + k] = v53 - v45
+            work[832 + k] = v14
+            work[848 + k] = v15
+            work[864 + k] = N3_pp - k5
+            work[880 + k] = N3_pm - k5
+            work[896 + k] = N3_mp - k5
+            work[912 + k] = N3_mm - k5
+            work[928 + k] = -(v43 + v48)
+            work[944 + k] = v48 - v43
+            work[960 + k] = -(v44 + v50)
+            work[976 + k] = v50 - v44
+            work[992 + k] = -(v45 + v52)
+            work[1008 + k] = v52 - v45
+            work[1024 + k] = -(v46 + v54)
+            work[1040 + k] = v54 - v46
         for k in range(416, 736):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
-            v7 = work[272 + k]
-            v8 = work[288 + k]
-            v15 = work[304 + k]
-            v16 = work[320 + k]
-            v30 = work[336 + k]
-            v31 = work[352 + k]
-            v32 = work[368 + k]
-            v33 = work[384 + k]
+            v8 = work[272 + k]
+            v9 = work[288 + k]
+            v16 = work[304 + k]
+            v17 = work[320 + k]
+            v31 = work[336 + k]
+            v32 = work[352 + k]
+            v33 = work[368 + k]
+            v34 = work[384 + k]
             doubt1 = work[400 + k] != 0.0
             angle1 = work[416 + k]
             angle2 = work[432 + k]
@@ -2010,36 +2012,36 @@ def _in_tiles(T, q, status):
             angle18 = work[688 + k]
             angle19 = work[704 + k]
             angle20 = work[720 + k]
-            theta234_pm = angle7 - math.copysign(half_turn, v15)
-            theta234_mm = angle8 - math.copysign(half_turn, v16)
-            v54 = angle7 - (angle9 + angle13)
-            v55 = angle7 - (angle14 - angle9)
-            v56 = theta234_pm - (angle10 + angle15)
-            v57 = theta234_pm - (angle16 - angle10)
-            v58 = angle8 - (angle11 + angle17)
-            v59 = angle8 - (angle18 - angle11)
-            v60 = theta234_mm - (angle12 + angle19)
-            v61 = theta234_mm - (angle20 - angle12)
-            q4_ppp = v54 + (turn if v54 <= -half_turn else (-turn if half_turn < v54 else 0.0))
-            q4_ppm = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
-            q4_pmp = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
-            q4_pmm = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
-            q4_mpp = v58 + (turn if v58 <= -half_turn else (-turn if half_turn < v58 else 0.0))
-            q4_mpm = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
-            q4_mmp = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
-            q4_mmm = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
-            q1_ppp = angle1 + v30
-            q1_pmp = angle1 + v31
-            q1_mpp = angle2 + v32
-            q1_mmp = angle2 + v33
-            q5_ppp = angle5 + v30
-            q5_pmp = v31 - angle5
-            q5_mpp = angle6 + v32
-            q5_mmp = v33 - angle6
-            q6_ppp = angle3 + v30
-            q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7))
-            q6_mpp = angle4 + v32
-            q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8))
+            theta234_pm = angle7 - math.copysign(half_turn, v16)
+            theta234_mm = angle8 - math.copysign(half_turn, v17)
+            v55 = angle7 - (angle9 + angle13)
+            v56 = angle7 - (angle14 - angle9)
+            v57 = theta234_pm - (angle10 + angle15)
+            v58 = theta234_pm - (angle16 - angle10)
+            v59 = angle8 - (angle11 + angle17)
+            v60 = angle8 - (angle18 - angle11)
+            v61 = theta234_mm - (angle12 + angle19)
+            v62 = theta234_mm - (angle20 - angle12)
+            q4_ppp = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
+            q4_ppm = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
+            q4_pmp = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
+            q4_pmm = v58 + (turn if v58 <= -half_turn else (-turn if half_turn < v58 else 0.0))
+            q4_mpp = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
+            q4_mpm = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
+            q4_mmp = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
+            q4_mmm = v62 + (turn if v62 <= -half_turn else (-turn if half_turn < v62 else 0.0))
+            q1_ppp = angle1 + v31
+            q1_pmp = angle1 + v32
+            q1_mpp = angle2 + v33
+            q1_mmp = angle2 + v34
+            q5_ppp = angle5 + v31
+            q5_pmp = v32 - angle5
+            q5_mpp = angle6 + v33
+            q5_mmp = v34 - angle6
+            q6_ppp = angle3 + v31
+            q6_pmp = v32 + (angle3 - math.copysign(half_turn, -v8))
+            q6_mpp = angle4 + v33
+            q6_mmp = v34 + (angle4 - math.copysign(half_turn, -v9))
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = angle13

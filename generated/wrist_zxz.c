@@ -241,7 +241,7 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     m1 = 9.999999999999999e-09; /* doubt_limit^2 */
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6]; \

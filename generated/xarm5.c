@@ -281,7 +281,7 @@ static const double
 static const double m4 = 0.076, m5 = 0.097, m7 = 1.727195576168653, m8 = 0.06824295773100271,
 m9 = 1.4238523749857612, m10 = 0.05625761134525573;
 
-/* The entries of a pose by their names. */
+/* Entries of a pose by their names. */
 #define ENTRIES(number) \
     const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \

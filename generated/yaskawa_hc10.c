@@ -4029,7 +4029,7 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* How far joints are beyond their limits as they stand. */
+/* The same of all joints. */
 static double past_ends(const double values[6])
 {
     double sum = 0.0;

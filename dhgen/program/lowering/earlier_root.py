@@ -15,10 +15,8 @@ class EarlierRoot:
 
     Attributes:
         axis: The sign's place.
-        length: Its value without sign, not zero.
-        unit: The arm's size to the power that this has.
+        share: Its value without sign, not zero, over what it is where lengths are the arm's size.
     """
 
     axis: int
-    length: Node
-    unit: Node
+    share: Node

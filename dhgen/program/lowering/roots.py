@@ -59,12 +59,11 @@ def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
     builder = context.builder
     chosen = [option.flag for option in context.angles.options()]
     for root in follows(context, discriminant):
-        length = root.length
+        share = root.share
         if chosen:
             any_chosen = reduce(partial(builder.apply, "or"), chosen)
-            length = builder.select(any_chosen, root.unit, length)
-        discriminant = builder.mul(discriminant, length)
-        slack = builder.mul(root.unit, slack)
+            share = builder.select(any_chosen, builder.integer(1), share)
+        discriminant = builder.mul(discriminant, share)
     return builder.apply("at_most", builder.neg(slack), discriminant)
 
 
@@ -107,7 +106,8 @@ def _earlier(context: Lowering, sign: Node, reach: Reach, length: Node) -> Earli
     builder, scales = context.builder, context.scales
     (axis,) = builder.axes_of(sign)
     least = scales.tolerance(math.sqrt(scales.tolerances.reach), reach.degree, "none")
-    return EarlierRoot(axis, builder.select(reach.apart, length, least), scales.power(reach.degree))
+    kept = builder.select(reach.apart, length, least)
+    return EarlierRoot(axis, builder.div(kept, scales.power(reach.degree)))
 
 
 def keep_one(context: Lowering, sign: Node, met: Node) -> None:
