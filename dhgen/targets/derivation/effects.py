@@ -12,6 +12,7 @@ from dhgen.targets.derivation.text.blocks import joined, say
 from dhgen.targets.derivation.text.formula import ONE, ZERO, equal, minus
 
 if TYPE_CHECKING:
+    from dhgen.program.ir import Program
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.text.blocks import Prose
 
@@ -31,12 +32,14 @@ def is_left_to_the_pose(context: StepContext) -> bool:
     An arm of fewer joints than the pose has numbers may take it by some values only.
     """
     joints = open_joints(context)
-    return any(
-        isinstance(each, Guard)
-        and each.failure is Failure.INCONSISTENT
-        and any(choice.joint in joints for choice in each.chosen)
-        for each in context.story.program.body
-    )
+    chosen = (choice for guard in comparisons(context.story.program) for choice in guard.chosen)
+    return any(choice.joint in joints for choice in chosen)
+
+
+def comparisons(program: Program) -> list[Guard]:
+    """Where rows have to reproduce the pose, or end."""
+    guards = (each for each in program.body if isinstance(each, Guard))
+    return [each for each in guards if each.failure is Failure.INCONSISTENT]
 
 
 def nothing_said(context: StepContext) -> str:
@@ -76,11 +79,10 @@ def free_effect(context: StepContext) -> Prose:
     parts = [say(value, *taking)]
     if len(joints) > 1 and not on_a_line:
         parts.append(say("the joints themselves follow from it"))
+    rows = "are left for other values" if is_left_to_the_pose(context) else "stay empty"
     if context.step.roots == 2:
-        rows = "are left for other values" if is_left_to_the_pose(context) else "stay empty"
         parts.append(say(f"the rows with {{}} {rows}", equal(context.sign, minus(ONE))))
     elif context.step.kind is Kind.CIRCLE:
-        rows = "are left for other values" if is_left_to_the_pose(context) else "stay empty"
         parts.append(say(f"the rows of the other roots {rows}"))
     remembered = context.remembered if context.step.kind is Kind.ANGLE else None
     if remembered is not None:

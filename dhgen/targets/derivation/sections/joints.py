@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.program.ir import Failure, Guard
 from dhgen.robot.expression import ZERO as NOTHING
 from dhgen.robot.robot import JointKind
+from dhgen.targets.derivation.effects import comparisons
 from dhgen.targets.derivation.notation.expressions import expression_symbol
 from dhgen.targets.derivation.notation.names import joint_symbol, letter, single, theta
 from dhgen.targets.derivation.sections.variables import joints_of, sign_and_offset
@@ -39,7 +39,7 @@ def joint_values(story: Story) -> list[Block]:
         blocks.append(display(*lines))
     if story.derivation.problem.overdetermined:
         blocks.append(_check(story))
-    elif is_compared(story.program):
+    elif comparisons(story.program):
         blocks.append(paragraph(COMPARED))
     if story.program.tightened is not None:
         blocks.append(_tightening(story.program))
@@ -148,12 +148,6 @@ def _check(story: Story) -> Block:
         "every pose. Each solution is put into the forward model; where an entry differs from the "
         "given one, the arm cannot take the pose and the row stays empty."
     )
-
-
-def is_compared(program: Program) -> bool:
-    """Whether rows have to reproduce the pose."""
-    guards = (each for each in program.body if isinstance(each, Guard))
-    return any(each.failure is Failure.INCONSISTENT for each in guards)
 
 
 def _tightening(program: Program) -> Block:
