@@ -32,6 +32,8 @@ class Tolerances:
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         blur: The same where an angle before them is good to few digits only.
+        brink: Nearer to it than this a pose is singular to fast code. Rounding over the root of
+            this is far below what a joint may miss its limit by.
         orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
             is taken as it is.
         rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
@@ -76,6 +78,7 @@ class Tolerances:
     led: float = 1e-5
     merge: float = 1e-14
     blur: float = 1e-11
+    brink: float = 1e-11
     orthonormal: float = 1e-24
     rotation: float = 1e-9
     last_row: float = 1e-9
@@ -138,6 +141,7 @@ SINGLE = Precision(
         reach=4e-6,
         merge=1e-7,
         blur=1e-5,
+        brink=4e-6,
         orthonormal=1e-12,
         last_row=1e-6,
         nothing=5e-7,

@@ -270,8 +270,8 @@ static const double
     k2 = 0.8499999999999999, /* a2^2 + d4^2 [m^2] */
     k3 = 1.4172335600907033, /* 1 / (k1^2) [m^-4] */
     m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m3 = 8.740208556903756e-13,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 8.729017508812558e-11,
     m8 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m4 = 0.7142857142857144, m5 = 0.09285714285714279, m6 = 0.8333333333333335,
@@ -292,6 +292,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void abb_irb1600_fk(const double q[6], double T[16])
 {
@@ -749,7 +750,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -872,8 +873,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = ABB_IRB1600_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -903,9 +905,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = ABB_IRB1600_OUT_OF_LIMITS;
         }
         count += status[row] != ABB_IRB1600_OUT_OF_LIMITS;

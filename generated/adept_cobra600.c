@@ -255,8 +255,8 @@ static const double
     pose_slack1 = 9.87e-06, /* a pose may be rounded by this [m] */
     k1 = 0.18125000000000002, /* a1^2 + a2^2 [m^2] */
     k2 = 5.594405594405594, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 4.23497348300968e-14,
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 4.2270353883820664e-12,
     m4 = 9.74169e-11, /* pose_slack1^2 [m^2] */
     m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
@@ -275,6 +275,9 @@ const char *const adept_cobra600_branches[2] = {
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[4] = { 1, 1, 0, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[4] = { 1e-09, 1e-09, 9.87e-10, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[4] = { 1.0, 1.0, 1.0265159330670552, 1.0 };
 
@@ -543,7 +546,7 @@ static void take(const double from[4], double to[4])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -668,8 +671,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = ADEPT_COBRA600_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -699,9 +703,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = ADEPT_COBRA600_OUT_OF_LIMITS;
         }
         count += status[row] != ADEPT_COBRA600_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 6e17f68d77f016a5"
+_KEY = "adept_cobra600 b42680ba1f76bfe2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -164,7 +164,8 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
-m1 = 4.23497348300968e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+# 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
+m1 = 4.2270353883820664e-12
 m2 = 1.5384615384615385  # a coefficient of S1
 m3 = 0.04615384615384612  # a coefficient of S1
 m4 = 9.74169e-11  # pose_slack1^2 [m^2]
@@ -172,9 +173,10 @@ m5 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 9.87e-10, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0265159330670552, 1.0])
@@ -657,9 +659,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(4):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -676,10 +679,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(4):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

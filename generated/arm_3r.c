@@ -227,8 +227,8 @@ static const double
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
     k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
     m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m3 = 9.661604849500939e-14,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 9.698908343125067e-12,
     m6 = 1.749006249999999e-16; /* doubt_limit_squared2^2 [m^4] */
 /* coefficients */
 static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
@@ -245,6 +245,7 @@ const char *const arm_3r_branches[4] = {
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void arm_3r_fk(const double q[3], double T[16])
 {
@@ -483,7 +484,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -601,8 +602,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = ARM_3R_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -629,9 +631,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = ARM_3R_OUT_OF_LIMITS;
         }
         count += status[row] != ARM_3R_OUT_OF_LIMITS;

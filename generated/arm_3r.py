@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r f297701d4936b9fb"
+_KEY = "arm_3r 230fa612fb11877c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -164,16 +164,18 @@ k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
 m1 = 1.3224999999999998e-08  # doubt_limit1^2 [m^2]
-m3 = 9.661604849500939e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 9.698908343125067e-12
 m4 = 1.2499999999999998  # a coefficient of S2
 m5 = 0.04687500000000003  # a coefficient of S2
 m6 = 1.749006249999999e-16  # doubt_limit_squared2^2 [m^4]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -614,9 +616,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(3):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -633,10 +636,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

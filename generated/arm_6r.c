@@ -248,8 +248,8 @@ static const double
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
     k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
     m1 = 1.5625e-08, /* doubt_limit1^2 [m^2] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m3 = 1.0500933456118097e-13,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.050715070505213e-11,
     m6 = 2.44140625e-16, /* doubt_limit_squared2^2 [m^4] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
@@ -270,6 +270,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void arm_6r_fk(const double q[6], double T[16])
 {
@@ -677,7 +678,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -800,8 +801,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = ARM_6R_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -831,9 +833,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = ARM_6R_OUT_OF_LIMITS;
         }
         count += status[row] != ARM_6R_OUT_OF_LIMITS;

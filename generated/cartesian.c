@@ -205,8 +205,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -229,6 +229,9 @@ const char *const cartesian_branches[1] = {
 
 static const double lowest[3] = { 0.0, 0.0, 0.0 };
 static const double highest[3] = { 0.8, 0.6, 1.2 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[3] = { 1.2e-09, 1.2e-09, 1.2e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[3] = { 0.6944444444444444, 0.6944444444444444, 0.6944444444444444 };
 
@@ -380,7 +383,7 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = CARTESIAN_OUT_OF_LIMITS;
         }
         count += status[row] != CARTESIAN_OUT_OF_LIMITS;

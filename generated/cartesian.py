@@ -54,7 +54,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cartesian 727c5ee8673fd637"
+_KEY = "cartesian 33e5e7486d2c250a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -145,16 +145,17 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
-low1 = -1e-09
-high1 = 0.800000001
-low2 = -1e-09
-high2 = 0.600000001
-low3 = -1e-09
-high3 = 1.200000001
+low1 = -1.2e-09
+high1 = 0.8000000012
+low2 = -1.2e-09
+high2 = 0.6000000012
+low3 = -1.2e-09
+high3 = 1.2000000012
 
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1.2e-09, 1.2e-09, 1.2e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([0.6944444444444444, 0.6944444444444444, 0.6944444444444444])
 _ZEROS = np.zeros(DOF)

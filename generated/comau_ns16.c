@@ -242,8 +242,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -287,10 +287,13 @@ static const double
     k8 = 1.204444941425193, /* 1 / (k5^2 + k6^2) [m^-4] */
     doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = -1.2825771957649381, /* a constant angle [rad] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 7.540515999999996e-25, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.355568761630017e-10,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.7142857142857144, m2 = 0.047427857142857084, m3 = 0.21836586788038748,
-m4 = 0.7365421705803339, m5 = 0.04890566358436353, m6 = 0.01449927526138983;
+static const double m3 = 0.7142857142857144, m4 = 0.047427857142857084, m5 = 0.21836586788038748,
+m6 = 0.7365421705803339, m7 = 0.04890566358436353, m8 = 0.01449927526138983;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -305,6 +308,7 @@ const char *const comau_ns16_branches[8] = {
 
 static const double lowest[6] = { -3.14159, -0.87266, -2.967, -6.2831853, -3.14159, -6.2831853 };
 static const double highest[6] = { 3.14159, 1.658, 1.9198, 6.2831853, 3.14159, 6.2831853 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void comau_ns16_fk(const double q[6], double T[16])
 {
@@ -405,7 +409,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -439,18 +443,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         w3_m = sqrt_wide(D3_m);
 
     /* theta2 */
-    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m, v6 = Z1_3 * X1_2_p,
-        v7 = Z1_3 * X1_2_m, v8 = Z2_3_p * X1_2_p, v9 = v3 * X1_2_m, v10 = m1 * Z1_3,
+    const wide X1_2_p = m4 + m3 * N3_p, X1_2_m = m4 + m3 * N3_m, v6 = Z1_3 * X1_2_p,
+        v7 = Z1_3 * X1_2_m, v8 = Z2_3_p * X1_2_p, v9 = v3 * X1_2_m, v10 = m3 * Z1_3,
         factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v11 = m3 * Z1_3, v12 = v11 - m4 * Z2_3_p, v13 = m4 - m5 * factor2_p,
-        v14 = m4 - m5 * factor2_m, v15 = m3 - m6 * factor2_p, v16 = m3 - m6 * factor2_m,
+    const wide v11 = m5 * Z1_3, v12 = v11 - m6 * Z2_3_p, v13 = m6 - m7 * factor2_p,
+        v14 = m6 - m7 * factor2_m, v15 = m5 - m8 * factor2_p, v16 = m5 - m8 * factor2_m,
         v17 = Z1_3 * v13 + Z2_3_p * v15, v18 = Z1_3 * v14 - v3 * v16,
         c2m3_pp = v17 + w3_p * (factor2_p * v12), c2m3_pm = v17 + w3_p * (factor2_p * -v12),
-        v19 = w3_m * (factor2_m * (v11 + m4 * v3)), c2m3_mp = v18 + v19, c2m3_mm = v18 - v19,
-        v20 = m4 * Z1_3, v21 = v20 - m3 * v3, v22 = Z1_3 * v15 + Z2_3_p * -v13,
-        v23 = Z1_3 * v16 - v3 * -v14, v24 = w3_p * (factor2_p * (v20 + m3 * Z2_3_p)),
+        v19 = w3_m * (factor2_m * (v11 + m6 * v3)), c2m3_mp = v18 + v19, c2m3_mm = v18 - v19,
+        v20 = m6 * Z1_3, v21 = v20 - m5 * v3, v22 = Z1_3 * v15 + Z2_3_p * -v13,
+        v23 = Z1_3 * v16 - v3 * -v14, v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p)),
         s2m3_pp = v22 - v24, s2m3_pm = v22 + v24, s2m3_mp = v23 - w3_m * (factor2_m * v21),
         s2m3_mm = v23 - w3_m * (factor2_m * -v21), v25 = T13 * c1_p - T23 * s1_p,
         v26 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v25,
@@ -470,9 +474,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm;
 
     /* joint values */
-    const wide v41 = w3_p * v10, angle3 = atan2_wide(v6 + w3_p * (m1 * Z2_3_p), v8 - v41),
-        v42 = angle3 - offset2, angle4 = atan2_wide(v6 + w3_p * (m1 * -Z2_3_p), v8 + v41),
-        v43 = angle4 - offset2, v44 = w3_m * (m1 * v3), v45 = w3_m * v10,
+    const wide v41 = w3_p * v10, angle3 = atan2_wide(v6 + w3_p * (m3 * Z2_3_p), v8 - v41),
+        v42 = angle3 - offset2, angle4 = atan2_wide(v6 + w3_p * (m3 * -Z2_3_p), v8 + v41),
+        v43 = angle4 - offset2, v44 = w3_m * (m3 * v3), v45 = w3_m * v10,
         angle5 = atan2_wide(v7 - v44, -(v9 + v45)), v46 = angle5 - offset2,
         angle6 = atan2_wide(v7 + v44, v45 - v9), v47 = angle6 - offset2, q2_ppp = lowered_wide(v42),
         q2_pmp = lowered_wide(v43), q2_mpp = lowered_wide(v46), q2_mmp = lowered_wide(v47),
@@ -511,9 +515,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v81 = beyond(q3_pmp, 3) | v78 | beyond(q2_pmp, 2),
         v82 = beyond(q3_mpp, 3) | v79 | beyond(q2_mpp, 2),
         v83 = beyond(q3_mmp, 3) | v79 | beyond(q2_mmp, 2),
-        doubt1 = ((-k2 <= D1) & (D1 <= k3)) | (N1 <= doubt_limit_squared2) | (v32 <= m7) | (v31 <=
-            m7) | (v30 <= m7) | (v29 <= m7) | (abs_wide(D3_p * v5) <= boundary3) | (abs_wide(D3_m *
-            v5) <= boundary3);
+        doubt1 = (abs_wide(D1) <= m1) | (N1 <= doubt_limit_squared2) | (v32 <= m9) | (v31 <= m9) |
+            (v30 <= m9) | (v29 <= m9) | (abs_wide(D3_p * v5) <= m2) | (abs_wide(D3_m * v5) <= m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v54); q[4] = q5_ppp;
     q[5] = raised_wide(v70);
@@ -567,21 +570,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3);
     const double v4 = k4 * w1;
     const four w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3 * v4) <= boundary3;
+    const four_mask doubt2 = abs_four(D3 * v4) <= m2;
 
     /* theta2 */
-    const four X1_2 = m2 + m1 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m1 * (e2 * Z1_3),
+    const four X1_2 = m4 + m3 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m3 * (e2 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
-    const double v8 = m3 * Z1_3;
-    const four v9 = v8 - m4 * Z2_3, v10 = m4 - m5 * factor2, v11 = m3 - m6 * factor2,
+    const double v8 = m5 * Z1_3;
+    const four v9 = v8 - m6 * Z2_3, v10 = m6 - m7 * factor2, v11 = m5 - m8 * factor2,
         v12 = Z1_3 * v10 + Z2_3 * v11, c2m3 = v12 + w3 * (factor2 * (e2 * v9));
-    const double v13 = m4 * Z1_3;
-    const four v14 = v13 + m3 * Z2_3, v15 = Z1_3 * v11 + Z2_3 * -v10,
+    const double v13 = m6 * Z1_3;
+    const four v14 = v13 + m5 * Z2_3, v15 = Z1_3 * v11 + Z2_3 * -v10,
         s2m3 = v15 - w3 * (factor2 * (e2 * v14)), v16 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v16, Y4 = T23 * c1 + T13 * s1, v17 = Y4 * Y4, v18 = v17 + X4 * X4;
-    const four_mask doubt3 = v18 <= m7;
+    const four_mask doubt3 = v18 <= m9;
 
     /* theta6 */
     const four v19 = c1 * T22 + s1 * T12, v20 = c1 * T12 - s1 * T22, v21 = c1 * T21 + s1 * T11,
@@ -589,13 +592,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v25 = signed_four(half_turn, Y4);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | ((-k2 <= D1) & (D1 <= k3));
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= m1);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k7, 0, 5, 2,
-        7)), ratio2 = ratio_four(v5 + w3 * (m1 * (e2 * Z2_3)), v6 - w3 * v7),
+        7)), ratio2 = ratio_four(v5 + w3 * (m3 * (e2 * Z2_3)), v6 - w3 * v7),
         ratio3 = ratio_four(Y4, -X4),
         ratio4 = ratio_four(s6, v19 * -X4 - Y4 * (c2m3 * v20 - s2m3 * T32)),
         ratio5 = ratio_four(-sqrt_four(v18), T33 * c2m3 + s2m3 * v16);
@@ -904,7 +907,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -978,10 +981,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -1081,7 +1084,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != COMAU_NS16_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1130,9 +1133,7 @@ static void stay(
         if (status[row] != COMAU_NS16_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1144,8 +1145,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = COMAU_NS16_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1182,9 +1189,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = COMAU_NS16_OUT_OF_LIMITS;
         }
         count += status[row] != COMAU_NS16_OUT_OF_LIMITS;

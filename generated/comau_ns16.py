@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 3a9319d73f8e6a6e"
+_KEY = "comau_ns16 6b361ec7b2df60db"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -193,19 +193,23 @@ high2 = 1.658000001
 low3 = -2.967000001
 high3 = 1.919800001
 high5 = 3.141590001
-m1 = 0.7142857142857144  # a coefficient of X1_2
-m2 = 0.047427857142857084  # a coefficient of X1_2
-m3 = 0.21836586788038748  # a coefficient of c2m3
-m4 = 0.7365421705803339  # a coefficient of c2m3
-m5 = 0.04890566358436353  # a coefficient of c2m3
-m6 = 0.01449927526138983  # a coefficient of c2m3
-m7 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 7.540515999999996e-25  # 1000 * k3 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 1.355568761630017e-10
+m3 = 0.7142857142857144  # a coefficient of X1_2
+m4 = 0.047427857142857084  # a coefficient of X1_2
+m5 = 0.21836586788038748  # a coefficient of c2m3
+m6 = 0.7365421705803339  # a coefficient of c2m3
+m7 = 0.04890566358436353  # a coefficient of c2m3
+m8 = 0.01449927526138983  # a coefficient of c2m3
+m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -702,13 +706,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -945,10 +949,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1076,7 +1080,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1129,7 +1133,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1148,18 +1152,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1182,10 +1189,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1228,35 +1234,35 @@ def _regular(pose, q, status):
     w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2_p = m2 + m1 * N3_p
-    X1_2_m = m2 + m1 * N3_m
+    X1_2_p = m4 + m3 * N3_p
+    X1_2_m = m4 + m3 * N3_m
     v6 = Z1_3 * X1_2_p
     v7 = Z1_3 * X1_2_m
     v8 = Z2_3_p * X1_2_p
     v9 = v3 * X1_2_m
-    v10 = m1 * Z1_3
+    v10 = m3 * Z1_3
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v11 = m3 * Z1_3
-    v12 = v11 - m4 * Z2_3_p
-    v13 = m4 - m5 * factor2_p
-    v14 = m4 - m5 * factor2_m
-    v15 = m3 - m6 * factor2_p
-    v16 = m3 - m6 * factor2_m
+    v11 = m5 * Z1_3
+    v12 = v11 - m6 * Z2_3_p
+    v13 = m6 - m7 * factor2_p
+    v14 = m6 - m7 * factor2_m
+    v15 = m5 - m8 * factor2_p
+    v16 = m5 - m8 * factor2_m
     v17 = Z1_3 * v13 + Z2_3_p * v15
     v18 = Z1_3 * v14 - v3 * v16
     c2m3_pp = v17 + w3_p * (factor2_p * v12)
     c2m3_pm = v17 + w3_p * (factor2_p * -v12)
-    v19 = w3_m * (factor2_m * (v11 + m4 * v3))
+    v19 = w3_m * (factor2_m * (v11 + m6 * v3))
     c2m3_mp = v18 + v19
     c2m3_mm = v18 - v19
-    v20 = m4 * Z1_3
-    v21 = v20 - m3 * v3
+    v20 = m6 * Z1_3
+    v21 = v20 - m5 * v3
     v22 = Z1_3 * v15 + Z2_3_p * -v13
     v23 = Z1_3 * v16 - v3 * -v14
-    v24 = w3_p * (factor2_p * (v20 + m3 * Z2_3_p))
+    v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p))
     s2m3_pp = v22 - v24
     s2m3_pm = v22 + v24
     s2m3_mp = v23 - w3_m * (factor2_m * v21)
@@ -1292,13 +1298,13 @@ def _regular(pose, q, status):
 
     # joint values
     v41 = w3_p * v10
-    v44 = w3_m * (m1 * v3)
+    v44 = w3_m * (m3 * v3)
     v45 = w3_m * v10
     v52 = math.copysign(half_turn, Y4_p)
     v53 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v32 <= m7 or v31 <= m7 or v30 <=
-        m7 or v29 <= m7 or abs(D3_p * v5) <= boundary3 or abs(D3_m * v5) <= boundary3
+        abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <= m9 or v29 <=
+        m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2
     )
 
     # a joint is free, or branches meet
@@ -1308,8 +1314,8 @@ def _regular(pose, q, status):
     # angles, side by side
     room[0] = s1_p
     room[1] = s1_m
-    room[2] = v6 + w3_p * (m1 * Z2_3_p)
-    room[3] = v6 + w3_p * (m1 * -Z2_3_p)
+    room[2] = v6 + w3_p * (m3 * Z2_3_p)
+    room[3] = v6 + w3_p * (m3 * -Z2_3_p)
     room[4] = v7 - v44
     room[5] = v7 + v44
     room[6] = w3_p
@@ -1806,33 +1812,33 @@ def _in_tiles(T, q, status):
             v5 = k4 * w1
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            X1_2_p = m2 + m1 * N3_p
-            X1_2_m = m2 + m1 * N3_m
+            X1_2_p = m4 + m3 * N3_p
+            X1_2_m = m4 + m3 * N3_m
             v6 = Z1_3 * X1_2_p
             v7 = Z1_3 * X1_2_m
             v8 = Z2_3_p * X1_2_p
             v9 = v3 * X1_2_m
-            v10 = m1 * Z1_3
+            v10 = m3 * Z1_3
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v11 = m3 * Z1_3
-            v12 = v11 - m4 * Z2_3_p
-            v13 = m4 - m5 * factor2_p
-            v14 = m4 - m5 * factor2_m
-            v15 = m3 - m6 * factor2_p
-            v16 = m3 - m6 * factor2_m
+            v11 = m5 * Z1_3
+            v12 = v11 - m6 * Z2_3_p
+            v13 = m6 - m7 * factor2_p
+            v14 = m6 - m7 * factor2_m
+            v15 = m5 - m8 * factor2_p
+            v16 = m5 - m8 * factor2_m
             v17 = Z1_3 * v13 + Z2_3_p * v15
             v18 = Z1_3 * v14 - v3 * v16
             c2m3_pp = v17 + w3_p * (factor2_p * v12)
             c2m3_pm = v17 + w3_p * (factor2_p * -v12)
-            v19 = w3_m * (factor2_m * (v11 + m4 * v3))
+            v19 = w3_m * (factor2_m * (v11 + m6 * v3))
             c2m3_mp = v18 + v19
             c2m3_mm = v18 - v19
-            v20 = m4 * Z1_3
-            v21 = v20 - m3 * v3
+            v20 = m6 * Z1_3
+            v21 = v20 - m5 * v3
             v22 = Z1_3 * v15 + Z2_3_p * -v13
             v23 = Z1_3 * v16 - v3 * -v14
-            v24 = w3_p * (factor2_p * (v20 + m3 * Z2_3_p))
+            v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p))
             s2m3_pp = v22 - v24
             s2m3_pm = v22 + v24
             s2m3_mp = v23 - w3_m * (factor2_m * v21)
@@ -1864,13 +1870,13 @@ def _in_tiles(T, q, status):
             s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
             s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
             v41 = w3_p * v10
-            v44 = w3_m * (m1 * v3)
+            v44 = w3_m * (m3 * v3)
             v45 = w3_m * v10
             v52 = math.copysign(half_turn, Y4_p)
             v53 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                (-k2 <= D1 and D1 <= k3) or N1 <= doubt_limit_squared2 or v32 <= m7 or v31 <= m7 or
-                v30 <= m7 or v29 <= m7 or abs(D3_p * v5) <= boundary3 or abs(D3_m * v5) <= boundary3
+                abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <= m9
+                or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1883,8 +1889,8 @@ def _in_tiles(T, q, status):
             work[400 + k] = doubt1
             work[416 + k] = s1_p
             work[432 + k] = s1_m
-            work[448 + k] = v6 + w3_p * (m1 * Z2_3_p)
-            work[464 + k] = v6 + w3_p * (m1 * -Z2_3_p)
+            work[448 + k] = v6 + w3_p * (m3 * Z2_3_p)
+            work[464 + k] = v6 + w3_p * (m3 * -Z2_3_p)
             work[480 + k] = v7 - v44
             work[496 + k] = v7 + v44
             work[512 + k] = w3_p

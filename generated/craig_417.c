@@ -252,14 +252,15 @@ static const double
     k5 = 1.4142135623731051e-14, /* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
     k6 = 2.0, /* d3 + d4 [m] */
     k7 = 2.8284271247461903, /* sqrt2 * k6 [m] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m5 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
-    m7 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
-    m8 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+    m1 = 1.414213562373105e-11, /* 1000 * k5 */
+    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m6 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
+    m8 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
+    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m10 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 /* coefficients */
-static const double m2 = 0.7071067811865476, m3 = 0.5, m4 = 1.4142135623730951;
+static const double m3 = 0.7071067811865476, m4 = 0.5, m5 = 1.4142135623730951;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -273,6 +274,7 @@ const char *const craig_417_branches[2] = {
 
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void craig_417_fk(const double q[4], double T[16])
 {
@@ -365,19 +367,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         angle1 = atan2_wide(-S2, v9);
 
     /* theta34 */
-    const wide v14 = T23 * T11 - T13 * T21, v15 = m2 * (inverse1 * (v1 * T11 + v2 * T21)),
-        v16 = v15 + w1 * (m2 * (inverse1 * v14)), v17 = v15 + w1 * (m2 * (inverse1 * -v14)),
-        v18 = T23 * T12 - T13 * T22, v19 = m2 * (inverse1 * (v1 * T12 + v2 * T22)),
-        v20 = v19 + w1 * (m2 * (inverse1 * v18)), v21 = v19 + w1 * (m2 * (inverse1 * -v18)),
+    const wide v14 = T23 * T11 - T13 * T21, v15 = m3 * (inverse1 * (v1 * T11 + v2 * T21)),
+        v16 = v15 + w1 * (m3 * (inverse1 * v14)), v17 = v15 + w1 * (m3 * (inverse1 * -v14)),
+        v18 = T23 * T12 - T13 * T22, v19 = m3 * (inverse1 * (v1 * T12 + v2 * T22)),
+        v20 = v19 + w1 * (m3 * (inverse1 * v18)), v21 = v19 + w1 * (m3 * (inverse1 * -v18)),
         v22 = v16 * v16 + v20 * v20, v23 = v17 * v17 + v21 * v21,
         v24 = sqrt_wide(v22) * (1.0 / v22), v25 = sqrt_wide(v23) * (1.0 / v23);
 
     /* theta3 */
     const wide v26 = 2.0 * T24, v27 = 2.0 * T14, v28 = v13 * T34, v29 = T13 * v26 - T23 * v27,
-        v30 = m4 - m3 * (inverse1 * (v1 * v27 + v2 * v26)),
-        v31 = v30 + w1 * (m3 * (inverse1 * v29)), v32 = v30 + w1 * (m3 * (inverse1 * -v29)),
-        v33 = S2 * T34, C3_p = w2 * (m2 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24)))),
-        C3_m = w2 * (m2 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33))),
+        v30 = m5 - m4 * (inverse1 * (v1 * v27 + v2 * v26)),
+        v31 = v30 + w1 * (m4 * (inverse1 * v29)), v32 = v30 + w1 * (m4 * (inverse1 * -v29)),
+        v33 = S2 * T34, C3_p = w2 * (m3 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24)))),
+        C3_m = w2 * (m3 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33))),
         v34 = v31 * v31 + C3_p * C3_p, v35 = v32 * v32 + C3_m * C3_m,
         factor3_p = sqrt_wide(v34) * (1.0 / v34), factor3_m = sqrt_wide(v35) * (1.0 / v35),
         angle2 = atan2_wide(-v31, C3_p), angle3 = atan2_wide(-v32, C3_m);
@@ -408,12 +410,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle4 = atan2_wide(v16, v20), v75 = angle4 - angle2, angle5 = atan2_wide(v17, v21),
         v76 = angle5 - angle3;
     const double v77 = NAN;
-    const wide v78 = only_wide(((v71 <= m6) & (v73 <= m8)) == 0, v77),
-        v79 = only_wide(((v72 <= m6) & (v74 <= m8)) == 0, v77), angle6 = atan2_wide(-v7, c1_p),
+    const wide v78 = only_wide(((v71 <= m7) & (v73 <= m9)) == 0, v77),
+        v79 = only_wide(((v72 <= m7) & (v74 <= m9)) == 0, v77), angle6 = atan2_wide(-v7, c1_p),
         angle7 = atan2_wide(-v8, c1_m);
-    const wide_mask doubt1 = (v35 <= m5) | (v23 <= m1) | (v34 <= m5) | (v22 <= m1) | ((m6 < v72) &
-        (v72 <= m7)) | ((m6 < v71) & (v71 <= m7)) | ((m8 < v74) & (v74 <= m9)) | (abs_wide(D1) <=
-        k4) | (v10 <= m1) | ((m8 < v73) & (v73 <= m9));
+    const wide_mask doubt1 = (v35 <= m6) | (v23 <= m2) | (v34 <= m6) | (v22 <= m2) | ((m7 < v72) &
+        (v72 <= m8)) | ((m7 < v71) & (v71 <= m8)) | ((m9 < v74) & (v74 <= m10)) | (abs_wide(D1) <=
+        m1) | (v10 <= m2) | ((m9 < v73) & (v73 <= m10));
 
     q[0] = v78 + angle6; q[1] = angle1 + v78; q[2] = angle2 + v78; q[3] = v78 + centred_wide(v75);
     kind[0] = kind_of(q[0], 0);
@@ -444,17 +446,17 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         v9 = w2 * v8, c2 = v6 * v9, v10 = S2 * v9;
 
     /* theta34 */
-    const double v11 = T23 * T11 - T13 * T21, v12 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
-    const four v13 = v12 + w1 * (m2 * (inverse1 * (e1 * v11)));
-    const double v14 = T23 * T12 - T13 * T22, v15 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const four v16 = v15 + w1 * (m2 * (inverse1 * (e1 * v14))), v17 = v13 * v13 + v16 * v16,
+    const double v11 = T23 * T11 - T13 * T21, v12 = m3 * (inverse1 * (v1 * T11 + v2 * T21));
+    const four v13 = v12 + w1 * (m3 * (inverse1 * (e1 * v11)));
+    const double v14 = T23 * T12 - T13 * T22, v15 = m3 * (inverse1 * (v1 * T12 + v2 * T22));
+    const four v16 = v15 + w1 * (m3 * (inverse1 * (e1 * v14))), v17 = v13 * v13 + v16 * v16,
         v18 = sqrt_four(v17) * (1.0 / v17);
 
     /* theta3 */
     const double v19 = 2.0 * T24, v20 = 2.0 * T14, v21 = v10 * T34, v22 = T13 * v19 - T23 * v20,
-        v23 = m4 - m3 * (inverse1 * (v1 * v20 + v2 * v19));
-    const four v24 = v23 + w1 * (m3 * (inverse1 * (e1 * v22))),
-        C3 = w2 * (m2 * (v8 * (S2 * (e1 * T34) + v6 * (c1 * T14 - v5 * T24)))),
+        v23 = m5 - m4 * (inverse1 * (v1 * v20 + v2 * v19));
+    const four v24 = v23 + w1 * (m4 * (inverse1 * (e1 * v22))),
+        C3 = w2 * (m3 * (v8 * (S2 * (e1 * T34) + v6 * (c1 * T14 - v5 * T24)))),
         v25 = v24 * v24 + C3 * C3, factor3 = sqrt_four(v25) * (1.0 / v25);
 
     /* is the pose one that the arm can take? */
@@ -477,10 +479,10 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* joint values */
     const double v49 = NAN;
-    const four v50 = only_four(((v46 <= m6) & (v47 <= m8)) == 0, v49);
-    const int doubt1 = (fabs(D1) <= k4) | (v7 <= m1);
-    const four_mask doubt2 = (v25 <= m5) | (v17 <= m1) | ((m8 < v47) & (v47 <= m9)) | ((m6 < v46) &
-        (v46 <= m7));
+    const four v50 = only_four(((v46 <= m7) & (v47 <= m9)) == 0, v49);
+    const int doubt1 = (fabs(D1) <= m1) | (v7 <= m2);
+    const four_mask doubt2 = (v25 <= m6) | (v17 <= m2) | ((m9 < v47) & (v47 <= m10)) | ((m7 < v46) &
+        (v46 <= m8));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -636,7 +638,7 @@ static void take(const double from[4], double to[4])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -759,8 +761,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = CRAIG_417_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -790,9 +793,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = CRAIG_417_OUT_OF_LIMITS;
         }
         count += status[row] != CRAIG_417_OUT_OF_LIMITS;

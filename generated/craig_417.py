@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 a713c4106c0fbb66"
+_KEY = "craig_417 a3566228f0e8237a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -162,21 +162,23 @@ k4 = 1.4142135623731953e-13  # reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack)
 k5 = 1.4142135623731051e-14  # merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack)
 k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * k6 [m]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 0.7071067811865476  # a coefficient of v6
-m3 = 0.5  # a coefficient of v13
-m4 = 1.4142135623730951  # a coefficient of v13
-m5 = 8.1e-15  # doubt_limit_squared2^2 [m^4]
-m6 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
-m7 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
-m8 = 1.0000000000000002e-10  # pose_slack^2
-m9 = 6.000000000000001e-10  # 6 * pose_slack^2
+m1 = 1.414213562373105e-11  # 1000 * k5
+m2 = 9.999999999999997e-17  # doubt_limit_squared^2
+m3 = 0.7071067811865476  # a coefficient of v6
+m4 = 0.5  # a coefficient of v13
+m5 = 1.4142135623730951  # a coefficient of v13
+m6 = 8.1e-15  # doubt_limit_squared2^2 [m^4]
+m7 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
+m8 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
+m9 = 1.0000000000000002e-10  # pose_slack^2
+m10 = 6.000000000000001e-10  # 6 * pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -712,9 +714,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(4):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -731,10 +734,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(4):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -777,13 +779,13 @@ def _regular(pose, q, status):
 
     # theta34, type 3: U1[2, 2] and U1[2, 1]
     v14 = T23 * T11 - T13 * T21
-    v15 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
-    v16 = v15 + w1 * (m2 * (inverse1 * v14))
-    v17 = v15 + w1 * (m2 * (inverse1 * -v14))
+    v15 = m3 * (inverse1 * (v1 * T11 + v2 * T21))
+    v16 = v15 + w1 * (m3 * (inverse1 * v14))
+    v17 = v15 + w1 * (m3 * (inverse1 * -v14))
     v18 = T23 * T12 - T13 * T22
-    v19 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
-    v20 = v19 + w1 * (m2 * (inverse1 * v18))
-    v21 = v19 + w1 * (m2 * (inverse1 * -v18))
+    v19 = m3 * (inverse1 * (v1 * T12 + v2 * T22))
+    v20 = v19 + w1 * (m3 * (inverse1 * v18))
+    v21 = v19 + w1 * (m3 * (inverse1 * -v18))
     v22 = v16 * v16 + v20 * v20
     v23 = v17 * v17 + v21 * v21
     v24 = math.sqrt(v22) * (1.0 / v22)
@@ -794,12 +796,12 @@ def _regular(pose, q, status):
     v27 = 2.0 * T14
     v28 = v13 * T34
     v29 = T13 * v26 - T23 * v27
-    v30 = m4 - m3 * (inverse1 * (v1 * v27 + v2 * v26))
-    v31 = v30 + w1 * (m3 * (inverse1 * v29))
-    v32 = v30 + w1 * (m3 * (inverse1 * -v29))
+    v30 = m5 - m4 * (inverse1 * (v1 * v27 + v2 * v26))
+    v31 = v30 + w1 * (m4 * (inverse1 * v29))
+    v32 = v30 + w1 * (m4 * (inverse1 * -v29))
     v33 = S2 * T34
-    C3_p = w2 * (m2 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
-    C3_m = w2 * (m2 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
+    C3_p = w2 * (m3 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
+    C3_m = w2 * (m3 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
     v34 = v31 * v31 + C3_p * C3_p
     v35 = v32 * v32 + C3_m * C3_m
     factor3_p = math.sqrt(v34) * (1.0 / v34)
@@ -848,12 +850,12 @@ def _regular(pose, q, status):
 
     # joint values
     v77 = math.sqrt(-1.0)
-    v78 = 0.0 if (v71 <= m6 and v73 <= m8) else v77
-    v79 = 0.0 if (v72 <= m6 and v74 <= m8) else v77
+    v78 = 0.0 if (v71 <= m7 and v73 <= m9) else v77
+    v79 = 0.0 if (v72 <= m7 and v74 <= m9) else v77
     doubt1 = (
-        v35 <= m5 or v23 <= m1 or v34 <= m5 or v22 <= m1 or (m6 < v72 and v72 <= m7) or (m6 < v71
-        and v71 <= m7) or (m8 < v74 and v74 <= m9) or abs(D1) <= k4 or v10 <= m1 or (m8 < v73 and
-        v73 <= m9)
+        v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8) or (m7 < v71
+        and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or (m9 < v73 and
+        v73 <= m10)
     )
 
     # a joint is free, or branches meet
@@ -1199,13 +1201,13 @@ def _in_tiles(T, q, status):
             c2 = v9 * v12
             v13 = S2 * v12
             v14 = T23 * T11 - T13 * T21
-            v15 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
-            v16 = v15 + w1 * (m2 * (inverse1 * v14))
-            v17 = v15 + w1 * (m2 * (inverse1 * -v14))
+            v15 = m3 * (inverse1 * (v1 * T11 + v2 * T21))
+            v16 = v15 + w1 * (m3 * (inverse1 * v14))
+            v17 = v15 + w1 * (m3 * (inverse1 * -v14))
             v18 = T23 * T12 - T13 * T22
-            v19 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
-            v20 = v19 + w1 * (m2 * (inverse1 * v18))
-            v21 = v19 + w1 * (m2 * (inverse1 * -v18))
+            v19 = m3 * (inverse1 * (v1 * T12 + v2 * T22))
+            v20 = v19 + w1 * (m3 * (inverse1 * v18))
+            v21 = v19 + w1 * (m3 * (inverse1 * -v18))
             v22 = v16 * v16 + v20 * v20
             v23 = v17 * v17 + v21 * v21
             v24 = math.sqrt(v22) * (1.0 / v22)
@@ -1214,12 +1216,12 @@ def _in_tiles(T, q, status):
             v27 = 2.0 * T14
             v28 = v13 * T34
             v29 = T13 * v26 - T23 * v27
-            v30 = m4 - m3 * (inverse1 * (v1 * v27 + v2 * v26))
-            v31 = v30 + w1 * (m3 * (inverse1 * v29))
-            v32 = v30 + w1 * (m3 * (inverse1 * -v29))
+            v30 = m5 - m4 * (inverse1 * (v1 * v27 + v2 * v26))
+            v31 = v30 + w1 * (m4 * (inverse1 * v29))
+            v32 = v30 + w1 * (m4 * (inverse1 * -v29))
             v33 = S2 * T34
-            C3_p = w2 * (m2 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
-            C3_m = w2 * (m2 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
+            C3_p = w2 * (m3 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
+            C3_m = w2 * (m3 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
             v34 = v31 * v31 + C3_p * C3_p
             v35 = v32 * v32 + C3_m * C3_m
             factor3_p = math.sqrt(v34) * (1.0 / v34)
@@ -1264,12 +1266,12 @@ def _in_tiles(T, q, status):
             v73 = v50 * v50 + v52 * v52 + v58 * v58 + v61 * v61 + v66 * v66 + v69 * v69
             v74 = v51 * v51 + v53 * v53 + v59 * v59 + v62 * v62 + v67 * v67 + v70 * v70
             v77 = math.sqrt(-1.0)
-            v78 = 0.0 if (v71 <= m6 and v73 <= m8) else v77
-            v79 = 0.0 if (v72 <= m6 and v74 <= m8) else v77
+            v78 = 0.0 if (v71 <= m7 and v73 <= m9) else v77
+            v79 = 0.0 if (v72 <= m7 and v74 <= m9) else v77
             doubt1 = (
-                v35 <= m5 or v23 <= m1 or v34 <= m5 or v22 <= m1 or (m6 < v72 and v72 <= m7) or (m6
-                < v71 and v71 <= m7) or (m8 < v74 and v74 <= m9) or abs(D1) <= k4 or v10 <= m1 or
-                (m8 < v73 and v73 <= m9)
+                v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8) or (m7
+                < v71 and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or
+                (m9 < v73 and v73 <= m10)
             )
             work[272 + k] = v78
             work[288 + k] = v79

@@ -438,6 +438,7 @@ const char *const cuspidal_3r_branches[4] = {
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void cuspidal_3r_fk(const double q[3], double T[16])
 {
@@ -768,7 +769,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -886,8 +887,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = CUSPIDAL_3R_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 int cuspidal_3r_ik(
@@ -920,9 +922,8 @@ int cuspidal_3r_ik(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = CUSPIDAL_3R_OUT_OF_LIMITS;
         }
         count += status[row] != CUSPIDAL_3R_OUT_OF_LIMITS;

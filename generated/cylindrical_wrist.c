@@ -256,6 +256,9 @@ static const double lowest[6] = {
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[6] = { 1, 0, 0, 1, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 1e-09, 4e-10, 4e-10, 1e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 6.249999999999999, 6.249999999999999, 1.0, 1.0, 1.0 };
 
@@ -545,7 +548,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -670,8 +673,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = CYLINDRICAL_WRIST_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -701,9 +705,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = CYLINDRICAL_WRIST_OUT_OF_LIMITS;
         }
         count += status[row] != CYLINDRICAL_WRIST_OUT_OF_LIMITS;

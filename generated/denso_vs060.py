@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 352d8fde25bd5e7a"
+_KEY = "denso_vs060 aaa0e9f93d0c4156"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,7 +186,8 @@ low3 = -2.1816620010000003
 high3 = 2.705260001
 high5 = 2.094395001
 m1 = 1.0609000000000003e-08  # doubt_limit1^2 [m^2]
-m2 = 4.5657508878081205e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 4.573882234000188e-12
 m3 = 0.18194719892287262  # a coefficient of s3
 m4 = 0.9995724240825312  # a coefficient of s3
 m5 = 5.458415967686178  # a coefficient of s3
@@ -197,9 +198,10 @@ m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -686,13 +688,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -929,10 +931,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1060,7 +1062,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1071,7 +1073,7 @@ def _stand(pose, row, rows, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1090,18 +1092,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1122,10 +1127,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

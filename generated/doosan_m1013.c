@@ -271,10 +271,13 @@ static const double
     k5 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
     k6 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
     k7 = 2.081291995206794, /* 1 / (k5^2) [m^-4] */
-    m3 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
-    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 1.0260300000002214e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 4.863633051854654e-11,
+    m5 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.8064516129032259, m2 = 0.057999193548387;
+static const double m3 = 0.8064516129032259, m4 = 0.057999193548387;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -291,6 +294,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void doosan_m1013_fk(const double q[6], double T[16])
 {
@@ -399,10 +403,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3, Y1_2 = d4 * v9, v10 = Z1_3 * X1_2, v11 = w1 * Y1_2,
-        v12 = v10 - v11, v13 = v10 + v11, v14 = m2 + m1 * N3, v15 = Z1_3 * v14,
-        v16 = w3 * (m1 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
-        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m1 * Z1_3),
-        v22 = w3 * (m1 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
+        v12 = v10 - v11, v13 = v10 + v11, v14 = m4 + m3 * N3, v15 = Z1_3 * v14,
+        v16 = w3 * (m3 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
+        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m3 * Z1_3),
+        v22 = w3 * (m3 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
         C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
         v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
         v29 = v24 + C2_mm * C2_mm, w2_pp = sqrt_wide(v25), w2_pm = sqrt_wide(v27),
@@ -457,9 +461,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19, q3_ppp = v1 + raised_wide(v62),
         q3_pmp = v1 + raised_wide(v63);
-    const wide_mask doubt1 = (v49 <= m4) | (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) |
-        (v27 <= m3) | (v46 <= m4) | (abs_wide(D1) <= k2) | (abs_wide(D3 * (k4 * w1)) <= boundary3) |
-        (v25 <= m3);
+    const wide_mask doubt1 = (v49 <= m6) | (v29 <= m5) | (v48 <= m6) | (v28 <= m5) | (v47 <= m6) |
+        (v27 <= m5) | (v46 <= m6) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2) | (v25
+        <= m5);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v66); q[4] = raised_wide(v74);
     q[5] = angle1;
@@ -495,7 +499,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m5 = 0.5; /* 1 / 2 */
+    m7 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -520,10 +524,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
     const four v11 = e1 * e2, v12 = v9 - v10 * v11;
-    const double v13 = m2 + m1 * N3, v14 = Z1_3 * v13;
-    const four S2 = v14 - w3 * (m1 * (w1 * v11));
+    const double v13 = m4 + m3 * N3, v14 = Z1_3 * v13;
+    const four S2 = v14 - w3 * (m3 * (w1 * v11));
     const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
-    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m1 * (e2 * Z1_3)),
+    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m3 * (e2 * Z1_3)),
         v21 = w1 * (e1 * v13), C2 = v20 + v21, v22 = S2 * S2 + C2 * C2, w2 = sqrt_four(v22),
         v23 = 1.0 / v22;
 
@@ -539,8 +543,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v34 = copysign(half_turn, v6);
     const four v36 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
-    const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
+    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
+    const four_mask doubt2 = (v22 <= m5) | (v28 <= m6);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -553,7 +557,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle1 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
-        q2_p = raised_four(v33), v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3,
+        q2_p = raised_four(v33), v35 = e2 * angle3 + v34 * (m7 * (1.0 - e2)) - offset3,
         v37 = angle4 - offset4, v38 = angle4 - v36 - offset4, q4_p = raised_four(v37),
         q4_m = raised_four(v38), v39 = angle5 - offset5, v40 = offset5 + angle5,
         q5_p = raised_four(v39), q5_m = only_four(-v40 <= -half_turn, turn) - v40,
@@ -738,7 +742,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -884,8 +888,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = DOOSAN_M1013_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -916,9 +921,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = DOOSAN_M1013_OUT_OF_LIMITS;
         }
         count += status[row] != DOOSAN_M1013_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 b17bed87b210e442"
+_KEY = "doosan_m1013 7e154210f8a600bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -181,16 +181,20 @@ k4 = 0.6724949562878278  # 1 / arm_size1 [m^-1]
 k5 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
 k6 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k7 = 2.081291995206794  # 1 / (k5^2) [m^-4]
-m1 = 0.8064516129032259  # a coefficient of S2
-m2 = 0.057999193548387  # a coefficient of S2
-m3 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
-m4 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.0260300000002214e-12  # 1000 * k3 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 4.863633051854654e-11
+m3 = 0.8064516129032259  # a coefficient of S2
+m4 = 0.057999193548387  # a coefficient of S2
+m5 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -853,9 +857,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -874,10 +879,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -925,17 +929,17 @@ def _regular(pose, q, status):
     v11 = w1 * Y1_2
     v12 = v10 - v11
     v13 = v10 + v11
-    v14 = m2 + m1 * N3
+    v14 = m4 + m3 * N3
     v15 = Z1_3 * v14
-    v16 = w3 * (m1 * w1)
+    v16 = w3 * (m3 * w1)
     S2_pp = v15 - v16
     S2_pm = v15 + v16
     v17 = w1 * X1_2
     v18 = Z1_3 * Y1_2
     v19 = v17 + v18
     v20 = v17 - v18
-    v21 = w3 * (m1 * Z1_3)
-    v22 = w3 * (m1 * -Z1_3)
+    v21 = w3 * (m3 * Z1_3)
+    v22 = w3 * (m3 * -Z1_3)
     v23 = w1 * v14
     C2_pp = v21 + v23
     C2_pm = v22 + v23
@@ -1002,8 +1006,8 @@ def _regular(pose, q, status):
     v64 = math.copysign(half_turn, Y4_p)
     v65 = math.copysign(half_turn, Y4_m)
     doubt1 = (
-        v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or
-        abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v25 <= m3
+        v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46 <= m6 or
+        abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5
     )
 
     # a joint is free, or branches meet
@@ -1485,17 +1489,17 @@ def _in_tiles(T, q, status):
             v11 = w1 * Y1_2
             v12 = v10 - v11
             v13 = v10 + v11
-            v14 = m2 + m1 * N3
+            v14 = m4 + m3 * N3
             v15 = Z1_3 * v14
-            v16 = w3 * (m1 * w1)
+            v16 = w3 * (m3 * w1)
             S2_pp = v15 - v16
             S2_pm = v15 + v16
             v17 = w1 * X1_2
             v18 = Z1_3 * Y1_2
             v19 = v17 + v18
             v20 = v17 - v18
-            v21 = w3 * (m1 * Z1_3)
-            v22 = w3 * (m1 * -Z1_3)
+            v21 = w3 * (m3 * Z1_3)
+            v22 = w3 * (m3 * -Z1_3)
             v23 = w1 * v14
             C2_pp = v21 + v23
             C2_pm = v22 + v23
@@ -1556,8 +1560,8 @@ def _in_tiles(T, q, status):
             v64 = math.copysign(half_turn, Y4_p)
             v65 = math.copysign(half_turn, Y4_m)
             doubt1 = (
-                v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <=
-                m4 or abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v25 <= m3
+                v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46 <=
+                m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -235,8 +235,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -271,11 +271,13 @@ static const double
     k6 = 15.193911990243306, /* 1 / k3 [m^-4] */
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
-    m8 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
-    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 1.940449e-11, /* 1000 * merge_slack2 [m^2] */
+    m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
+    m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
+    m11 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
-m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384;
+static const double m2 = 1.754896834873102, m3 = 3.4805529861209807, m4 = 1.2446337324912609,
+m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -291,6 +293,7 @@ const char *const franka_panda_branches[8] = {
 
 static const double lowest[7] = { -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973 };
 static const double highest[7] = { 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void franka_panda_fk(const double q[7], double T[16])
 {
@@ -400,7 +403,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -425,16 +428,16 @@ HELPER wide_mask solve_wide(
         w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
         w2z = T13 * v1 + T23 * v2 + T33 * v3,
         Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_wide(D4), v4 = k5 * w4, v5 = m2 * Z4,
-        v6 = m1 * w4, c4_p = v5 + v6, c4_m = v5 - v6, v7 = m1 * Z4, v8 = m2 * w4, s4_p = v8 - v7,
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_wide(D4), v4 = k5 * w4, v5 = m3 * Z4,
+        v6 = m2 * w4, c4_p = v5 + v6, c4_m = v5 - v6, v7 = m2 * Z4, v8 = m3 * w4, s4_p = v8 - v7,
         v9 = v7 + v8, angle1 = atan2_wide(w4, Z4), q4__p = angle1 - turn1, v10 = turn1 + angle1;
 
     /* theta5 */
-    const wide v11 = a3 * c4_p + d3 * s4_p - a4, v12 = a3 * c4_m - d3 * v9 - a4, v13 = m4 + m5 * Z4,
-        v14 = m3 * w4, v15 = v13 - v14, v16 = v13 + v14, N5_p = v15 * v15, N5_m = v16 * v16,
+    const wide v11 = a3 * c4_p + d3 * s4_p - a4, v12 = a3 * c4_m - d3 * v9 - a4, v13 = m5 + m6 * Z4,
+        v14 = m4 * w4, v15 = v13 - v14, v16 = v13 + v14, N5_p = v15 * v15, N5_m = v16 * v16,
         Z5 = c7 * w2y + s7 * w2x, v17 = Z5 * Z5, D5_p = N5_p - v17, D5_m = N5_m - v17,
         w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v18 = w5_p - w5_p, v19 = w5_m - w5_m,
-        v20 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5)), inverse5_p = 1.0 / N5_p,
+        v20 = m7 * (merge_slack1 + 2.0 * abs_wide(Z5)), inverse5_p = 1.0 / N5_p,
         inverse5_m = 1.0 / N5_m, v21 = v15 * w5_p, v22 = v16 * w5_m, v23 = inverse5_p * v21,
         v24 = inverse5_m * v22, v25 = v15 * Z5, v26 = v16 * Z5, s5_p = inverse5_p * v25,
         s5_m = inverse5_m * v26, angle2 = atan2_wide(v25, -v21), angle3 = atan2_wide(v26, -v22),
@@ -442,7 +445,7 @@ HELPER wide_mask solve_wide(
         q5_mmp = signed_wide(half_turn, v26) - angle3;
 
     /* theta6 */
-    const wide v27 = m7 + m3 * Z4, v28 = m5 * w4, Y1_6_p = v27 + v28, Y1_6_m = v27 - v28,
+    const wide v27 = m9 + m4 * Z4, v28 = m6 * w4, Y1_6_p = v27 + v28, Y1_6_m = v27 - v28,
         Z2_6 = a6 + (c7 * w2x - s7 * w2y), v29 = Y1_6_p * Z2_6, v30 = Y1_6_m * Z2_6,
         v31 = w5_p * (inverse5_p * (v11 * (w2z * v15))), v32 = v29 - v31, v33 = v29 + v31,
         v34 = w5_m * (inverse5_m * (v12 * (w2z * v16))), v35 = v30 - v34, v36 = v30 + v34,
@@ -538,11 +541,10 @@ HELPER wide_mask solve_wide(
         q6_mpp = pick_wide(v135, angle6, v131), q6_mmp = pick_wide(v136, angle7, v132),
         q4_ppp = v18 + v117, q4_mpp = v19 + v118, v137 = free_joints[0] + (w4 - w4),
         q7_ppp = v18 + v137, q7_mpp = v19 + v137;
-    const wide_mask doubt1 = (v74 <= m9) | (v44 <= m8) | (v73 <= m9) | (v43 <= m8) | (v72 <= m9) |
-        (v42 <= m8) | (v71 <= m9) | (v41 <= m8) | (abs_wide(v4 * D5_m) <= v20) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(v4 * D5_p) <= v20) | (abs_wide(D4) <= reach_slack2 *
-        (reach_slack2 + 2.0 * abs_wide(Z4))) | exceeds(free_joints[0], 7) | (N5_p <=
-        doubt_limit_squared2);
+    const wide_mask doubt1 = (v74 <= m11) | (v44 <= m10) | (v73 <= m11) | (v43 <= m10) | (v72 <=
+        m11) | (v42 <= m10) | (v71 <= m11) | (v41 <= m10) | (abs_wide(v4 * D5_m) <= v20) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(v4 * D5_p) <= v20) | (abs_wide(D4) <= m1 * (merge_slack2 +
+        2.0 * abs_wide(Z4))) | exceeds(free_joints[0], 7) | (N5_p <= doubt_limit_squared2);
 
     q[0] = angle16; q[1] = angle12; q[2] = angle8; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
@@ -574,7 +576,7 @@ HELPER wide_mask solve_wide(
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m8 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -591,24 +593,24 @@ HELPER int solve_regular(
         w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
         w2z = T13 * v1 + T23 * v2 + T33 * v3,
         Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4), v4 = k5 * w4, v5 = m2 * Z4;
-    const four c4 = v5 + w4 * (m1 * e1);
-    const double v6 = m1 * Z4;
-    const four s4 = w4 * (m2 * e1) - v6;
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4), v4 = k5 * w4, v5 = m3 * Z4;
+    const four c4 = v5 + w4 * (m2 * e1);
+    const double v6 = m2 * Z4;
+    const four s4 = w4 * (m3 * e1) - v6;
 
     /* theta5 */
     const four v7 = a3 * c4 + d3 * s4 - a4;
-    const double v8 = m4 + m5 * Z4;
-    const four v9 = v8 - w4 * (m3 * e1), N5 = v9 * v9;
+    const double v8 = m5 + m6 * Z4;
+    const four v9 = v8 - w4 * (m4 * e1), N5 = v9 * v9;
     const double Z5 = c7 * w2y + s7 * w2x, v10 = Z5 * Z5;
     const four D5 = N5 - v10, w5 = sqrt_four(D5), v11 = w5 - w5;
-    const double v12 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
+    const double v12 = m7 * (merge_slack1 + 2.0 * fabs(Z5));
     const four inverse5 = 1.0 / N5, v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5,
-        s5 = inverse5 * v15, v16 = signed_four(half_turn, v15), v17 = m6 * (1.0 - e2);
+        s5 = inverse5 * v15, v16 = signed_four(half_turn, v15), v17 = m8 * (1.0 - e2);
 
     /* theta6 */
-    const double v18 = m7 + m3 * Z4;
-    const four Y1_6 = v18 + w4 * (m5 * e1);
+    const double v18 = m9 + m4 * Z4;
+    const four Y1_6 = v18 + w4 * (m6 * e1);
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
     const four v19 = Y1_6 * Z2_6, v20 = e2 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))),
         v22 = w2z * Y1_6, v23 = e2 * Z2_6, C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))),
@@ -643,10 +645,10 @@ HELPER int solve_regular(
     /* joint values */
     const double v68 = free_joints[0] + (w4 - w4);
     const four q7_p = v11 + v68;
-    const int doubt1 = (fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4))) | (high(7) <
+    const int doubt1 = (fabs(D4) <= m1 * (merge_slack2 + 2.0 * fabs(Z4))) | (high(7) <
         fabs(free_joints[0]));
     const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(v4 * D5) <= v12),
-        doubt3 = (v24 <= m8) | (v38 <= m9);
+        doubt3 = (v24 <= m10) | (v38 <= m11);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -987,7 +989,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1112,7 +1114,7 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != FRANKA_PANDA_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1154,13 +1156,12 @@ static void stay(
     x[6] = free_joints[0];
     if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
-    const double past = beyond_limits(x); /* joints that are given */
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != FRANKA_PANDA_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest && beyond_limits(q[row]) <= past) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1172,8 +1173,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = FRANKA_PANDA_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1209,9 +1211,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = FRANKA_PANDA_OUT_OF_LIMITS;
         }
         count += status[row] != FRANKA_PANDA_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 70f17e5a2163778a"
+_KEY = "franka_panda 624988f9b9f5d9ce"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -190,20 +190,23 @@ high5 = 2.897300001
 low6 = -0.017500001
 high6 = 3.752500001
 high7 = 2.897300001
-m1 = 1.754896834873102  # a coefficient of c4
-m2 = 3.4805529861209807  # a coefficient of c4
-m3 = 1.2446337324912609  # a coefficient of v8
-m4 = 0.0825  # a coefficient of v8
-m5 = 0.2674017784649193  # a coefficient of v8
-m7 = 0.384  # a coefficient of Y1_6
-m8 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
-m9 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.940449e-11  # 1000 * merge_slack2 [m^2]
+m2 = 1.754896834873102  # a coefficient of c4
+m3 = 3.4805529861209807  # a coefficient of c4
+m4 = 1.2446337324912609  # a coefficient of v8
+m5 = 0.0825  # a coefficient of v8
+m6 = 0.2674017784649193  # a coefficient of v8
+m7 = 1.393e-11  # 1000 * merge_slack1 [m]
+m9 = 0.384  # a coefficient of Y1_6
+m10 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
+m11 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -755,13 +758,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1073,7 +1076,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(7):
@@ -1126,7 +1129,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
@@ -1138,22 +1141,22 @@ def _stay(pose, q_free, seed, q, status):
         return
     if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
-    past = _beyond_limits(x)  # joints that are given
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest and _beyond_limits(q[row]) <= past:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(7):
-            q[place, i] = x[i]
+    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
+        return
+    for i in range(7):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1174,10 +1177,9 @@ def _whole(pose, q_free, seed, q, status):
             continue
         _stand(pose, row, q, status)
         for i in range(7):
+            q[row, i] = _turned(i, q[row, i], 0.0 if _PACE[i] > 0.0 else q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1210,20 +1212,20 @@ def _regular(pose, q_free, q, status):
     D4 = k3 - Z4 * Z4
     w4 = math.sqrt(D4)
     v4 = k5 * w4
-    v5 = m2 * Z4
-    v6 = m1 * w4
+    v5 = m3 * Z4
+    v6 = m2 * w4
     c4_p = v5 + v6
     c4_m = v5 - v6
-    v7 = m1 * Z4
-    v8 = m2 * w4
+    v7 = m2 * Z4
+    v8 = m3 * w4
     s4_p = v8 - v7
     v9 = v7 + v8
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
     v11 = a3 * c4_p + d3 * s4_p - a4
     v12 = a3 * c4_m - d3 * v9 - a4
-    v13 = m4 + m5 * Z4
-    v14 = m3 * w4
+    v13 = m5 + m6 * Z4
+    v14 = m4 * w4
     v15 = v13 - v14
     v16 = v13 + v14
     N5_p = v15 * v15
@@ -1236,7 +1238,7 @@ def _regular(pose, q_free, q, status):
     w5_m = math.sqrt(D5_m)
     v18 = w5_p - w5_p
     v19 = w5_m - w5_m
-    v20 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
+    v20 = m7 * (merge_slack1 + 2.0 * abs(Z5))
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
     v21 = v15 * w5_p
@@ -1249,8 +1251,8 @@ def _regular(pose, q_free, q, status):
     s5_m = inverse5_m * v26
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
-    v27 = m7 + m3 * Z4
-    v28 = m5 * w4
+    v27 = m9 + m4 * Z4
+    v28 = m6 * w4
     Y1_6_p = v27 + v28
     Y1_6_m = v27 - v28
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
@@ -1382,10 +1384,10 @@ def _regular(pose, q_free, q, status):
     q7_ppp = v18 + v137
     q7_mpp = v19 + v137
     doubt1 = (
-        v74 <= m9 or v44 <= m8 or v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <= m9 or
-        v41 <= m8 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 * D5_p) <= v20
-        or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or
-        N5_p <= doubt_limit_squared2
+        v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10 or v71 <=
+        m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 * D5_p)
+        <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or N5_p
+        <= doubt_limit_squared2
     )
 
     # a joint is free, or branches meet
@@ -1910,18 +1912,18 @@ def _in_tiles(T, q_free, q, status):
             D4 = k3 - Z4 * Z4
             w4 = math.sqrt(D4)
             v4 = k5 * w4
-            v5 = m2 * Z4
-            v6 = m1 * w4
+            v5 = m3 * Z4
+            v6 = m2 * w4
             c4_p = v5 + v6
             c4_m = v5 - v6
-            v7 = m1 * Z4
-            v8 = m2 * w4
+            v7 = m2 * Z4
+            v8 = m3 * w4
             s4_p = v8 - v7
             v9 = v7 + v8
             v11 = a3 * c4_p + d3 * s4_p - a4
             v12 = a3 * c4_m - d3 * v9 - a4
-            v13 = m4 + m5 * Z4
-            v14 = m3 * w4
+            v13 = m5 + m6 * Z4
+            v14 = m4 * w4
             v15 = v13 - v14
             v16 = v13 + v14
             N5_p = v15 * v15
@@ -1934,7 +1936,7 @@ def _in_tiles(T, q_free, q, status):
             w5_m = math.sqrt(D5_m)
             v18 = w5_p - w5_p
             v19 = w5_m - w5_m
-            v20 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
+            v20 = m7 * (merge_slack1 + 2.0 * abs(Z5))
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
             v21 = v15 * w5_p
@@ -1945,8 +1947,8 @@ def _in_tiles(T, q_free, q, status):
             v26 = v16 * Z5
             s5_p = inverse5_p * v25
             s5_m = inverse5_m * v26
-            v27 = m7 + m3 * Z4
-            v28 = m5 * w4
+            v27 = m9 + m4 * Z4
+            v28 = m6 * w4
             Y1_6_p = v27 + v28
             Y1_6_m = v27 - v28
             Z2_6 = a6 + (c7 * w2x - s7 * w2y)
@@ -2070,9 +2072,9 @@ def _in_tiles(T, q_free, q, status):
             q7_ppp = v18 + v137
             q7_mpp = v19 + v137
             doubt1 = (
-                v74 <= m9 or v44 <= m8 or v73 <= m9 or v43 <= m8 or v72 <= m9 or v42 <= m8 or v71 <=
-                m9 or v41 <= m8 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 *
-                D5_p) <= v20 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or high7 <
+                v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10 or
+                v71 <= m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or
+                abs(v4 * D5_p) <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or high7 <
                 abs(given1) or N5_p <= doubt_limit_squared2
             )
             work[368 + k] = v18

@@ -3312,6 +3312,9 @@ const char *const general_4r2p_branches[8] = {
 static const double lowest[6] = { -INFINITY, -INFINITY, -0.6, -INFINITY, -0.5, -INFINITY };
 static const double highest[6] = { INFINITY, INFINITY, 0.6, INFINITY, 0.5, INFINITY };
 static const int revolute[6] = { 1, 1, 0, 1, 0, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 1e-09, 1e-09, 1.73e-09, 1e-09, 1.73e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 1.0, 0.33412409368839596, 1.0, 0.33412409368839596, 1.0 };
 
@@ -3448,15 +3451,15 @@ static double overshoot(int joint, double value)
     const double rest = over - turn * floor(over / turn);
     if (revolute[joint])
         off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row. */
+/* The same of a row; lengths count in arm sizes. */
 static double beyond_limits(const double values[6])
 {
     double sum = 0.0;
     for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
+        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 0.578);
     return sum;
 }
 
@@ -3497,7 +3500,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -3624,7 +3627,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != GENERAL_4R2P_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -3653,9 +3656,8 @@ int general_4r2p_ik(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = GENERAL_4R2P_OUT_OF_LIMITS;
         }
         count += status[row] != GENERAL_4R2P_OUT_OF_LIMITS;

@@ -3354,6 +3354,9 @@ const char *const general_prrprr_branches[8] = {
 static const double lowest[6] = { 0.0, -INFINITY, -INFINITY, -0.4, -INFINITY, -INFINITY };
 static const double highest[6] = { 1.2, INFINITY, INFINITY, 0.4, INFINITY, INFINITY };
 static const int revolute[6] = { 0, 1, 1, 0, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 1.75e-09, 1e-09, 1e-09, 1.75e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 0.32653061224489793, 1.0, 1.0, 0.32653061224489793, 1.0, 1.0 };
 
@@ -3482,15 +3485,15 @@ static double overshoot(int joint, double value)
     const double rest = over - turn * floor(over / turn);
     if (revolute[joint])
         off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row. */
+/* The same of a row; lengths count in arm sizes. */
 static double beyond_limits(const double values[6])
 {
     double sum = 0.0;
     for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
+        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 0.5714);
     return sum;
 }
 
@@ -3531,7 +3534,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -3658,7 +3661,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != GENERAL_PRRPRR_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -3687,9 +3690,8 @@ int general_prrprr_ik(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = GENERAL_PRRPRR_OUT_OF_LIMITS;
         }
         count += status[row] != GENERAL_PRRPRR_OUT_OF_LIMITS;

@@ -272,8 +272,8 @@ static const double
     k4 = 102.1511817908859, /* 1 / (k1^2 + k2^2) [m^-4] */
     turn1 = 0.960070362405688, /* a constant angle [rad] */
     m1 = 8.049678400000001e-09, /* doubt_limit1^2 [m^2] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m3 = 1.582896478598658e-14,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.5872903619528408e-12,
     m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m4 = 2.097315436241611, m5 = 0.028887499999999986, m6 = 1.3817607579944728,
@@ -294,6 +294,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void igus_rebel_fk(const double q[6], double T[16])
 {
@@ -725,7 +726,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -848,8 +849,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = IGUS_REBEL_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -879,9 +881,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = IGUS_REBEL_OUT_OF_LIMITS;
         }
         count += status[row] != IGUS_REBEL_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "igus_rebel 449aedb65d255014"
+_KEY = "igus_rebel 82209b408ed08ec1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -180,7 +180,8 @@ k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / (k1^2 + k2^2) [m^-4]
 turn1 = 0.960070362405688  # a constant angle [rad]
 m1 = 8.049678400000001e-09  # doubt_limit1^2 [m^2]
-m3 = 1.582896478598658e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 1.5872903619528408e-12
 m4 = 2.097315436241611  # a coefficient of Y1_2
 m5 = 0.028887499999999986  # a coefficient of Y1_2
 m6 = 1.3817607579944728  # a coefficient of c23
@@ -191,9 +192,10 @@ m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -810,9 +812,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -829,10 +832,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

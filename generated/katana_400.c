@@ -268,8 +268,8 @@ static const double
     k2 = 18.932222642938278, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m4 = 4.711883105914297e-15,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m4 = 4.706018907896038e-13,
     m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
     m10 = 1.0000000000000002e-10, /* pose_slack^2 */
     m11 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
@@ -289,6 +289,7 @@ const char *const katana_400_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void katana_400_fk(const double q[5], double T[16])
 {
@@ -878,7 +879,7 @@ static void choose_again(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1001,8 +1002,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KATANA_400_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1035,9 +1037,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KATANA_400_OUT_OF_LIMITS;
         }
         count += status[row] != KATANA_400_OUT_OF_LIMITS;

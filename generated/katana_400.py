@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 8ac275074cc52e83"
+_KEY = "katana_400 8ecf6d95196596ec"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -172,7 +172,8 @@ k1 = 0.055421000000000005  # a2^2 + a3^2 [m^2]
 k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 4.594128399999999e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999997e-17  # doubt_limit_squared^2
-m4 = 4.711883105914297e-15  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m4 = 4.706018907896038e-13
 m5 = 2.631578947368421  # a coefficient of S2
 m6 = 0.04415526315789473  # a coefficient of S2
 m7 = 2.1106015755686554e-17  # doubt_limit_squared2^2 [m^4]
@@ -184,9 +185,10 @@ m12 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -1002,9 +1004,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(5):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(5):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1022,10 +1025,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

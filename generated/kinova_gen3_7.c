@@ -3577,6 +3577,7 @@ const char *const kinova_gen3_7_branches[16] = {
 
 static const double lowest[7] = { -INFINITY, -2.24, -INFINITY, -2.57, -INFINITY, -2.09, -INFINITY };
 static const double highest[7] = { INFINITY, 2.24, INFINITY, 2.57, INFINITY, 2.09, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void kinova_gen3_7_fk(const double q[7], double T[16])
 {
@@ -3686,7 +3687,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -3737,7 +3738,7 @@ static void take(const double from[7], double to[7])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -3862,7 +3863,7 @@ static void stand(const double T[16], int row, double rows[16][7], const unsigne
     off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
         if (status[k] != KINOVA_GEN3_7_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -3892,9 +3893,8 @@ int kinova_gen3_7_ik(
         stand(pose, row, q, status);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KINOVA_GEN3_7_OUT_OF_LIMITS;
         }
         count += status[row] != KINOVA_GEN3_7_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 93e44afe53eec51e"
+_KEY = "kinova_gen3_7 ac7c1465714b0e7f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -183,9 +183,10 @@ offset7 = 3.141592653589793  # offset of joint 7 [rad]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -2359,13 +2360,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -2521,7 +2522,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(7):
@@ -2542,10 +2543,9 @@ def _whole(pose, q_free, seed, q, status):
             continue
         _stand(pose, row, q, status)
         for i in range(7):
+            q[row, i] = _turned(i, q[row, i], 0.0 if _PACE[i] > 0.0 else q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

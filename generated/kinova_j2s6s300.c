@@ -243,8 +243,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -281,10 +281,13 @@ static const double
     k6 = 0.255061, /* 2 * d4 * a2 [m^2] */
     k7 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
     k8 = 15.371345486276748, /* 1 / (k6^2) [m^-4] */
-    m3 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
-    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 2.4956680000016215e-13, /* 1000 * k4 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 9.401396550145706e-12,
+    m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.2195121951219514, m2 = 0.08700963109756096;
+static const double m3 = 1.2195121951219514, m4 = 0.08700963109756096;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -305,6 +308,7 @@ static const double highest[6] = {
     6.283185307179586, 5.462880558742252, 5.951572749300664, 6.283185307179586, 5.759586531581287,
     6.283185307179586,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void kinova_j2s6s300_fk(const double q[6], double T[16])
 {
@@ -405,7 +409,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -437,9 +441,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
-        v11 = v8 - v9, v12 = m2 + m1 * N3, v13 = Z1_3 * v12, v14 = w3 * (m1 * w1),
+        v11 = v8 - v9, v12 = m4 + m3 * N3, v13 = Z1_3 * v12, v14 = w3 * (m3 * w1),
         S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
-        v18 = v15 + v16, v19 = w3 * (m1 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
+        v18 = v15 + v16, v19 = w3 * (m3 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
         C2_pm = v19 + v20, v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp,
         v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 - C2_pp * -C2_pp, w2_pp = sqrt_wide(v22),
         w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24), v25 = 1.0 / v22, v26 = 1.0 / v23,
@@ -519,8 +523,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = v4 + raised_wide(v54), q1_mpp = v4 + raised_wide(v55),
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
-        doubt1 = (v42 <= m4) | (v24 <= m3) | (v41 <= m4) | (v40 <= m4) | (v23 <= m3) | (v39 <= m4) |
-            (abs_wide(D1) <= k3) | (abs_wide(D3 * (k5 * w1)) <= boundary3) | (v22 <= m3);
+        doubt1 = (v42 <= m6) | (v24 <= m5) | (v41 <= m6) | (v40 <= m6) | (v23 <= m5) | (v39 <= m6) |
+            (abs_wide(D1) <= m1) | (abs_wide(D3 * (k5 * w1)) <= m2) | (v22 <= m5);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
     q[5] = lowered_wide(v62);
@@ -552,7 +556,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m5 = 0.5; /* 1 / 2 */
+    m7 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -577,10 +581,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
     const four v10 = e1 * e2, v11 = v8 + v9 * v10;
-    const double v12 = m2 + m1 * N3, v13 = Z1_3 * v12;
-    const four S2 = v13 + w3 * (m1 * (w1 * v10));
+    const double v12 = m4 + m3 * N3, v13 = Z1_3 * v12;
+    const four S2 = v13 + w3 * (m3 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m1 * (e2 * Z1_3)),
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
         v22 = 1.0 / v21;
 
@@ -596,8 +600,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v35 = copysign(half_turn, -v5);
-    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3 * (k5 * w1)) <= boundary3);
-    const four_mask doubt2 = (v21 <= m3) | (v27 <= m4);
+    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k5 * w1)) <= m2);
+    const four_mask doubt2 = (v21 <= m5) | (v27 <= m6);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -610,7 +614,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle6 = angle_four(ratio4), angle2 = angle_four(ratio5);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = raised_four(v34), v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
+        q2_ = raised_four(v34), v36 = e2 * angle5 + v35 * (m7 * (1.0 - e2)) - offset3,
         q3_ = raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = lowered_four(v37),
         q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn);
@@ -912,7 +916,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -986,10 +990,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -1089,7 +1093,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != KINOVA_J2S6S300_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1138,9 +1142,7 @@ static void stay(
         if (status[row] != KINOVA_J2S6S300_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1152,8 +1154,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KINOVA_J2S6S300_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1190,9 +1198,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KINOVA_J2S6S300_OUT_OF_LIMITS;
         }
         count += status[row] != KINOVA_J2S6S300_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 2898830dbf789a74"
+_KEY = "kinova_j2s6s300 e35e8c1fd9fff3c8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -189,16 +189,20 @@ low3 = 0.3316125568789226
 high3 = 5.951572750300664
 low5 = 0.5235987745982988
 high5 = 5.759586532581287
-m1 = 1.2195121951219514  # a coefficient of S2
-m2 = 0.08700963109756096  # a coefficient of S2
-m3 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
-m4 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 2.4956680000016215e-13  # 1000 * k4 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 9.401396550145706e-12
+m3 = 1.2195121951219514  # a coefficient of S2
+m4 = 0.08700963109756096  # a coefficient of S2
+m5 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
+m6 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -687,13 +691,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -930,10 +934,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1061,7 +1065,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1114,7 +1118,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1133,18 +1137,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1167,10 +1174,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1218,16 +1224,16 @@ def _regular(pose, q, status):
     v9 = w1 * X2_2
     v10 = v8 + v9
     v11 = v8 - v9
-    v12 = m2 + m1 * N3
+    v12 = m4 + m3 * N3
     v13 = Z1_3 * v12
-    v14 = w3 * (m1 * w1)
+    v14 = w3 * (m3 * w1)
     S2_pp = v13 + v14
     S2_pm = v13 - v14
     v15 = w1 * X1_2
     v16 = Z1_3 * X2_2
     v17 = v15 - v16
     v18 = v15 + v16
-    v19 = w3 * (m1 * Z1_3)
+    v19 = w3 * (m3 * Z1_3)
     v20 = w1 * v12
     C2_pp = v20 - v19
     C2_pm = v19 + v20
@@ -1289,8 +1295,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <= m4 or v23 <= m3 or v39 <= m4 or abs(D1) <= k3
-        or abs(D3 * (k5 * w1)) <= boundary3 or v22 <= m3
+        v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or abs(D1) <= m1
+        or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5
     )
 
     # a joint is free, or branches meet
@@ -1812,16 +1818,16 @@ def _in_tiles(T, q, status):
             v9 = w1 * X2_2
             v10 = v8 + v9
             v11 = v8 - v9
-            v12 = m2 + m1 * N3
+            v12 = m4 + m3 * N3
             v13 = Z1_3 * v12
-            v14 = w3 * (m1 * w1)
+            v14 = w3 * (m3 * w1)
             S2_pp = v13 + v14
             S2_pm = v13 - v14
             v15 = w1 * X1_2
             v16 = Z1_3 * X2_2
             v17 = v15 - v16
             v18 = v15 + v16
-            v19 = w3 * (m1 * Z1_3)
+            v19 = w3 * (m3 * Z1_3)
             v20 = w1 * v12
             C2_pp = v20 - v19
             C2_pm = v19 + v20
@@ -1875,8 +1881,8 @@ def _in_tiles(T, q, status):
             s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
             doubt1 = (
-                v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <= m4 or v23 <= m3 or v39 <= m4 or
-                abs(D1) <= k3 or abs(D3 * (k5 * w1)) <= boundary3 or v22 <= m3
+                v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or
+                abs(D1) <= m1 or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5
             )
             work[272 + k] = v1
             work[288 + k] = v4

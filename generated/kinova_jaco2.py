@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 10786cc2f5f9b914"
+_KEY = "kinova_jaco2 d0b04376a7286167"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -182,9 +182,10 @@ g4 = 0.2115971250007892  # D6 + d6 [m]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -2260,10 +2261,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

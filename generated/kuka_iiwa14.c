@@ -248,8 +248,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
@@ -283,10 +283,11 @@ static const double
     k3 = 0.5862915651405106, /* 1 / arm_size2 [m^-2] */
     k4 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
-    /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
-    m1 = 1.4391687841457539e-13,
-    m2 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
-    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
+    /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
+    m1 = 1.4473755527432779e-11,
+    m2 = 1.306e-11, /* 1000 * merge_slack1 [m] */
+    m3 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -307,6 +308,7 @@ static const double highest[7] = {
     2.9670597283903604, 2.0943951023931953, 2.9670597283903604, 2.0943951023931953,
     2.9670597283903604, 2.0943951023931953, 3.0543261909900767,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 /* What follows from joint values: what the pose and the Jacobian are made of. */
 #define MOTION \
@@ -405,7 +407,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -489,8 +491,8 @@ HELPER wide_mask solve_wide(
     /* joint values */
     const wide angle5 = atan2_wide(-v4, -v2);
     const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) |
-        exceeds(free_joints[0], 3) | (abs_wide(D1 * (k3 * w4)) <= reach_slack1 * (reach_slack1 + 2.0
-        * abs_wide(Z1)));
+        exceeds(free_joints[0], 3) | (abs_wide(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 *
+        abs_wide(Z1)));
     left |= doubt1;
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
@@ -528,7 +530,7 @@ HELPER wide_mask solve_wide(
                 v68 = angle6 - offset6, v69 = offset6 + angle6, q6_p = raised_wide(v68),
                 q6_m = only_wide(-v69 <= -half_turn, turn) - v69;
             const wide_mask v71 = v70 | exceeds(q1_p, 1) | exceeds(q2_p, 2),
-                doubt2 = (v23 <= m2) | (v39 <= m3);
+                doubt2 = (v23 <= m3) | (v39 <= m4);
             const int row = 4 * i1 + 2 * i2;
             q[7 * row] = q1_p; q[7 * row + 1] = q2_p; q[7 * row + 2] = q3_p; q[7 * row + 3] = q4_p;
             q[7 * row + 4] = angle1; q[7 * row + 5] = q6_p; q[7 * row + 6] = angle2;
@@ -560,10 +562,9 @@ HELPER int solve_regular(
     SIGNED_TWICE(four, four);
 
     /* joint values */
-    const four_mask doubt2 = (v23 <= m2) | (v39 <= m3);
+    const four_mask doubt2 = (v23 <= m3) | (v39 <= m4);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
-        fabs(free_joints[0])) | (fabs(D1 * (k3 * w4)) <= reach_slack1 * (reach_slack1 + 2.0 *
-        fabs(Z1)));
+        fabs(free_joints[0])) | (fabs(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * fabs(Z1)));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -922,7 +923,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1047,7 +1048,7 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != KUKA_IIWA14_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1089,13 +1090,12 @@ static void stay(
     x[2] = free_joints[0];
     if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
         return;
-    const double past = beyond_limits(x); /* joints that are given */
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
         if (status[row] != KUKA_IIWA14_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest && beyond_limits(q[row]) <= past) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1107,8 +1107,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KUKA_IIWA14_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1144,9 +1145,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KUKA_IIWA14_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_IIWA14_OUT_OF_LIMITS;

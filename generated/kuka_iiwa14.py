@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 6debff780d278720"
+_KEY = "kuka_iiwa14 dd9f70e629cae3cf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -190,15 +190,18 @@ high4 = 2.0943951033931953
 high5 = 2.9670597293903604
 high6 = 2.0943951033931953
 high7 = 3.054326191990077
-m1 = 1.4391687841457539e-13  # -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4]
-m2 = 2.909194164496e-16  # doubt_limit_squared2^2 [m^4]
-m3 = 9.999999999999999e-09  # doubt_limit^2
+# 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4]
+m1 = 1.4473755527432779e-11
+m2 = 1.306e-11  # 1000 * merge_slack1 [m]
+m3 = 2.909194164496e-16  # doubt_limit_squared2^2 [m^4]
+m4 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -762,13 +765,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1080,7 +1083,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(7):
@@ -1133,7 +1136,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
@@ -1145,22 +1148,22 @@ def _stay(pose, q_free, seed, q, status):
         return
     if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
         return
-    past = _beyond_limits(x)  # joints that are given
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest and _beyond_limits(q[row]) <= past:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(7):
-            q[place, i] = x[i]
+    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
+        return
+    for i in range(7):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1181,10 +1184,9 @@ def _whole(pose, q_free, seed, q, status):
             continue
         _stand(pose, row, q, status)
         for i in range(7):
+            q[row, i] = _turned(i, q[row, i], 0.0 if _PACE[i] > 0.0 else q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1374,9 +1376,9 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
-        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= reach_slack1 *
-        (reach_slack1 + 2.0 * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3 or v26 <=
-        m2 or v48 <= m3 or high3 < abs(q_free[0]) or v25 <= m2
+        N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 * (merge_slack1 +
+        2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4 or v26 <= m3 or v48 <= m4
+        or high3 < abs(q_free[0]) or v25 <= m3
     )
 
     # a joint is free, or branches meet
@@ -2128,9 +2130,9 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
-                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z1)) or v51 <= m3 or v27 <= m2 or v50 <= m3 or v49 <= m3
-                or v26 <= m2 or v48 <= m3 or high3 < abs(given1) or v25 <= m2
+                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 *
+                (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4
+                or v26 <= m3 or v48 <= m4 or high3 < abs(given1) or v25 <= m3
             )
             work[720 + k] = c1_pp
             work[736 + k] = v12

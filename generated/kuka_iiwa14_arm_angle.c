@@ -243,8 +243,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
@@ -273,8 +273,8 @@ static const double
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
-    /* -1 * (longest4 - longest4_reach) * (longest4_reach - shortest4) [m^4] */
-    m1 = 1.4391687841457539e-13,
+    /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
+    m1 = 1.4473755527432779e-11,
     m2 = 1e-24, /* free_limit^2 */
     m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
@@ -297,6 +297,7 @@ static const double highest[7] = {
     2.9670597283903604, 2.0943951023931953, 2.9670597283903604, 2.0943951023931953,
     2.9670597283903604, 2.0943951023931953, 3.0543261909900767,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
 {
@@ -429,7 +430,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -1009,7 +1010,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1049,9 +1050,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, *value);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;

@@ -524,10 +524,10 @@ static const double
     k2 = 0.7812499999999999, /* 1 / k1 [m^-2] */
     doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
     m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 1.8076207197736455e-13,
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m3 = 0.0001802301952675207,
+    m2 = 0.0001802301952675207,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.8076207197736452e-10,
     m5 = 1e-24, /* exact_slack^2 */
     m6 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
     m7 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
@@ -546,6 +546,7 @@ const char *const kuka_kr40pa_branches[2] = {
 
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void kuka_kr40pa_fk(const double q[4], double T[16])
 {
@@ -665,7 +666,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const double v31 = NAN;
     const wide v32 = only_wide((v27 <= m6) == 0, v31), v33 = only_wide((v28 <= m6) == 0, v31),
         angle5 = atan2_wide(-T12, T22), v34 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v2 <= m1) | (N3 <= doubt_limit_squared2)
+    const wide_mask doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (N3 <= doubt_limit_squared2)
         | (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | ((m6 < v27) & (v27 <=
         m7)) | ((m6 < v28) & (v28 <= m7));
 
@@ -716,7 +717,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const double v27 = NAN;
     const four v28 = only_four((v24 <= m6) == 0, v27);
-    const int doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v2 <= m1) | (m5 < v14 * v14 + v15 * v15 + v16 *
+    const int doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (m5 < v14 * v14 + v15 * v15 + v16 *
         v16 + v17 * v17 + v18 * v18) | (N3 <= doubt_limit_squared2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -1122,7 +1123,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1245,8 +1246,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KUKA_KR40PA_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1284,9 +1286,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KUKA_KR40PA_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_KR40PA_OUT_OF_LIMITS;

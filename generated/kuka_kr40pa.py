@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 09ff360b89a823d8"
+_KEY = "kuka_kr40pa e9ac6019daa51f2f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -168,8 +168,9 @@ k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / k1 [m^-2]
 doubt_limit_squared2 = 4.839999999999999e-08  # square of a length that fixes no angle [m^2]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 1.8076207197736455e-13  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
-m3 = 0.0001802301952675207  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m2 = 0.0001802301952675207  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 1.8076207197736452e-10
 m4 = 0.625  # a coefficient of Y1_2
 m5 = 1e-24  # exact_slack^2
 m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
@@ -177,9 +178,10 @@ m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -1325,9 +1327,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(4):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1351,10 +1354,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(4):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1420,7 +1422,7 @@ def _regular(pose, q, status):
     v32 = 0.0 if v27 <= m6 else v31
     v33 = 0.0 if v28 <= m6 else v31
     doubt1 = (
-        (-m3 <= D3 and D3 <= m2) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16 + v17 *
+        (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16 + v17 *
         v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <=
         m7)
     )
@@ -1780,7 +1782,7 @@ def _in_tiles(T, q, status):
             v32 = 0.0 if v27 <= m6 else v31
             v33 = 0.0 if v28 <= m6 else v31
             doubt1 = (
-                (-m3 <= D3 and D3 <= m2) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16
+                (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16
                 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 <
                 v28 and v28 <= m7)
             )

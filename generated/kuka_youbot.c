@@ -270,8 +270,8 @@ static const double
     k2 = 23.894862604540023, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m4 = 3.3360314510859984e-15,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m4 = 3.345324017800363e-13,
     m7 = 2.2340393066406244e-17, /* doubt_limit_squared2^2 [m^4] */
     m10 = 1.0000000000000002e-10, /* pose_slack^2 */
     m11 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
@@ -292,6 +292,7 @@ const char *const kuka_youbot_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void kuka_youbot_fk(const double q[5], double T[16])
 {
@@ -895,7 +896,7 @@ static void choose_again(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1018,8 +1019,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KUKA_YOUBOT_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1052,9 +1054,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = KUKA_YOUBOT_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_YOUBOT_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot e2d97a9ab88509a3"
+_KEY = "kuka_youbot 9c4cb2c12709477c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -175,7 +175,8 @@ k1 = 0.04225  # a2^2 + a3^2 [m^2]
 k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 4.726562499999999e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999997e-17  # doubt_limit_squared^2
-m4 = 3.3360314510859984e-15  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m4 = 3.345324017800363e-13
 m5 = 3.2258064516129035  # a coefficient of S2
 m6 = 0.018709677419354823  # a coefficient of S2
 m7 = 2.2340393066406244e-17  # doubt_limit_squared2^2 [m^4]
@@ -187,9 +188,10 @@ m12 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -1012,9 +1014,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(5):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(5):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1032,10 +1035,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

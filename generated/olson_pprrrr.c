@@ -262,7 +262,8 @@ static const double
     /* the same where they follow an angle that is good to few digits [m] */
     blur_slack1 = 6.999999999999999e-11,
     doubt_limit_squared2 = 4.9e-07, /* square of a length that fixes no angle [m^2] */
-    m1 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m4 = 6.999999999999999e-10; /* 10 * blur_slack1 [m] */
 /* coefficients */
 static const double m3 = 4.0;
 
@@ -281,6 +282,9 @@ static const double lowest[6] = {
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[6] = { 0, 0, 1, 1, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 7e-09, 7e-09, 1e-09, 1e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 0.02040816326530612, 0.02040816326530612, 1.0, 1.0, 1.0, 1.0 };
 /* Of the values of a free joint that are tried, from one to the next. */
@@ -402,8 +406,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         v23 = angle2 + angle7, q3_pp = angle1 + v6,
         q3_mp = v6 + (angle1 - signed_wide(half_turn, -T13)), q6_pp = angle3 + v6,
         q6_mp = v6 + (angle3 - signed_wide(half_turn, -v4));
-    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= blur_slack1 *
-        (blur_slack1 + 2.0 * abs_wide(v5)) * 10.0) | (v1 <= m1);
+    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= m4 * (blur_slack1 + 2.0
+        * abs_wide(v5))) | (v1 <= m1);
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = centred_wide(v20); q[4] = angle4; q[5] = q6_pp;
     kind[0] = kind_of(q[0], 0);
@@ -464,8 +468,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four v24 = wy + inverse5 * (v21 * v23), q1 = v24 + w5 * (inverse5 * (v19 * v23));
 
     /* joint values */
-    const int doubt1 = (N5 <= doubt_limit_squared2) | (fabs(D5) <= blur_slack1 * (blur_slack1 + 2.0
-        * fabs(v9)) * 10.0) | (v1 <= m1);
+    const int doubt1 = (N5 <= doubt_limit_squared2) | (fabs(D5) <= m4 * (blur_slack1 + 2.0 *
+        fabs(v9))) | (v1 <= m1);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -773,7 +777,7 @@ static void choose_again(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -898,8 +902,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = OLSON_PPRRRR_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -932,9 +937,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = OLSON_PPRRRR_OUT_OF_LIMITS;
         }
         count += status[row] != OLSON_PPRRRR_OUT_OF_LIMITS;

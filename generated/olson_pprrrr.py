@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 23865902801a8bbd"
+_KEY = "olson_pprrrr 70eabc052713f725"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -166,12 +166,14 @@ blur_slack1 = 6.999999999999999e-11
 doubt_limit_squared2 = 4.9e-07  # square of a length that fixes no angle [m^2]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 4.0  # a coefficient of Y5
+m4 = 6.999999999999999e-10  # 10 * blur_slack1 [m]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([7e-09, 7e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([0.02040816326530612, 0.02040816326530612, 1.0, 1.0, 1.0, 1.0])
@@ -912,9 +914,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -932,10 +935,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -992,10 +994,7 @@ def _regular(pose, q, status):
     q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
 
     # joint values
-    doubt1 = (
-        N5 <= doubt_limit_squared2 or abs(D5) <= blur_slack1 * (blur_slack1 + 2.0 * abs(v5)) * 10.0
-        or v1 <= m1
-    )
+    doubt1 = N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <= m1
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1375,8 +1374,8 @@ def _in_tiles(T, q, status):
             q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
             q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
             doubt1 = (
-                N5 <= doubt_limit_squared2 or abs(D5) <= blur_slack1 * (blur_slack1 + 2.0 * abs(v5))
-                * 10.0 or v1 <= m1
+                N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <=
+                m1
             )
             work[272 + k] = v4
             work[288 + k] = v6

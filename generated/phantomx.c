@@ -526,10 +526,10 @@ static const double
     /* square of a length that fixes no angle [mm^2] */
     doubt_limit_squared2 = 0.0012602499999999999,
     m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
-    m2 = 6.577829481102304e-05,
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4] */
-    m3 = 65755.87888877846,
+    m2 = 65755.87888877846,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
+    m3 = 0.06577829481102304,
     m5 = 1e-24, /* exact_slack^2 */
     m6 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
     m7 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
@@ -548,6 +548,7 @@ const char *const phantomx_branches[2] = {
 
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void phantomx_fk(const double q[4], double T[16])
 {
@@ -666,7 +667,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const double v29 = NAN;
     const wide v30 = only_wide((v23 <= m6) == 0, v29), v31 = only_wide((v24 <= m6) == 0, v29),
         angle5 = atan2_wide(T12, -T22), v32 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v4 <= m1) | (N3 <= doubt_limit_squared2)
+    const wide_mask doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (N3 <= doubt_limit_squared2)
         | (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | ((m6 < v23) & (v23 <=
         m7)) | ((m6 < v24) & (v24 <= m7));
 
@@ -718,7 +719,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const double v25 = NAN;
     const four v26 = only_four((v21 <= m6) == 0, v25);
-    const int doubt1 = ((-m3 <= D3) & (D3 <= m2)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12 + v13 *
+    const int doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12 + v13 *
         v13 + v14 * v14 + v15 * v15) | (N3 <= doubt_limit_squared2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -1127,7 +1128,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1250,8 +1251,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PHANTOMX_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1289,9 +1291,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PHANTOMX_OUT_OF_LIMITS;
         }
         count += status[row] != PHANTOMX_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 1f74485b9d30248b"
+_KEY = "phantomx 257969dc7a9bc5ff"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -167,8 +167,8 @@ k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / k1 [mm^-2]
 doubt_limit_squared2 = 0.0012602499999999999  # square of a length that fixes no angle [mm^2]
 m1 = 9.999999999999997e-17  # doubt_limit_squared^2
-m2 = 6.577829481102304e-05  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4]
-m3 = 65755.87888877846  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4]
+m2 = 65755.87888877846  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4]
+m3 = 0.06577829481102304  # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4]
 m4 = 0.004761904761904762  # a coefficient of S2
 m5 = 1e-24  # exact_slack^2
 m6 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
@@ -176,9 +176,10 @@ m7 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -1327,9 +1328,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(4):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1353,10 +1355,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(4):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1420,7 +1421,7 @@ def _regular(pose, q, status):
     v30 = 0.0 if v23 <= m6 else v29
     v31 = 0.0 if v24 <= m6 else v29
     doubt1 = (
-        (-m3 <= D3 and D3 <= m2) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32 + v13 *
+        (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32 + v13 *
         v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <=
         m7)
     )
@@ -1779,7 +1780,7 @@ def _in_tiles(T, q, status):
             v30 = 0.0 if v23 <= m6 else v29
             v31 = 0.0 if v24 <= m6 else v29
             doubt1 = (
-                (-m3 <= D3 and D3 <= m2) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32
+                (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32
                 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 <
                 v24 and v24 <= m7)
             )

@@ -215,9 +215,10 @@ static const double
     k7 = 0.09, /* 1 / k4 [m^2] */
     f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    f3 = 0.9999999999999999; /* f1^2 + f2^2 */
+    f3 = 0.9999999999999999, /* f1^2 + f2^2 */
+    m1 = 2.2222222222222221e-10; /* 1000 * k6 [m^-2] */
 /* coefficients */
-static const double m1 = 0.15, m2 = 0.25980762113533157;
+static const double m2 = 0.15, m3 = 0.25980762113533157;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -231,6 +232,9 @@ const char *const planar_pr_branches[2] = {
 static const double lowest[2] = { -INFINITY, -INFINITY };
 static const double highest[2] = { INFINITY, INFINITY };
 static const int revolute[2] = { 0, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[2] = { 3e-10, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[2] = { 11.11111111111111, 1.0 };
 
@@ -275,8 +279,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     /* theta2, r1 */
     const wide V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
         v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt_wide(D1);
-    const wide_mask doubt1 = abs_wide(D1) <= k5;
-    const wide v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1, v5 = m1 * w2, v6 = m2 * w2;
+    const wide_mask doubt1 = abs_wide(D1) <= m1;
+    const wide v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1, v5 = m2 * w2, v6 = m3 * w2;
 
     q[0] = k7 * (v1 + w2); q[1] = atan2_wide(v3 - v5, v4 - v6);
     kind[0] = kind_of(q[0], 0);
@@ -298,14 +302,14 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     /* theta2, r1 */
     const double V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
         v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt(D1);
-    const int doubt1 = fabs(D1) <= k5;
+    const int doubt1 = fabs(D1) <= m1;
     const four q1 = k7 * (v1 + e1 * w2);
-    const double v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1;
+    const double v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
 
-    const four_ratio ratio1 = ratio_four(v3 - w2 * (m1 * e1), v4 - w2 * (m2 * e1));
+    const four_ratio ratio1 = ratio_four(v3 - w2 * (m2 * e1), v4 - w2 * (m3 * e1));
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 1, 0, 1);
 
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, angle1);
@@ -392,7 +396,7 @@ static void take(const double from[2], double to[2])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -512,8 +516,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_PR_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -540,9 +545,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PLANAR_PR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_PR_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 8183f450e7cb10c2"
+_KEY = "planar_pr 01674b52bdeee183"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -157,14 +157,16 @@ k7 = 0.09  # 1 / k4 [m^2]
 f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.9999999999999999  # f1^2 + f2^2
-m1 = 0.15  # a coefficient of s2
-m2 = 0.25980762113533157  # a coefficient of c2
+m1 = 2.2222222222222221e-10  # 1000 * k6 [m^-2]
+m2 = 0.15  # a coefficient of s2
+m3 = 0.25980762113533157  # a coefficient of c2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([3e-10, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([11.11111111111111, 1.0])
@@ -542,9 +544,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(2):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(2):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -561,10 +564,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(2):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -586,13 +588,13 @@ def _regular(pose, q, status):
     v2 = k2 * V2_2 - k3 * V1_2
     D1 = k4 - v2 * v2
     w2 = math.sqrt(D1)
-    doubt1 = abs(D1) <= k5
+    doubt1 = abs(D1) <= m1
     q1_p = k7 * (v1 + w2)
     q1_m = k7 * (v1 - w2)
-    v3 = V1_2 - m1 * v1
-    v4 = V2_2 - m2 * v1
-    v5 = m1 * w2
-    v6 = m2 * w2
+    v3 = V1_2 - m2 * v1
+    v4 = V2_2 - m3 * v1
+    v5 = m2 * w2
+    v6 = m3 * w2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -874,13 +876,13 @@ def _in_tiles(T, q, status):
             v2 = k2 * V2_2 - k3 * V1_2
             D1 = k4 - v2 * v2
             w2 = math.sqrt(D1)
-            doubt1 = abs(D1) <= k5
+            doubt1 = abs(D1) <= m1
             q1_p = k7 * (v1 + w2)
             q1_m = k7 * (v1 - w2)
-            v3 = V1_2 - m1 * v1
-            v4 = V2_2 - m2 * v1
-            v5 = m1 * w2
-            v6 = m2 * w2
+            v3 = V1_2 - m2 * v1
+            v4 = V2_2 - m3 * v1
+            v5 = m2 * w2
+            v6 = m3 * w2
             work[272 + k] = doubt1
             work[288 + k] = q1_p
             work[304 + k] = q1_m

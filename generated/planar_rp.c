@@ -214,8 +214,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -242,6 +242,9 @@ const char *const planar_rp_branches[2] = {
 static const double lowest[2] = { -INFINITY, 0.0 };
 static const double highest[2] = { INFINITY, 1.0 };
 static const int revolute[2] = { 1, 0 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[2] = { 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[2] = { 1.0, 1.0 };
 /* Of the values of a free joint that are tried, from one to the next. */
@@ -291,15 +294,15 @@ static double overshoot(int joint, double value)
     const double rest = over - turn * floor(over / turn);
     if (revolute[joint])
         off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row. */
+/* The same of a row; lengths count in arm sizes. */
 static double beyond_limits(const double values[2])
 {
     double sum = 0.0;
     for (int i = 0; i < 2; i++)
-        sum += fabs(overshoot(i, values[i]));
+        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 1.0);
     return sum;
 }
 
@@ -545,7 +548,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -667,7 +670,7 @@ static void stand(const double T[16], int row, double rows[2][2], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != PLANAR_RP_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -690,7 +693,7 @@ static void stay(
         if (status[row] != PLANAR_RP_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest && beyond_limits(q[row]) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -702,8 +705,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_RP_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -734,9 +738,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PLANAR_RP_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RP_OUT_OF_LIMITS;

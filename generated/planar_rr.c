@@ -216,8 +216,8 @@ static const double
     free_limit_squared2 = 4.899999999999999e-25, /* square of a length that fixes no angle [m^2] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 4.7082338028313255e-14;
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 4.689582056016565e-12;
 /* coefficients */
 static const double m2 = 1.25, m3 = 0.08750000000000001;
 
@@ -232,6 +232,7 @@ const char *const planar_rr_branches[2] = {
 
 static const double lowest[2] = { -INFINITY, -INFINITY };
 static const double highest[2] = { INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void planar_rr_fk(const double q[2], double T[16])
 {
@@ -413,7 +414,7 @@ static void take(const double from[2], double to[2])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -531,8 +532,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_RR_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -559,9 +561,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PLANAR_RR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RR_OUT_OF_LIMITS;

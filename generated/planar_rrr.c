@@ -273,8 +273,8 @@ static const double
     pose_slack1 = 8.5e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 5.715428130771723e-14,
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 5.755396159656667e-12,
     m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
     m7 = 1.0000000000000002e-10, /* pose_slack^2 */
     m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
@@ -294,6 +294,7 @@ const char *const planar_rrr_branches[2] = {
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void planar_rrr_fk(const double q[3], double T[16])
 {
@@ -743,7 +744,7 @@ static void choose_again(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -866,8 +867,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_RRR_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -900,9 +902,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PLANAR_RRR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RRR_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr a5f31d8a9644d814"
+_KEY = "planar_rrr 697d400a5053bc82"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -162,7 +162,8 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-m1 = 5.715428130771723e-14  # -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4]
+# 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
+m1 = 5.755396159656667e-12
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 1.666666666666667  # a coefficient of c12
@@ -173,9 +174,10 @@ m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -892,9 +894,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(3):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -912,10 +915,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

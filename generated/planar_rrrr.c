@@ -267,6 +267,7 @@ static const double lowest[4] = {
 static const double highest[4] = {
     2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void planar_rrrr_fk(const double q[4], double T[16])
 {
@@ -319,7 +320,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -365,7 +366,7 @@ static void take(const double from[4], double to[4])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -485,7 +486,7 @@ static void stand(const double T[16], int row, double rows[1][4], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 1; k++)
         if (status[k] != PLANAR_RRRR_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -514,9 +515,8 @@ int planar_rrrr_ik(
         stand(pose, row, q, status);
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PLANAR_RRRR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RRRR_OUT_OF_LIMITS;

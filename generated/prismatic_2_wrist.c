@@ -261,10 +261,12 @@ static const double
     f2 = 0.09800665778412417, /* d3 * cat2 [m] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.5375999999999998e-08,
-    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 1.2399999999999999e-11, /* 1000 * merge_slack1 [m] */
+    m2 = 1.2399999999999999e-10, /* 10 * blur_slack1 [m] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 11.314168873492461, m2 = 0.7750600530519154, m3 = 2.1049616508823186,
-m4 = 4.165947785154044;
+static const double m3 = 11.314168873492461, m4 = 0.7750600530519154, m5 = 2.1049616508823186,
+m6 = 4.165947785154044;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -282,6 +284,9 @@ static const double lowest[6] = {
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[6] = { 1, 0, 1, 1, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 1e-09, 1.24e-09, 1e-09, 1e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0 };
 
@@ -389,8 +394,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt_wide(D3), v13 = w3 - w3,
-        v14 = m3 * wz - m2, v15 = m1 * w3, v16 = v14 + v15, v17 = v14 - v15, v18 = m1 * wz - m4,
-        v19 = m3 * w3, s3_p = v18 - v19, s3_m = v18 + v19;
+        v14 = m5 * wz - m4, v15 = m3 * w3, v16 = v14 + v15, v17 = v14 - v15, v18 = m3 * wz - m6,
+        v19 = m5 * w3, s3_p = v18 - v19, s3_m = v18 + v19;
 
     /* r2 */
     const wide v20 = a3 * s3_p - d4 * v16, v21 = a3 * s3_m - d4 * v17, v22 = c1_p * -wy - wx * v11,
@@ -444,9 +449,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle14 = atan2_wide(-v12, -v8), q1_mpp = v13 + angle14, angle15 = atan2_wide(s3_p, -v16),
         q3_ppp = v3 + angle15, angle16 = atan2_wide(s3_m, -v17), q3_pmp = v3 + angle16,
         q2_mpp = v23 - v20, q2_mmp = v23 - v21;
-    const wide_mask doubt1 = (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared2) | (abs_wide(D3) <= blur_slack1 * (blur_slack1 + 2.0 *
-        abs_wide(Z3)) * 10.0) | (v43 <= m5) | (v42 <= m5) | (v40 <= m5) | (v41 <= m5);
+    const wide_mask doubt1 = (abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | (N1 <=
+        doubt_limit_squared2) | (abs_wide(D3) <= m2 * (blur_slack1 + 2.0 * abs_wide(Z3))) | (v43 <=
+        m7) | (v42 <= m7) | (v40 <= m7) | (v41 <= m7);
 
     q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0], 0);
@@ -493,10 +498,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v8 = v7 + w1 * (inverse1 * (e1 * v2));
 
     /* theta3 */
-    const double Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt(D3), v9 = w3 - w3, v10 = m3 * wz - m2;
-    const four v11 = v10 + w3 * (m1 * e2);
-    const double v12 = m1 * wz - m4;
-    const four s3 = v12 - w3 * (m3 * e2);
+    const double Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt(D3), v9 = w3 - w3, v10 = m5 * wz - m4;
+    const four v11 = v10 + w3 * (m3 * e2);
+    const double v12 = m3 * wz - m6;
+    const four s3 = v12 - w3 * (m5 * e2);
 
     /* r2 */
     const four v13 = a3 * s3 - d4 * v11, v14 = c1 * -wy - wx * v8;
@@ -509,7 +514,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v21 = sat2 * T13, v22 = sat2 * T23, v23 = v1 * v21 - v2 * v22,
         v24 = cat2 * T33 - inverse1 * (v4 * v22 + v5 * v21);
     const four v25 = v24 + w1 * (inverse1 * (e1 * v23)), v26 = v25 * v25, v27 = v26 + X4 * X4;
-    const four_mask doubt2 = v27 <= m5;
+    const four_mask doubt2 = v27 <= m7;
     const four v28 = signed_four(half_turn, -v25);
 
     /* theta6 */
@@ -528,8 +533,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v51 = v25 * (s3 * v50 - v11 * v49) + X4 * v44;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <=
-        blur_slack1 * (blur_slack1 + 2.0 * fabs(Z3)) * 10.0) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <= m2 *
+        (blur_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -726,7 +731,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -873,8 +878,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PRISMATIC_2_WRIST_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -905,9 +911,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PRISMATIC_2_WRIST_OUT_OF_LIMITS;
         }
         count += status[row] != PRISMATIC_2_WRIST_OUT_OF_LIMITS;

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 48cb1c7b73fb5329"
+_KEY = "prismatic_2_wrist b87ad70e01dbee71"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -184,17 +184,20 @@ k6 = 132.4412808495909  # 1 / k4 [m^-2]
 f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 doubt_limit_squared2 = 1.5375999999999998e-08  # square of a length that fixes no angle [m^2]
-m1 = 11.314168873492461  # a coefficient of v12
-m2 = 0.7750600530519154  # a coefficient of v12
-m3 = 2.1049616508823186  # a coefficient of v12
-m4 = 4.165947785154044  # a coefficient of s3
-m5 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.2399999999999999e-11  # 1000 * merge_slack1 [m]
+m2 = 1.2399999999999999e-10  # 10 * blur_slack1 [m]
+m3 = 11.314168873492461  # a coefficient of v12
+m4 = 0.7750600530519154  # a coefficient of v12
+m5 = 2.1049616508823186  # a coefficient of v12
+m6 = 4.165947785154044  # a coefficient of s3
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1.24e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0])
@@ -848,9 +851,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -868,10 +872,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -914,12 +917,12 @@ def _regular(pose, q, status):
     D3 = k4 - Z3 * Z3
     w3 = math.sqrt(D3)
     v13 = w3 - w3
-    v14 = m3 * wz - m2
-    v15 = m1 * w3
+    v14 = m5 * wz - m4
+    v15 = m3 * w3
     v16 = v14 + v15
     v17 = v14 - v15
-    v18 = m1 * wz - m4
-    v19 = m3 * w3
+    v18 = m3 * wz - m6
+    v19 = m5 * w3
     s3_p = v18 - v19
     s3_m = v18 + v19
 
@@ -995,9 +998,8 @@ def _regular(pose, q, status):
     q2_mpp = v23 - v20
     q2_mmp = v23 - v21
     doubt1 = (
-        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
-        abs(D3) <= blur_slack1 * (blur_slack1 + 2.0 * abs(Z3)) * 10.0 or v43 <= m5 or v42 <= m5 or
-        v40 <= m5 or v41 <= m5
+        abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or abs(D3) <=
+        m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <= m7 or v41 <= m7
     )
 
     # a joint is free, or branches meet
@@ -1432,12 +1434,12 @@ def _in_tiles(T, q, status):
             D3 = k4 - Z3 * Z3
             w3 = math.sqrt(D3)
             v13 = w3 - w3
-            v14 = m3 * wz - m2
-            v15 = m1 * w3
+            v14 = m5 * wz - m4
+            v15 = m3 * w3
             v16 = v14 + v15
             v17 = v14 - v15
-            v18 = m1 * wz - m4
-            v19 = m3 * w3
+            v18 = m3 * wz - m6
+            v19 = m5 * w3
             s3_p = v18 - v19
             s3_m = v18 + v19
             v20 = a3 * s3_p - d4 * v16
@@ -1505,9 +1507,9 @@ def _in_tiles(T, q, status):
             q2_mpp = v23 - v20
             q2_mmp = v23 - v21
             doubt1 = (
-                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <=
-                doubt_limit_squared2 or abs(D3) <= blur_slack1 * (blur_slack1 + 2.0 * abs(Z3)) *
-                10.0 or v43 <= m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
+                abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
+                abs(D3) <= m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <= m7
+                or v41 <= m7
             )
             work[272 + k] = v3
             work[288 + k] = v13

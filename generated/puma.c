@@ -251,10 +251,13 @@ static const double
     k7 = 2.681666262986505, /* 1 / k6 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
     g1 = 0.8636, /* L2 + D4 [m] */
-    m2 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 5.672456065993029e-12, /* 1000 * k4 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 2.4343489251065266e-11,
+    m4 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.1579434923575729, m3 = 3.105217997900075, m4 = 2.3158869847151458;
+static const double m3 = 1.1579434923575729, m5 = 3.105217997900075, m6 = 2.3158869847151458;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -271,6 +274,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void puma_fk(const double q[6], double T[16])
 {
@@ -381,8 +385,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle1 = atan2_wide(w3, N3 - k6);
 
     /* theta2 */
-    const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
-        v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
+    const wide v7 = w3 * (m3 * t34), v8 = m3 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
+        v11 = m3 * (t34 * N3), v12 = w3 * (m3 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
         v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14,
         v16 = v14 - v10 * -v10, factor2_pp = sqrt_wide(v13) * (1.0 / v13),
         factor2_pm = sqrt_wide(v15) * (1.0 / v15), factor2_mp = sqrt_wide(v16) * (1.0 / v16),
@@ -390,7 +394,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19)),
+    const wide v17 = m5 * N3, v18 = m3 - v17, v19 = v17 - m6, v20 = w1 * (N3 * (v18 + v19)),
         s23_pp = v7 + v20, s23_pm = v20 - v7, v21 = w1 * (N3 * (-v18 - v19)), s23_mp = v7 + v21,
         s23_mm = v21 - v7, v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m,
         X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm,
@@ -430,8 +434,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle18 = atan2_wide(s1_p, c1_p), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, c1_m), q1_mpp = v6 + angle19, q3_ppp = v1 + angle1,
         q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = (v31 <= m5) | (v30 <= m5) | (v16 <= m2) | (v29 <= m5) | (v15 <= m2) |
-        (v28 <= m5) | (abs_wide(D1) <= k3) | (abs_wide(D3_ * (k5 * w1)) <= boundary3) | (v13 <= m2);
+    const wide_mask doubt1 = (v31 <= m7) | (v30 <= m7) | (v16 <= m4) | (v29 <= m7) | (v15 <= m4) |
+        (v28 <= m7) | (abs_wide(D1) <= m1) | (abs_wide(D3_ * (k5 * w1)) <= m2) | (v13 <= m4);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -483,16 +487,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_), v4 = w3 - w3;
 
     /* theta2 */
-    const four v5 = w3 * (m1 * (e2 * t34)), v6 = m1 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
-    const double v9 = m1 * (t34 * N3);
-    const four C2 = v9 - w3 * (m1 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
+    const four v5 = w3 * (m3 * (e2 * t34)), v6 = m3 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
+    const double v9 = m3 * (t34 * N3);
+    const four C2 = v9 - w3 * (m3 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
         factor2 = sqrt_four(v10) * (1.0 / v10);
 
     /* theta4 */
-    const four c23 = v9 + w3 * (w1 * (m1 * v8));
-    const double v11 = m3 * N3, v12 = m1 - v11;
+    const four c23 = v9 + w3 * (w1 * (m3 * v8));
+    const double v11 = m5 * N3, v12 = m3 - v11;
     const four v13 = e1 * v12;
-    const double v14 = v11 - m4;
+    const double v14 = v11 - m6;
     const four v15 = e2 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)), v16 = T13 * s1 - T23 * c1,
         X4 = c23 * v16 - T33 * s23, v17 = T13 * c1 + T23 * s1, v18 = v17 * v17,
         v19 = v18 + factor2 * (X4 * (factor2 * X4)), v20 = signed_four(half_turn, -v17);
@@ -502,8 +506,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k3) | (fabs(D3_ * (k5 * w1)) <= boundary3);
-    const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
+    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3_ * (k5 * w1)) <= m2);
+    const four_mask doubt2 = (v10 <= m4) | (v19 <= m7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -688,7 +692,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -834,8 +838,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PUMA_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -866,9 +871,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PUMA_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma 23f59a97a574dbb5"
+_KEY = "puma bf1af732e4131abc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -176,17 +176,21 @@ k6 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
 k7 = 2.681666262986505  # 1 / k6 [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
-m1 = 1.1579434923575729  # a coefficient of v6
-m2 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
-m3 = 3.105217997900075  # a coefficient of c23
-m4 = 2.3158869847151458  # a coefficient of s23
-m5 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 5.672456065993029e-12  # 1000 * k4 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 2.4343489251065266e-11
+m3 = 1.1579434923575729  # a coefficient of v6
+m4 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
+m5 = 3.105217997900075  # a coefficient of c23
+m6 = 2.3158869847151458  # a coefficient of s23
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -836,9 +840,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -857,10 +862,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -900,12 +904,12 @@ def _regular(pose, q, status):
     v6 = w3 - w3
 
     # theta2, type 3: U1[3, 4] and U1[2, 4]
-    v7 = w3 * (m1 * t34)
-    v8 = m1 * (w1 * N3)
+    v7 = w3 * (m3 * t34)
+    v8 = m3 * (w1 * N3)
     v9 = v7 + v8
     v10 = v8 - v7
-    v11 = m1 * (t34 * N3)
-    v12 = w3 * (m1 * w1)
+    v11 = m3 * (t34 * N3)
+    v12 = w3 * (m3 * w1)
     C2_pp = v11 - v12
     C2_pm = v11 + v12
     v13 = v9 * v9 + C2_pp * C2_pp
@@ -917,9 +921,9 @@ def _regular(pose, q, status):
     factor2_mp = math.sqrt(v16) * (1.0 / v16)
 
     # theta4, type 2: U4[1, 3]
-    v17 = m3 * N3
-    v18 = m1 - v17
-    v19 = v17 - m4
+    v17 = m5 * N3
+    v18 = m3 - v17
+    v19 = v17 - m6
     v20 = w1 * (N3 * (v18 + v19))
     s23_pp = v7 + v20
     s23_pm = v20 - v7
@@ -963,8 +967,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <= m5 or v15 <= m2 or v28 <= m5 or abs(D1) <= k3
-        or abs(D3_ * (k5 * w1)) <= boundary3 or v13 <= m2
+        v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or abs(D1) <= m1
+        or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4
     )
 
     # a joint is free, or branches meet
@@ -1402,12 +1406,12 @@ def _in_tiles(T, q, status):
             D3_ = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3_)
             v6 = w3 - w3
-            v7 = w3 * (m1 * t34)
-            v8 = m1 * (w1 * N3)
+            v7 = w3 * (m3 * t34)
+            v8 = m3 * (w1 * N3)
             v9 = v7 + v8
             v10 = v8 - v7
-            v11 = m1 * (t34 * N3)
-            v12 = w3 * (m1 * w1)
+            v11 = m3 * (t34 * N3)
+            v12 = w3 * (m3 * w1)
             C2_pp = v11 - v12
             C2_pm = v11 + v12
             v13 = v9 * v9 + C2_pp * C2_pp
@@ -1417,9 +1421,9 @@ def _in_tiles(T, q, status):
             factor2_pp = math.sqrt(v13) * (1.0 / v13)
             factor2_pm = math.sqrt(v15) * (1.0 / v15)
             factor2_mp = math.sqrt(v16) * (1.0 / v16)
-            v17 = m3 * N3
-            v18 = m1 - v17
-            v19 = v17 - m4
+            v17 = m5 * N3
+            v18 = m3 - v17
+            v19 = v17 - m6
             v20 = w1 * (N3 * (v18 + v19))
             s23_pp = v7 + v20
             s23_pm = v20 - v7
@@ -1457,8 +1461,8 @@ def _in_tiles(T, q, status):
             v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
             doubt1 = (
-                v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <= m5 or v15 <= m2 or v28 <= m5 or
-                abs(D1) <= k3 or abs(D3_ * (k5 * w1)) <= boundary3 or v13 <= m2
+                v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
+                abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4
             )
             work[272 + k] = v1
             work[288 + k] = v6

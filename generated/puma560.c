@@ -234,8 +234,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
@@ -267,10 +267,13 @@ static const double
     k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
     k8 = 7.175474885806929, /* 1 / (k5^2 + k6^2) [m^-4] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 2.2049387897563516e-11,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.12579382426107213, m2 = 0.9988973492016866, m3 = 2.675752380095121,
-m4 = 0.046960667412677716, m5 = 1.1579434923575729, m6 = 0.000477176933765627;
+static const double m3 = 0.12579382426107213, m4 = 0.9988973492016866, m5 = 2.675752380095121,
+m6 = 0.046960667412677716, m7 = 1.1579434923575729, m8 = 0.000477176933765627;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -291,6 +294,7 @@ static const double highest[6] = {
     2.792526803190927, 1.9198621771937625, 2.356194490192345, 4.642575810304916, 1.7453292519943295,
     4.642575810304916,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void puma560_fk(const double q[6], double T[16])
 {
@@ -387,7 +391,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -413,13 +417,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9,
-        s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        w3 = sqrt_wide(D3), v7 = w3 - w3, v8 = m4 - m5 * N3, v9 = m3 * w3, s3_p = v8 + v9,
+        s3_m = v8 - v9, v10 = m3 * N3 - m6, v11 = m5 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
         angle3 = atan2_wide(w3, N3 - k7), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
-        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
+    const wide X1_2 = m7 * N3 - m8, v13 = Z1_3 * X1_2, v14 = w3 * (m7 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m7 * Z1_3), v16 = w3 * (m7 * -Z1_3), v17 = w1 * X1_2,
         v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
         C2_mm = v16 + v18, factor2 = 1.0 / N3, angle4 = atan2_wide(S2_pp, C2_pp),
         angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
@@ -470,8 +474,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
         outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
         outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(D3 * (k4 * w1)) <= boundary3) | (abs_wide(D1) <= k2) | (v31 <= m7) | (v30
-            <= m7) | (v28 <= m7) | (v29 <= m7);
+        doubt1 = (abs_wide(D3 * (k4 * w1)) <= m2) | (abs_wide(D1) <= m1) | (v31 <= m9) | (v30 <= m9)
+            | (v28 <= m9) | (v29 <= m9);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -519,14 +523,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta3 */
     const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v4 = w3 - w3, v5 = m2 - m3 * N3;
-    const four s3 = v5 + w3 * (m1 * e2);
-    const double v6 = m1 * N3 - m4;
-    const four c3 = v6 + w3 * (m3 * e2);
+        w3 = sqrt(D3), v4 = w3 - w3, v5 = m4 - m5 * N3;
+    const four s3 = v5 + w3 * (m3 * e2);
+    const double v6 = m3 * N3 - m6;
+    const four c3 = v6 + w3 * (m5 * e2);
 
     /* theta2 */
-    const double X1_2 = m5 * N3 - m6, v7 = Z1_3 * X1_2;
-    const four S2 = v7 - w3 * (m5 * (w1 * (e1 * e2))), v8 = w3 * (m5 * (e2 * Z1_3)),
+    const double X1_2 = m7 * N3 - m8, v7 = Z1_3 * X1_2;
+    const four S2 = v7 - w3 * (m7 * (w1 * (e1 * e2))), v8 = w3 * (m7 * (e2 * Z1_3)),
         v9 = w1 * (e1 * X1_2), C2 = v8 + v9;
     const double factor2 = 1.0 / N3;
 
@@ -534,7 +538,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, v10 = c1 * T13 + s1 * T23,
         c4 = c23 * v10 + s23 * T33, Y4 = c1 * T23 - s1 * T13, v11 = Y4 * Y4, v12 = factor2 * c4,
         v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m7;
+    const four_mask doubt2 = v13 <= m9;
     const four v14 = signed_four(half_turn, Y4);
 
     /* theta6 */
@@ -542,7 +546,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v18 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
+    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -838,7 +842,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -912,10 +916,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -1015,7 +1019,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != PUMA560_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1064,9 +1068,7 @@ static void stay(
         if (status[row] != PUMA560_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1078,8 +1080,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PUMA560_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1116,9 +1124,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PUMA560_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA560_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 c119919661bf8c4e"
+_KEY = "puma560 0d0076f430b4d016"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -182,19 +182,23 @@ high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345
 high5 = 1.7453292529943296
-m1 = 0.12579382426107213  # a coefficient of s3
-m2 = 0.9988973492016866  # a coefficient of s3
-m3 = 2.675752380095121  # a coefficient of s3
-m4 = 0.046960667412677716  # a coefficient of c3
-m5 = 1.1579434923575729  # a coefficient of X1_2
-m6 = 0.000477176933765627  # a coefficient of X1_2
-m7 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 2.2049387897563516e-11
+m3 = 0.12579382426107213  # a coefficient of s3
+m4 = 0.9988973492016866  # a coefficient of s3
+m5 = 2.675752380095121  # a coefficient of s3
+m6 = 0.046960667412677716  # a coefficient of c3
+m7 = 1.1579434923575729  # a coefficient of X1_2
+m8 = 0.000477176933765627  # a coefficient of X1_2
+m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -639,13 +643,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -882,10 +886,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1013,7 +1017,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1066,7 +1070,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1085,18 +1089,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1119,10 +1126,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1158,23 +1164,23 @@ def _regular(pose, q, status):
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
     v7 = w3 - w3
-    v8 = m2 - m3 * N3
-    v9 = m1 * w3
+    v8 = m4 - m5 * N3
+    v9 = m3 * w3
     s3_p = v8 + v9
     s3_m = v8 - v9
-    v10 = m1 * N3 - m4
-    v11 = m3 * w3
+    v10 = m3 * N3 - m6
+    v11 = m5 * w3
     c3_p = v10 + v11
     c3_m = v10 - v11
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m5 * N3 - m6
+    X1_2 = m7 * N3 - m8
     v13 = Z1_3 * X1_2
-    v14 = w3 * (m5 * w1)
+    v14 = w3 * (m7 * w1)
     S2_pp = v13 - v14
     S2_pm = v13 + v14
-    v15 = w3 * (m5 * Z1_3)
-    v16 = w3 * (m5 * -Z1_3)
+    v15 = w3 * (m7 * Z1_3)
+    v16 = w3 * (m7 * -Z1_3)
     v17 = w1 * X1_2
     v18 = w1 * -X1_2
     C2_pp = v15 + v17
@@ -1227,8 +1233,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D3 * (k4 * w1)) <= boundary3 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or
-        v29 <= m7
+        abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9 or v29 <=
+        m9
     )
 
     # a joint is free, or branches meet
@@ -1682,21 +1688,21 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v7 = w3 - w3
-            v8 = m2 - m3 * N3
-            v9 = m1 * w3
+            v8 = m4 - m5 * N3
+            v9 = m3 * w3
             s3_p = v8 + v9
             s3_m = v8 - v9
-            v10 = m1 * N3 - m4
-            v11 = m3 * w3
+            v10 = m3 * N3 - m6
+            v11 = m5 * w3
             c3_p = v10 + v11
             c3_m = v10 - v11
-            X1_2 = m5 * N3 - m6
+            X1_2 = m7 * N3 - m8
             v13 = Z1_3 * X1_2
-            v14 = w3 * (m5 * w1)
+            v14 = w3 * (m7 * w1)
             S2_pp = v13 - v14
             S2_pm = v13 + v14
-            v15 = w3 * (m5 * Z1_3)
-            v16 = w3 * (m5 * -Z1_3)
+            v15 = w3 * (m7 * Z1_3)
+            v16 = w3 * (m7 * -Z1_3)
             v17 = w1 * X1_2
             v18 = w1 * -X1_2
             C2_pp = v15 + v17
@@ -1743,8 +1749,8 @@ def _in_tiles(T, q, status):
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
             doubt1 = (
-                abs(D3 * (k4 * w1)) <= boundary3 or abs(D1) <= k2 or v31 <= m7 or v30 <= m7 or v28
-                <= m7 or v29 <= m7
+                abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9 or
+                v29 <= m9
             )
             work[272 + k] = v1
             work[288 + k] = v7

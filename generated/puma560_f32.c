@@ -116,8 +116,8 @@ HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
 
 TURNS(wide)
 
-#define low(joint) (lowest[joint - 1] - 2e-06f)
-#define high(joint) (highest[joint - 1] + 2e-06f)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
@@ -173,6 +173,7 @@ static const float highest[6] = {
     2.7925267f, 1.9198622f, 2.3561945f, 4.6425757f, 1.7453293f,
     4.6425757f,
 };
+#define slack(joint) 2e-06f /* by which joint values may miss their limits */
 
 void puma560_f32_fk(const float q[6], float T[16])
 {
@@ -270,7 +271,7 @@ static float overshoot(int joint, float value)
     const float gap = turn - (high - low), over = value - high;
     const float rest = over - turn * floorf(over / turn);
     const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
 /* The same of a row. */
@@ -618,7 +619,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
-    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
+    const float low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     float value = given;
     if (fabsf(towards) < 100.0f)
         value += turn * floorf((towards - given) / turn + 0.5f);
@@ -692,10 +693,10 @@ static void add_step(const int held[6], float damping, float e[6], float x[6])
 static float past_an_end(int joint, float value)
 {
     const float low = lowest[joint], high = highest[joint];
-    if (high - low < 6.2831845f)
+    if (high - low < 6.183185f)
         return overshoot(joint, value);
     const float off = value - fminf(fmaxf(value, low), high);
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
 /* The same of all joints. */
@@ -795,7 +796,7 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != PUMA560_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
-            && half_way(rows[k], q, to) > 0.00031622776f && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
@@ -844,9 +845,7 @@ static void stay(
         if (status[row] != PUMA560_F32_UNREACHABLE) {
             const float off = half_way(x, q[row], half);
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0f) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0f; /* its own */
@@ -858,8 +857,14 @@ static void stay(
     }
     if (least >= 0.0f)
         status[place] = PUMA560_F32_FREE_JOINT;
-    if (nearest > 0.003f)
-        take(x, q[place]);
+    if (nearest <= 0.003f) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0f)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -896,9 +901,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 2e-06f <= *value && *value <= highest[i] + 2e-06f))
+            *value = turned(i, *value, 0.0f);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PUMA560_F32_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA560_F32_OUT_OF_LIMITS;

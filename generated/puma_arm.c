@@ -241,9 +241,12 @@ static const double
     k6 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
     k8 = 7.175474885806929, /* 1 / (k5^2 + k6^2) [m^-4] */
-    turn1 = 1.5238184104468135; /* a constant angle [rad] */
+    turn1 = 1.5238184104468135, /* a constant angle [rad] */
+    m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 2.2049387897563516e-11;
 /* coefficients */
-static const double m1 = 1.1579434923575729, m2 = 0.000477176933765627;
+static const double m3 = 1.1579434923575729, m4 = 0.000477176933765627;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -257,6 +260,7 @@ const char *const puma_arm_branches[4] = {
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void puma_arm_fk(const double q[3], double T[16])
 {
@@ -317,15 +321,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         v7 = turn1 + angle1;
 
     /* theta2 */
-    const wide X1_2 = m1 * N3 - m2, v8 = Z1_3 * X1_2, v9 = w3 * (m1 * Z1_3),
-        v10 = w3 * (m1 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m1 * w1),
+    const wide X1_2 = m3 * N3 - m4, v8 = Z1_3 * X1_2, v9 = w3 * (m3 * Z1_3),
+        v10 = w3 * (m3 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m3 * w1),
         v14 = v8 - v13, v15 = v8 + v13;
 
     /* joint values */
     const wide angle6 = atan2_wide(v2 + v5, v4 - v3), q1_pp = v6 + angle6,
         angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
         q3_pp = v1 + raised_wide(q3__p), q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (abs_wide(D3 * (k4 * w1)) <= boundary3);
+    const wide_mask doubt1 = (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2);
 
     q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -358,18 +362,18 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
         w3 = sqrt(D3), v6 = w3 - w3;
 
     /* theta2 */
-    const double X1_2 = m1 * N3 - m2, v7 = Z1_3 * X1_2;
-    const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
+    const double X1_2 = m3 * N3 - m4, v7 = Z1_3 * X1_2;
+    const four v8 = w3 * (m3 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
+    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3), shuffle(e1
         * v4 - v3, all_four(N3 - k7), 0, 5, 2, 3)),
-        ratio2 = ratio_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);
+        ratio2 = ratio_four(v7 - w3 * (m3 * (w1 * (e1 * e2))), v8 + v9);
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2);
     const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3, q3 = v1 + raised_four(q3_);
@@ -499,7 +503,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -640,8 +644,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PUMA_ARM_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -669,9 +674,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = PUMA_ARM_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA_ARM_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm 6c6651af3d320f2e"
+_KEY = "puma_arm e4ed52b35047db37"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -170,14 +170,18 @@ k6 = 0.01753108  # 2 * a3 * a2 [m^2]
 k7 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k8 = 7.175474885806929  # 1 / (k5^2 + k6^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
-m1 = 1.1579434923575729  # a coefficient of X1_2
-m2 = 0.000477176933765627  # a coefficient of X1_2
+m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 2.2049387897563516e-11
+m3 = 1.1579434923575729  # a coefficient of X1_2
+m4 = 0.000477176933765627  # a coefficient of X1_2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -671,9 +675,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(3):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -692,10 +697,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -727,18 +731,18 @@ def _regular(pose, q, status):
     v6 = w3 - w3
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m1 * N3 - m2
+    X1_2 = m3 * N3 - m4
     v8 = Z1_3 * X1_2
-    v9 = w3 * (m1 * Z1_3)
-    v10 = w3 * (m1 * -Z1_3)
+    v9 = w3 * (m3 * Z1_3)
+    v10 = w3 * (m3 * -Z1_3)
     v11 = w1 * X1_2
     v12 = w1 * -X1_2
-    v13 = w3 * (m1 * w1)
+    v13 = w3 * (m3 * w1)
     v14 = v8 - v13
     v15 = v8 + v13
 
     # joint values
-    doubt1 = abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3
+    doubt1 = abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1059,16 +1063,16 @@ def _in_tiles(T, q, status):
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
             v6 = w3 - w3
-            X1_2 = m1 * N3 - m2
+            X1_2 = m3 * N3 - m4
             v8 = Z1_3 * X1_2
-            v9 = w3 * (m1 * Z1_3)
-            v10 = w3 * (m1 * -Z1_3)
+            v9 = w3 * (m3 * Z1_3)
+            v10 = w3 * (m3 * -Z1_3)
             v11 = w1 * X1_2
             v12 = w1 * -X1_2
-            v13 = w3 * (m1 * w1)
+            v13 = w3 * (m3 * w1)
             v14 = v8 - v13
             v15 = v8 + v13
-            doubt1 = abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3
+            doubt1 = abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2
             work[272 + k] = v1
             work[288 + k] = v6
             work[304 + k] = doubt1

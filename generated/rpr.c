@@ -219,7 +219,8 @@ static const double
     merge_slack1 = 8e-15, /* nearer to that boundary two branches are one [m] */
     k1 = 0.09, /* a3^2 [m^2] */
     k2 = 11.111111111111112, /* 1 / k1 [m^-2] */
-    m1 = 6.400000000000001e-09; /* doubt_limit1^2 [m^2] */
+    m1 = 6.400000000000001e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 8e-12; /* 1000 * merge_slack1 [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -234,6 +235,9 @@ const char *const rpr_branches[4] = {
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 static const int revolute[3] = { 1, 0, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[3] = { 1e-09, 8e-10, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[3] = { 1.0, 1.5624999999999998, 1.0 };
 
@@ -290,7 +294,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q1_pp = angle1 + v2, q1_mp = v2 + (angle1 - signed_wide(half_turn, -T14));
-    const wide_mask doubt1 = (v1 <= m1) | (abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
+    const wide_mask doubt1 = (v1 <= m1) | (abs_wide(D3) <= m3 * (merge_slack1 + 2.0 *
         abs_wide(Z3)));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = angle2;
@@ -327,7 +331,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const four v4 = e1 * w1, v5 = e2 * w3, q2 = v4 + v5;
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3)));
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3 * (merge_slack1 + 2.0 * fabs(Z3)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -445,7 +449,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -565,8 +569,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = RPR_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -593,9 +598,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = RPR_OUT_OF_LIMITS;
         }
         count += status[row] != RPR_OUT_OF_LIMITS;

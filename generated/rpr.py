@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr 80fb60146c2823fe"
+_KEY = "rpr 948be7a801e3a3d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -157,12 +157,14 @@ merge_slack1 = 8e-15  # nearer to that boundary two branches are one [m]
 k1 = 0.09  # a3^2 [m^2]
 k2 = 11.111111111111112  # 1 / k1 [m^-2]
 m1 = 6.400000000000001e-09  # doubt_limit1^2 [m^2]
+m3 = 8e-12  # 1000 * merge_slack1 [m]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 8e-10, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.5624999999999998, 1.0])
@@ -573,9 +575,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(3):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -592,10 +595,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -625,7 +627,7 @@ def _regular(pose, q, status):
     q2_pm = w1 - w3
 
     # joint values
-    doubt1 = v1 <= m1 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3))
+    doubt1 = v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -926,7 +928,7 @@ def _in_tiles(T, q, status):
             v2 = w3 - w3
             q2_pp = w1 + w3
             q2_pm = w1 - w3
-            doubt1 = v1 <= m1 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3))
+            doubt1 = v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3))
             work[272 + k] = v2
             work[288 + k] = q2_pp
             work[304 + k] = q2_pm

@@ -232,8 +232,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -261,8 +261,8 @@ static const double
     pose_slack1 = 8e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* L1^2 + L2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * L2 * L1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 5.379696688124914e-14,
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 5.382361223382632e-12,
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
 static const double m2 = 1.25, m3 = 0.08750000000000001;
@@ -282,6 +282,9 @@ static const double lowest[4] = {
 };
 static const double highest[4] = { 2.2689280275926285, 2.530727415391778, 0.0, 6.283185307179586 };
 static const int revolute[4] = { 1, 1, 0, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[4] = { 1e-09, 1e-09, 8e-10, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[4] = { 1.0, 1.0, 1.5625000000000002, 1.0 };
 /* Of the values of a free joint that are tried, from one to the next. */
@@ -364,15 +367,15 @@ static double overshoot(int joint, double value)
     const double rest = over - turn * floor(over / turn);
     if (revolute[joint])
         off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row. */
+/* The same of a row; lengths count in arm sizes. */
 static double beyond_limits(const double values[4])
 {
     double sum = 0.0;
     for (int i = 0; i < 4; i++)
-        sum += fabs(overshoot(i, values[i]));
+        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 1.25);
     return sum;
 }
 
@@ -696,7 +699,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -772,10 +775,10 @@ static void add_step(const int held[4], double damping, double e[6], double x[4]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -783,7 +786,7 @@ static double past_ends(const double values[4])
 {
     double sum = 0.0;
     for (int i = 0; i < 4; i++)
-        sum += fabs(past_an_end(i, values[i]));
+        sum += fabs(past_an_end(i, values[i])) * (revolute[i] ? 1.0 : 1.25);
     return sum;
 }
 
@@ -877,7 +880,7 @@ static void stand(const double T[16], int row, double rows[2][4], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != SCARA_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -903,9 +906,7 @@ static void stay(
         if (status[row] != SCARA_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 4; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -917,8 +918,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SCARA_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 4; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -954,9 +961,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SCARA_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_OUT_OF_LIMITS;

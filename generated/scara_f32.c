@@ -127,8 +127,8 @@ HELPER v centred_##v(v x) \
 
 TURNS(wide)
 
-#define low(joint) (lowest[joint - 1] - 2e-06f)
-#define high(joint) (highest[joint - 1] + 2e-06f)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 
@@ -173,6 +173,9 @@ static const float lowest[4] = {
 };
 static const float highest[4] = { 2.268928f, 2.5307274f, 0.0f, 6.2831855f };
 static const int revolute[4] = { 1, 1, 0, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const float slack[4] = { 2e-06f, 2e-06f, 1.6e-06f, 2e-06f };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const float weight[4] = { 1.0f, 1.0f, 1.5625f, 1.0f };
 /* Of the values of a free joint that are tried, from one to the next. */
@@ -257,15 +260,15 @@ static float overshoot(int joint, float value)
     const float rest = over - turn * floorf(over / turn);
     if (revolute[joint])
         off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
-/* The same of a row. */
+/* The same of a row; lengths count in arm sizes. */
 static float beyond_limits(const float values[4])
 {
     float sum = 0.0f;
     for (int i = 0; i < 4; i++)
-        sum += fabsf(overshoot(i, values[i]));
+        sum += fabsf(overshoot(i, values[i])) * (revolute[i] ? 1.0f : 1.25f);
     return sum;
 }
 
@@ -511,7 +514,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
-    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
+    const float low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     float value = given;
@@ -587,10 +590,10 @@ static void add_step(const int held[4], float damping, float e[6], float x[4])
 static float past_an_end(int joint, float value)
 {
     const float low = lowest[joint], high = highest[joint];
-    if (high - low < 6.2831845f)
+    if (high - low < 6.183185f)
         return overshoot(joint, value);
     const float off = value - fminf(fmaxf(value, low), high);
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
 /* The same of all joints. */
@@ -598,7 +601,7 @@ static float past_ends(const float values[4])
 {
     float sum = 0.0f;
     for (int i = 0; i < 4; i++)
-        sum += fabsf(past_an_end(i, values[i]));
+        sum += fabsf(past_an_end(i, values[i])) * (revolute[i] ? 1.0f : 1.25f);
     return sum;
 }
 
@@ -692,7 +695,7 @@ static void stand(const float T[16], int row, float rows[2][4], const unsigned c
     off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
-            && half_way(rows[k], q, to) > 0.00031622776f && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
@@ -718,9 +721,7 @@ static void stay(
         if (status[row] != SCARA_F32_UNREACHABLE) {
             const float off = half_way(x, q[row], half);
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
-            for (int i = 0; i < 4; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0f) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0f; /* its own */
@@ -732,8 +733,14 @@ static void stay(
     }
     if (least >= 0.0f)
         status[place] = SCARA_F32_FREE_JOINT;
-    if (nearest > 0.003f)
-        take(x, q[place]);
+    if (nearest <= 0.003f) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 4; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0f)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -769,9 +776,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 4; i++) {
             float *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 2e-06f <= *value && *value <= highest[i] + 2e-06f))
+            *value = turned(i, *value, 0.0f);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SCARA_F32_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_F32_OUT_OF_LIMITS;

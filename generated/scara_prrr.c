@@ -253,8 +253,8 @@ static const double
     pose_slack1 = 5.500000000000001e-06, /* a pose may be rounded by this [m] */
     k1 = 0.1525, /* a2^2 + a3^2 [m^2] */
     k2 = 6.666666666666667, /* 1 / (2 * a3 * a2) [m^-2] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m1 = 1.813549310725559e-14,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m1 = 1.831867990631471e-12,
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
 static const double m2 = 1.6666666666666667, m3 = 0.045833333333333316;
@@ -272,6 +272,9 @@ const char *const scara_prrr_branches[2] = {
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[4] = { 0, 1, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[4] = { 5.5e-10, 1e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[4] = { 3.305785123966942, 1.0, 1.0, 1.0 };
 
@@ -530,7 +533,7 @@ static void take(const double from[4], double to[4])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -655,8 +658,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SCARA_PRRR_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -686,9 +690,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SCARA_PRRR_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_PRRR_OUT_OF_LIMITS;

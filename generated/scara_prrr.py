@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr fbc151ea80d20238"
+_KEY = "scara_prrr b955abdf8aa3f2f0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -162,16 +162,18 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
-m1 = 1.813549310725559e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m1 = 1.831867990631471e-12
 m2 = 1.6666666666666667  # a coefficient of S2
 m3 = 0.045833333333333316  # a coefficient of S2
 m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([5.5e-10, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([3.305785123966942, 1.0, 1.0, 1.0])
@@ -649,9 +651,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(4):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -668,10 +671,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(4):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

@@ -225,8 +225,8 @@ static const double
     free_limit_squared2 = 1.4399999999999998e-24, /* square of a length that fixes no angle [m^2] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 8.06554822929966e-14;
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 8.046896482482852e-12;
 /* coefficients */
 static const double m2 = 1.25, m3 = 0.08750000000000001;
 
@@ -243,6 +243,9 @@ const char *const scara_rrp_branches[2] = {
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 static const int revolute[3] = { 1, 1, 0 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[3] = { 1e-09, 1e-09, 1.2e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[3] = { 1.0, 1.0, 0.6944444444444444 };
 
@@ -437,7 +440,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -557,8 +560,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SCARA_RRP_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -585,9 +589,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SCARA_RRP_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_RRP_OUT_OF_LIMITS;

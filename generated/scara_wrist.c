@@ -265,8 +265,8 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 8.737011114593444e-14,
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 8.7396756498489e-12,
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m2 = 1.25, m3 = 0.08750000000000001;
@@ -286,6 +286,9 @@ static const double lowest[6] = {
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[6] = { 1, 1, 0, 1, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 1e-09, 1e-09, 1.3e-09, 1e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 1.0, 0.5917159763313609, 1.0, 1.0, 1.0 };
 
@@ -595,7 +598,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -720,8 +723,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SCARA_WRIST_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -751,9 +755,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SCARA_WRIST_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_WRIST_OUT_OF_LIMITS;

@@ -512,10 +512,10 @@ static const double
     k2 = 10.237300628570258, /* 1 / k1 [m^-2] */
     m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m4 = 1.6429994031951628e-15,
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m5 = 1.6442094386282138e-06,
+    m4 = 1.6442094386282138e-06,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m5 = 1.6429994031951627e-12,
     m8 = 8.213869404159996e-17, /* doubt_limit_squared2^2 [m^4] */
     m9 = 1e-24, /* exact_slack^2 */
     m10 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
@@ -535,6 +535,7 @@ const char *const scorbot_pointing_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void scorbot_pointing_fk(const double q[5], double T[16])
 {
@@ -681,7 +682,7 @@ HELPER wide_mask solve_wide(
     const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
         ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
         ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
-        ((-m5 <= D3_p) & (D3_p <= m4)) | ((-m5 <= D3_m) & (D3_m <= m4));
+        ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <= m5));
 
     q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85; q[3] = v85 + raised_wide(v80);
     q[4] = v85 + v91;
@@ -730,7 +731,7 @@ HELPER int solve_regular(
     const double v23 = Z1_3 * Z1_3;
     const four N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
         w3 = sqrt_four(D3), v24 = w3 - w3;
-    const four_mask doubt2 = (-m5 <= D3) & (D3 <= m4);
+    const four_mask doubt2 = (-m4 <= D3) & (D3 <= m5);
     const four s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
@@ -1184,7 +1185,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1316,8 +1317,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SCORBOT_POINTING_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1356,9 +1358,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SCORBOT_POINTING_OUT_OF_LIMITS;
         }
         count += status[row] != SCORBOT_POINTING_OUT_OF_LIMITS;

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 9db141150001a7dc"
+_KEY = "scorbot_pointing 91154860020ad630"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -176,8 +176,9 @@ k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / k1 [m^-2]
 m1 = 9.06304e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999997e-17  # doubt_limit_squared^2
-m4 = 1.6429994031951628e-15  # (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
-m5 = 1.6442094386282138e-06  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+m4 = 1.6442094386282138e-06  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m5 = 1.6429994031951627e-12
 m6 = 4.524886877828054  # a coefficient of Y1_2
 m7 = 2.262443438914027  # a coefficient of Y1_2
 m8 = 8.213869404159996e-17  # doubt_limit_squared2^2 [m^4]
@@ -187,9 +188,10 @@ m11 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -1351,9 +1353,10 @@ def _stay(pose, q_free, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(5):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(5):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1377,10 +1380,9 @@ def _whole(pose, q_free, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
+            q[row, i] = _turned(i, q[row, i], 0.0 if _PACE[i] > 0.0 else q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1524,8 +1526,8 @@ def _regular(pose, q_free, q, status):
     doubt1 = (
         v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and v74 <=
         m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72 and v72 <= m11)
-        or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m5 <= D3_p and D3_p <= m4) or
-        (-m5 <= D3_m and D3_m <= m4)
+        or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4 <= D3_p and D3_p <= m5) or
+        (-m4 <= D3_m and D3_m <= m5)
     )
 
     # a joint is free, or branches meet
@@ -2011,8 +2013,8 @@ def _in_tiles(T, q_free, q, status):
             doubt1 = (
                 v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and
                 v74 <= m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72
-                and v72 <= m11) or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m5 <=
-                D3_p and D3_p <= m4) or (-m5 <= D3_m and D3_m <= m4)
+                and v72 <= m11) or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4 <=
+                D3_p and D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5)
             )
             work[288 + k] = v3
             work[304 + k] = v24

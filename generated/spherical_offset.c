@@ -220,7 +220,8 @@ static const double
     k1 = 0.0225, /* d2^2 [m^2] */
     k2 = 4.5000000000002246e-15, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
     k3 = 4.500000000000022e-16, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-    m1 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */
+    m1 = 4.5000000000000217e-13, /* 1000 * k3 [m^2] */
+    m2 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -235,6 +236,9 @@ const char *const spherical_offset_branches[4] = {
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 static const int revolute[3] = { 1, 1, 0 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[3] = { 1e-09, 1e-09, 1.5e-10 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[3] = { 1.0, 1.0, 44.44444444444444 };
 
@@ -290,7 +294,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q3_pp = v1 + w3, q3_pm = v1 - w3;
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (v6 <= m1);
+    const wide_mask doubt1 = (abs_wide(D1) <= m1) | (v6 <= m2);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -306,7 +310,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
 #if LANES > 1
 static const double
-    m2 = 0.5; /* 1 / 2 */
+    m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -325,7 +329,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* joint values */
     const four q3 = v1 + e2 * w3;
-    const int doubt1 = (fabs(D1) <= k2) | (v6 <= m1);
+    const int doubt1 = (fabs(D1) <= m1) | (v6 <= m2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -334,7 +338,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
         shuffle(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3));
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1);
-    const four q2_ = angle2 + v7 * (m2 * (e2 - 1.0)), q2 = e1 * q2_;
+    const four q2_ = angle2 + v7 * (m3 * (e2 - 1.0)), q2 = e1 * q2_;
 
     store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle1, q2);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
@@ -446,7 +450,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -566,8 +570,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SPHERICAL_OFFSET_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -594,9 +599,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SPHERICAL_OFFSET_OUT_OF_LIMITS;
         }
         count += status[row] != SPHERICAL_OFFSET_OUT_OF_LIMITS;

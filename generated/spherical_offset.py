@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset 5f2e70a8178735f6"
+_KEY = "spherical_offset 1157a72629f456b8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -157,13 +157,15 @@ free_limit1 = 1.5e-13  # a length that fixes no angle [m]
 k1 = 0.0225  # d2^2 [m^2]
 k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
-m1 = 2.2499999999999997e-10  # doubt_limit1^2 [m^2]
+m1 = 4.5000000000000217e-13  # 1000 * k3 [m^2]
+m2 = 2.2499999999999997e-10  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1.5e-10])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 44.44444444444444])
@@ -579,9 +581,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(3):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -598,10 +601,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -632,7 +634,7 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt1 = abs(D1) <= k2 or v6 <= m1
+    doubt1 = abs(D1) <= m1 or v6 <= m2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -938,7 +940,7 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt1 = abs(D1) <= k2 or v6 <= m1
+            doubt1 = abs(D1) <= m1 or v6 <= m2
             work[272 + k] = w1
             work[288 + k] = q3_pp
             work[304 + k] = q3_pm

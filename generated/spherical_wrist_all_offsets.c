@@ -269,10 +269,13 @@ static const double
     k8 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k9 = 8.866112830151877, /* 1 / (k6^2 + k7^2) [m^-4] */
     turn1 = -1.3382393849899876, /* a constant angle [rad] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 2.4920000000003177e-12, /* 1000 * k4 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.96123369955058e-11,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 1.1627906976744187, m2 = 0.03767441860465117, m3 = 0.29508196721311475,
-m4 = 1.2459016393442623, m5 = 0.04036721311475411, m6 = 0.00956065573770492;
+static const double m3 = 1.1627906976744187, m4 = 0.03767441860465117, m5 = 0.29508196721311475,
+m6 = 1.2459016393442623, m7 = 0.04036721311475411, m8 = 0.00956065573770492;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -289,6 +292,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
 {
@@ -401,22 +405,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3__mp = angle2 - turn1, v10 = turn1 + angle2;
 
     /* theta2 */
-    const wide v11 = Z1_3 * (m2 + m1 * N3_p), v12 = Z1_3 * (m2 + m1 * N3_m), factor2_p = 1.0 / N3_p,
-        factor2_m = 1.0 / N3_m, v13 = v5 * (m1 + m2 * factor2_p), v14 = v6 * (m1 + m2 * factor2_m),
-        v15 = w3_p * (m1 * v5),
-        angle3 = atan2_wide(-(factor2_p * (v11 - v15)), -(v13 + w3_p * (m1 * (Z1_3 * factor2_p)))),
-        angle4 = atan2_wide(-(factor2_p * (v11 + v15)), -(v13 + w3_p * (m1 * (-Z1_3 * factor2_p)))),
-        angle5 = atan2_wide(-(factor2_m * (v12 - w3_m * (m1 * v6))), -(v14 + w3_m * (m1 * (Z1_3 *
+    const wide v11 = Z1_3 * (m4 + m3 * N3_p), v12 = Z1_3 * (m4 + m3 * N3_m), factor2_p = 1.0 / N3_p,
+        factor2_m = 1.0 / N3_m, v13 = v5 * (m3 + m4 * factor2_p), v14 = v6 * (m3 + m4 * factor2_m),
+        v15 = w3_p * (m3 * v5),
+        angle3 = atan2_wide(-(factor2_p * (v11 - v15)), -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))),
+        angle4 = atan2_wide(-(factor2_p * (v11 + v15)), -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))),
+        angle5 = atan2_wide(-(factor2_m * (v12 - w3_m * (m3 * v6))), -(v14 + w3_m * (m3 * (Z1_3 *
             factor2_m)))),
-        angle6 = atan2_wide(-(factor2_m * (v12 - w3_m * (m1 * -v6))), -(v14 + w3_m * (m1 * (-Z1_3 *
+        angle6 = atan2_wide(-(factor2_m * (v12 - w3_m * (m3 * -v6))), -(v14 + w3_m * (m3 * (-Z1_3 *
             factor2_m))));
 
     /* theta4 */
-    const wide v16 = m3 * Z1_3, v17 = m4 - m5 * factor2_p, v18 = m4 - m5 * factor2_m,
-        v19 = m6 * factor2_p - m3, v20 = m6 * factor2_m - m3, v21 = Z1_3 * v17 + v5 * v19,
-        v22 = Z1_3 * v18 + v6 * v20, v23 = w3_p * (factor2_p * (v16 + m4 * v5)), c23_pp = v21 + v23,
-        c23_pm = v21 - v23, v24 = w3_m * (factor2_m * (v16 + m4 * v6)), c23_mp = v22 + v24,
-        c23_mm = v22 - v24, v25 = m4 * Z1_3, v26 = v25 - m3 * v5, v27 = v25 - m3 * v6,
+    const wide v16 = m5 * Z1_3, v17 = m6 - m7 * factor2_p, v18 = m6 - m7 * factor2_m,
+        v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5, v21 = Z1_3 * v17 + v5 * v19,
+        v22 = Z1_3 * v18 + v6 * v20, v23 = w3_p * (factor2_p * (v16 + m6 * v5)), c23_pp = v21 + v23,
+        c23_pm = v21 - v23, v24 = w3_m * (factor2_m * (v16 + m6 * v6)), c23_mp = v22 + v24,
+        c23_mm = v22 - v24, v25 = m6 * Z1_3, v26 = v25 - m5 * v5, v27 = v25 - m5 * v6,
         v28 = Z1_3 * v19 + v5 * -v17, v29 = Z1_3 * v20 + v6 * -v18,
         s23_pp = v28 + w3_p * (factor2_p * v26), s23_pm = v28 + w3_p * (factor2_p * -v26),
         s23_mp = v29 + w3_m * (factor2_m * v27), s23_mm = v29 + w3_m * (factor2_m * -v27),
@@ -454,8 +458,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_mpp = lowered_wide(q3__mp), q3_mmp = only_wide(half_turn < -v10, -turn) - v10,
         angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
         angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (v37 <= m7) | (v36 <= m7) | (v35 <= m7) | (v34 <= m7) | (abs_wide(D3_m
-        * v8) <= boundary3) | (abs_wide(D1) <= k3) | (abs_wide(D3_p * v8) <= boundary3);
+    const wide_mask doubt1 = (v37 <= m9) | (v36 <= m9) | (v35 <= m9) | (v34 <= m9) | (abs_wide(D3_m
+        * v8) <= m2) | (abs_wide(D1) <= m1) | (abs_wide(D3_p * v8) <= m2);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -501,7 +505,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
         w1 = sqrt(D1);
-    const int doubt1 = fabs(D1) <= k3;
+    const int doubt1 = fabs(D1) <= m1;
     const double inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * wx));
     const double v3 = inverse1 * (k1 * wx);
@@ -514,21 +518,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
     const double v6 = k5 * w1;
     const four w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3 * v6) <= boundary3;
+    const four_mask doubt2 = abs_four(D3 * v6) <= m2;
 
     /* theta2 */
-    const four v7 = Z1_3 * (m2 + m1 * N3), v8 = e2 * Z1_3, factor2 = 1.0 / N3,
-        v9 = v4 * (m1 + m2 * factor2);
+    const four v7 = Z1_3 * (m4 + m3 * N3), v8 = e2 * Z1_3, factor2 = 1.0 / N3,
+        v9 = v4 * (m3 + m4 * factor2);
 
     /* theta4 */
-    const double v10 = m3 * Z1_3;
-    const four v11 = v10 + m4 * v4, v12 = m4 - m5 * factor2, v13 = m6 * factor2 - m3,
+    const double v10 = m5 * Z1_3;
+    const four v11 = v10 + m6 * v4, v12 = m6 - m7 * factor2, v13 = m8 * factor2 - m5,
         v14 = Z1_3 * v12 + v4 * v13, c23 = v14 + w3 * (factor2 * (e2 * v11));
-    const double v15 = m4 * Z1_3;
-    const four v16 = v15 - m3 * v4, v17 = Z1_3 * v13 + v4 * -v12,
+    const double v15 = m6 * Z1_3;
+    const four v16 = v15 - m5 * v4, v17 = Z1_3 * v13 + v4 * -v12,
         s23 = v17 + w3 * (factor2 * (e2 * v16)), v18 = T23 * s1 - T13 * v2,
         X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v19 = Y4 * Y4, v20 = v19 + X4 * X4;
-    const four_mask doubt3 = v20 <= m7;
+    const four_mask doubt3 = v20 <= m9;
     const four v21 = signed_four(half_turn, Y4);
 
     /* theta6 */
@@ -540,7 +544,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k8, -v2, 0, 5, 2,
         7)),
-        ratio2 = ratio_four(-(factor2 * (v7 - w3 * (m1 * (e2 * v4)))), -(v9 + w3 * (m1 * (v8 *
+        ratio2 = ratio_four(-(factor2 * (v7 - w3 * (m3 * (e2 * v4)))), -(v9 + w3 * (m3 * (v8 *
             factor2)))), ratio3 = ratio_four(Y4, -X4),
         ratio4 = ratio_four(-(-X4 * v24 + Y4 * (c23 * v25 - s23 * T31)), -(-X4 * v22 + Y4 * (c23 *
             v23 - s23 * T32))), ratio5 = ratio_four(-sqrt_four(v20), T33 * c23 + s23 * v18);
@@ -723,7 +727,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -869,8 +873,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -902,9 +907,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
         }
         count += status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets cb657225c6af8543"
+_KEY = "spherical_wrist_all_offsets 546cec07749899ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -184,19 +184,22 @@ k7 = 0.0774  # 2 * a3 * a2 [m^2]
 k8 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
 k9 = 8.866112830151877  # 1 / (k6^2 + k7^2) [m^-4]
 turn1 = -1.3382393849899876  # a constant angle [rad]
-m1 = 1.1627906976744187  # a coefficient of Y1_2
-m2 = 0.03767441860465117  # a coefficient of Y1_2
-m3 = 0.29508196721311475  # a coefficient of c23
-m4 = 1.2459016393442623  # a coefficient of c23
-m5 = 0.04036721311475411  # a coefficient of c23
-m6 = 0.00956065573770492  # a coefficient of c23
-m7 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 2.4920000000003177e-12  # 1000 * k4 [m^2]
+m2 = 1.96123369955058e-11  # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 1.1627906976744187  # a coefficient of Y1_2
+m4 = 0.03767441860465117  # a coefficient of Y1_2
+m5 = 0.29508196721311475  # a coefficient of c23
+m6 = 1.2459016393442623  # a coefficient of c23
+m7 = 0.04036721311475411  # a coefficient of c23
+m8 = 0.00956065573770492  # a coefficient of c23
+m9 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -843,9 +846,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -864,10 +868,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -910,31 +913,31 @@ def _regular(pose, q, status):
     w3_m = math.sqrt(D3_m)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v11 = Z1_3 * (m2 + m1 * N3_p)
-    v12 = Z1_3 * (m2 + m1 * N3_m)
+    v11 = Z1_3 * (m4 + m3 * N3_p)
+    v12 = Z1_3 * (m4 + m3 * N3_m)
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    v13 = v5 * (m1 + m2 * factor2_p)
-    v14 = v6 * (m1 + m2 * factor2_m)
-    v15 = w3_p * (m1 * v5)
+    v13 = v5 * (m3 + m4 * factor2_p)
+    v14 = v6 * (m3 + m4 * factor2_m)
+    v15 = w3_p * (m3 * v5)
 
     # theta4, type 2: U4[3, 3]
-    v16 = m3 * Z1_3
-    v17 = m4 - m5 * factor2_p
-    v18 = m4 - m5 * factor2_m
-    v19 = m6 * factor2_p - m3
-    v20 = m6 * factor2_m - m3
+    v16 = m5 * Z1_3
+    v17 = m6 - m7 * factor2_p
+    v18 = m6 - m7 * factor2_m
+    v19 = m8 * factor2_p - m5
+    v20 = m8 * factor2_m - m5
     v21 = Z1_3 * v17 + v5 * v19
     v22 = Z1_3 * v18 + v6 * v20
-    v23 = w3_p * (factor2_p * (v16 + m4 * v5))
+    v23 = w3_p * (factor2_p * (v16 + m6 * v5))
     c23_pp = v21 + v23
     c23_pm = v21 - v23
-    v24 = w3_m * (factor2_m * (v16 + m4 * v6))
+    v24 = w3_m * (factor2_m * (v16 + m6 * v6))
     c23_mp = v22 + v24
     c23_mm = v22 - v24
-    v25 = m4 * Z1_3
-    v26 = v25 - m3 * v5
-    v27 = v25 - m3 * v6
+    v25 = m6 * Z1_3
+    v26 = v25 - m5 * v5
+    v27 = v25 - m5 * v6
     v28 = Z1_3 * v19 + v5 * -v17
     v29 = Z1_3 * v20 + v6 * -v18
     s23_pp = v28 + w3_p * (factor2_p * v26)
@@ -970,8 +973,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v37 <= m7 or v36 <= m7 or v35 <= m7 or v34 <= m7 or abs(D3_m * v8) <= boundary3 or abs(D1)
-        <= k3 or abs(D3_p * v8) <= boundary3
+        v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or
+        abs(D3_p * v8) <= m2
     )
 
     # a joint is free, or branches meet
@@ -983,8 +986,8 @@ def _regular(pose, q, status):
     room[1] = w3_m
     room[2] = -(factor2_p * (v11 - v15))
     room[3] = -(factor2_p * (v11 + v15))
-    room[4] = -(factor2_m * (v12 - w3_m * (m1 * v6)))
-    room[5] = -(factor2_m * (v12 - w3_m * (m1 * -v6)))
+    room[4] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
+    room[5] = -(factor2_m * (v12 - w3_m * (m3 * -v6)))
     room[6] = Y4_p
     room[7] = Y4_p
     room[8] = Y4_m
@@ -1001,10 +1004,10 @@ def _regular(pose, q, status):
     room[19] = s1_m
     room[24] = N3_p - k8
     room[25] = N3_m - k8
-    room[26] = -(v13 + w3_p * (m1 * (Z1_3 * factor2_p)))
-    room[27] = -(v13 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-    room[28] = -(v14 + w3_m * (m1 * (Z1_3 * factor2_m)))
-    room[29] = -(v14 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+    room[26] = -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
+    room[27] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
+    room[28] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
+    room[29] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m)))
     room[30] = -X4_pp
     room[31] = -X4_pm
     room[32] = -X4_mp
@@ -1431,29 +1434,29 @@ def _in_tiles(T, q, status):
             v8 = k5 * w1
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v11 = Z1_3 * (m2 + m1 * N3_p)
-            v12 = Z1_3 * (m2 + m1 * N3_m)
+            v11 = Z1_3 * (m4 + m3 * N3_p)
+            v12 = Z1_3 * (m4 + m3 * N3_m)
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v13 = v5 * (m1 + m2 * factor2_p)
-            v14 = v6 * (m1 + m2 * factor2_m)
-            v15 = w3_p * (m1 * v5)
-            v16 = m3 * Z1_3
-            v17 = m4 - m5 * factor2_p
-            v18 = m4 - m5 * factor2_m
-            v19 = m6 * factor2_p - m3
-            v20 = m6 * factor2_m - m3
+            v13 = v5 * (m3 + m4 * factor2_p)
+            v14 = v6 * (m3 + m4 * factor2_m)
+            v15 = w3_p * (m3 * v5)
+            v16 = m5 * Z1_3
+            v17 = m6 - m7 * factor2_p
+            v18 = m6 - m7 * factor2_m
+            v19 = m8 * factor2_p - m5
+            v20 = m8 * factor2_m - m5
             v21 = Z1_3 * v17 + v5 * v19
             v22 = Z1_3 * v18 + v6 * v20
-            v23 = w3_p * (factor2_p * (v16 + m4 * v5))
+            v23 = w3_p * (factor2_p * (v16 + m6 * v5))
             c23_pp = v21 + v23
             c23_pm = v21 - v23
-            v24 = w3_m * (factor2_m * (v16 + m4 * v6))
+            v24 = w3_m * (factor2_m * (v16 + m6 * v6))
             c23_mp = v22 + v24
             c23_mm = v22 - v24
-            v25 = m4 * Z1_3
-            v26 = v25 - m3 * v5
-            v27 = v25 - m3 * v6
+            v25 = m6 * Z1_3
+            v26 = v25 - m5 * v5
+            v27 = v25 - m5 * v6
             v28 = Z1_3 * v19 + v5 * -v17
             v29 = Z1_3 * v20 + v6 * -v18
             s23_pp = v28 + w3_p * (factor2_p * v26)
@@ -1485,8 +1488,8 @@ def _in_tiles(T, q, status):
             v46 = s1_p * T21 - v2 * T11
             v47 = s1_m * T21 - v3 * T11
             doubt1 = (
-                v37 <= m7 or v36 <= m7 or v35 <= m7 or v34 <= m7 or abs(D3_m * v8) <= boundary3 or
-                abs(D1) <= k3 or abs(D3_p * v8) <= boundary3
+                v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or abs(D1)
+                <= m1 or abs(D3_p * v8) <= m2
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1515,8 +1518,8 @@ def _in_tiles(T, q, status):
             work[656 + k] = w3_m
             work[672 + k] = -(factor2_p * (v11 - v15))
             work[688 + k] = -(factor2_p * (v11 + v15))
-            work[704 + k] = -(factor2_m * (v12 - w3_m * (m1 * v6)))
-            work[720 + k] = -(factor2_m * (v12 - w3_m * (m1 * -v6)))
+            work[704 + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
+            work[720 + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6)))
             work[736 + k] = Y4_p
             work[752 + k] = Y4_p
             work[768 + k] = Y4_m
@@ -1533,10 +1536,10 @@ def _in_tiles(T, q, status):
             work[944 + k] = s1_m
             work[960 + k] = N3_p - k8
             work[976 + k] = N3_m - k8
-            work[992 + k] = -(v13 + w3_p * (m1 * (Z1_3 * factor2_p)))
-            work[1008 + k] = -(v13 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-            work[1024 + k] = -(v14 + w3_m * (m1 * (Z1_3 * factor2_m)))
-            work[1040 + k] = -(v14 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+            work[992 + k] = -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
+            work[1008 + k] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
+            work[1024 + k] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
+            work[1040 + k] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m)))
             work[1056 + k] = -X4_pp
             work[1072 + k] = -X4_pm
             work[1088 + k] = -X4_mp

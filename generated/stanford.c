@@ -226,8 +226,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -250,8 +250,9 @@ static const double
     k2 = 0.01787569, /* k1^2 [m^2] */
     k3 = 3.395980000001613e-14, /* reach_slack1 * (2 * k1 + reach_slack1) [m^2] */
     k4 = 3.3959800000001613e-15, /* merge_slack1 * (2 * k1 + merge_slack1) [m^2] */
-    m1 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
-    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
+    m2 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -273,6 +274,9 @@ static const double highest[6] = {
     2.9670597283903604,
 };
 static const int revolute[6] = { 1, 1, 0, 1, 1, 1 };
+/* By what joint values may miss their limits: rounding. */
+static const double slack[6] = { 1e-09, 1e-09, 1.27e-09, 1e-09, 1e-09, 1e-09 };
+#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 1.0, 0.62000124000248, 1.0, 1.0, 1.0 };
 /* Of the values of a free joint that are tried, from one to the next. */
@@ -369,15 +373,15 @@ static double overshoot(int joint, double value)
     const double rest = over - turn * floor(over / turn);
     if (revolute[joint])
         off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row. */
+/* The same of a row; lengths count in arm sizes. */
 static double beyond_limits(const double values[6])
 {
     double sum = 0.0;
     for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
+        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 0.7874);
     return sum;
 }
 
@@ -438,7 +442,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v36 = v26 | v22 | v24, v37 = v27 | v22 | v25, v38 = v26 | v23 | v24,
         v39 = v27 | v23 | v25, v40 = exceeds(angle8, 6), v41 = exceeds(q6_ppm, 6),
         v42 = exceeds(angle9, 6), v43 = exceeds(q6_mpm, 6),
-        doubt1 = (v10 <= m1) | (abs_wide(D1) <= k3) | (v15 <= m3) | (v16 <= m3);
+        doubt1 = (v10 <= m2) | (abs_wide(D1) <= m1) | (v15 <= m4) | (v16 <= m4);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
     kind[0] = kind_of(q[0], v40 | v32 | v28 | v36);
@@ -466,7 +470,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m2 = 0.5; /* 1 / 2 */
+    m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -486,18 +490,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta2, r3 */
     const double Y2_2 = T34 - d1, v7 = D1 + Y2_2 * Y2_2, w3 = sqrt(v7), factor2 = w3 * (1.0 / v7),
         v8 = copysign(half_turn, -w1);
-    const four v9 = e2 - 1.0, v10 = m2 * v9;
+    const four v9 = e2 - 1.0, v10 = m3 * v9;
 
     /* theta4 */
     const four c4 = v6 * T13 + c1 * T23;
     const double v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33,
         v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
     const four Y4 = v12 + w1 * (e1 * v11), v13 = factor2 * Y4, v14 = c4 * c4 + factor2 * (Y4 * v13);
-    const four_mask doubt2 = v14 <= m3;
+    const four_mask doubt2 = v14 <= m4;
 
     /* theta5 */
     const double v15 = Y2_2 * T33;
-    const four v16 = signed_four(half_turn, -sqrt_four(v14)), v17 = m2 * -v9;
+    const four v16 = signed_four(half_turn, -sqrt_four(v14)), v17 = m3 * -v9;
 
     /* theta6 */
     const double v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22)),
@@ -505,13 +509,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21)),
         v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
     const four s6 = c4 * (v21 + w1 * (e1 * v20)) + Y4 * (c1 * T21 + v6 * T11),
-        v22 = signed_four(half_turn, s6), v23 = m2 * (e2 + 1.0);
+        v22 = signed_four(half_turn, s6), v23 = m3 * (e2 + 1.0);
 
     /* joint values */
     const four v24 = e2 * w3;
     const four_mask v27 = beyond_four(v24, 3);
     const four q3_p = v1 + v24;
-    const int doubt1 = (fabs(D1) <= k3) | (v7 <= m1);
+    const int doubt1 = (fabs(D1) <= m1) | (v7 <= m2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -796,7 +800,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     if (!revolute[joint])
         return given;
     double value = given;
@@ -923,7 +927,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != STANFORD_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -946,7 +950,7 @@ static void stay(
         if (status[row] != STANFORD_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest && beyond_limits(q[row]) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -958,8 +962,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = STANFORD_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -993,9 +998,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = STANFORD_OUT_OF_LIMITS;
         }
         count += status[row] != STANFORD_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford e2394b13d7ba1c94"
+_KEY = "stanford f410c609f62be605"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -168,19 +168,21 @@ k3 = 3.395980000001613e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
 k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
 high1 = 2.9670597293903604
 high2 = 2.9670597293903604
-low3 = 0.304799999
-high3 = 1.270000001
+low3 = 0.30479999873
+high3 = 1.2700000012700001
 high4 = 2.9670597293903604
 high5 = 1.5707963277948966
 high6 = 2.9670597293903604
-m1 = 1.6129e-08  # doubt_limit1^2 [m^2]
-m3 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 3.3959800000001614e-12  # 1000 * k4 [m^2]
+m2 = 1.6129e-08  # doubt_limit1^2 [m^2]
+m4 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1.27e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 0.62000124000248, 1.0, 1.0, 1.0])
@@ -583,7 +585,7 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     off = value - high if value > high else value - low
@@ -591,15 +593,15 @@ def _overshoot(joint, value):
     rest = over - turn * math.floor(over / turn)
     if _REVOLUTE[joint]:
         off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
 def _beyond_limits(values):
-    """The same of a row."""
+    """The same of a row; lengths count in arm sizes."""
     total = 0.0
     for i in range(6):
-        total += abs(_overshoot(i, values[i]))
+        total += abs(_overshoot(i, values[i])) * (1.0 if _REVOLUTE[i] else 0.7874)
     return total
 
 
@@ -904,7 +906,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -915,7 +917,7 @@ def _stand(pose, row, rows, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -931,16 +933,17 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest and _beyond_limits(q[row]) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -959,10 +962,9 @@ def _whole(pose, seed, q, status):
             continue
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1028,7 +1030,7 @@ def _regular(pose, q, status):
     v27 = -w3 < low3 or high3 < -w3
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
-    doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
+    doubt1 = v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1485,7 +1487,7 @@ def _in_tiles(T, q, status):
             v27 = -w3 < low3 or high3 < -w3
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
-            doubt1 = v10 <= m1 or abs(D1) <= k3 or v15 <= m3 or v16 <= m3
+            doubt1 = v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4
             work[272 + k] = w1
             work[288 + k] = v13
             work[304 + k] = v14

@@ -246,8 +246,8 @@ static const double
     k1 = 0.405, /* 2 * d4 * a2 [m^2] */
     k2 = 6.096631611034903, /* 1 / (k1^2) [m^-4] */
     m1 = 8.100000000000001e-09, /* doubt_limit1^2 [m^2] */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m3 = 1.312949748921973e-13,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.312949748921684e-11,
     m5 = 6.561e-17, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
@@ -268,6 +268,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void staubli_rx90_fk(const double q[6], double T[16])
 {
@@ -675,7 +676,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -798,8 +799,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = STAUBLI_RX90_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -829,9 +831,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = STAUBLI_RX90_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_RX90_OUT_OF_LIMITS;

@@ -243,8 +243,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define beyond_four(x, joint) \
@@ -281,10 +281,13 @@ static const double
     k4 = 0.6544502617801046, /* 1 / arm_size1 [m^-1] */
     k5 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
     k6 = 7.662743501634321, /* 1 / (k5^2) [m^-4] */
-    m4 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 1.5280000000002338e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.876998556582453e-11,
+    m6 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 0.2768166089965398, m2 = 2.768166089965398, m3 = 1.1764705882352942;
+static const double m3 = 0.2768166089965398, m4 = 2.768166089965398, m5 = 1.1764705882352942;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -305,6 +308,7 @@ static const double highest[6] = {
     3.141592653589793, 2.5743606466916362, 2.530727415391778, 4.71238898038469, 2.443460952792061,
     4.71238898038469,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void staubli_tx2_90_fk(const double q[6], double T[16])
 {
@@ -405,7 +409,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -434,14 +438,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
         N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
         D3_m = (longest3 - N3_m) * (N3_m - shortest3), v8 = k4 * w1, w3_p = sqrt_wide(D3_p),
-        w3_m = sqrt_wide(D3_m), v9 = m2 * v7 + (m2 * N1 - 1.0), v10 = m1 * w1, s3_p = v9 + v10,
+        w3_m = sqrt_wide(D3_m), v9 = m4 * v7 + (m4 * N1 - 1.0), v10 = m3 * w1, s3_p = v9 + v10,
         s3_m = v9 - v10, v11 = k6 * (k5 * w3_p), v12 = k6 * (k5 * w3_m);
 
     /* theta2 */
     const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v13 = Z1_3 * Y1_2_p,
-        v14 = Z1_3 * Y1_2_m, v15 = w3_p * (m3 * v5), S2_pp = v15 - v13, v16 = v13 + v15,
-        S2_mp = w3_m * (m3 * v6) - v14, S2_mm = w3_m * (m3 * -v6) - v14, v17 = v5 * Y1_2_p,
-        v18 = v6 * Y1_2_m, v19 = m3 * Z1_3, v20 = m3 * -Z1_3, v21 = v17 + w3_p * v19,
+        v14 = Z1_3 * Y1_2_m, v15 = w3_p * (m5 * v5), S2_pp = v15 - v13, v16 = v13 + v15,
+        S2_mp = w3_m * (m5 * v6) - v14, S2_mm = w3_m * (m5 * -v6) - v14, v17 = v5 * Y1_2_p,
+        v18 = v6 * Y1_2_m, v19 = m5 * Z1_3, v20 = m5 * -Z1_3, v21 = v17 + w3_p * v19,
         v22 = v17 + w3_p * v20, v23 = v18 + w3_m * v19, v24 = v18 + w3_m * v20,
         v25 = S2_pp * S2_pp + v21 * v21, v26 = v16 * v16 + v22 * v22,
         v27 = S2_mp * S2_mp + v23 * v23, v28 = S2_mm * S2_mm + v24 * v24,
@@ -507,9 +511,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v81 = beyond(q2_ppp, 2) | exceeds(q3_ppp, 3),
         v82 = beyond(q2_pmp, 2) | exceeds(q3_pmp, 3), v83 = beyond(q2_mpp, 2) | exceeds(q3_mpp, 3),
         v84 = beyond(q2_mmp, 2) | exceeds(q3_mmp, 3),
-        doubt1 = (v46 <= m5) | (v28 <= m4) | (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) |
-            (v43 <= m5) | (v25 <= m4) | (abs_wide(D3_m * v8) <= boundary3) | (abs_wide(D1) <= k2) |
-            (abs_wide(D3_p * v8) <= boundary3);
+        doubt1 = (v46 <= m7) | (v28 <= m6) | (v45 <= m7) | (v27 <= m6) | (v44 <= m7) | (v26 <= m6) |
+            (v43 <= m7) | (v25 <= m6) | (abs_wide(D3_m * v8) <= m2) | (abs_wide(D1) <= m1) |
+            (abs_wide(D3_p * v8) <= m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v65); q[4] = q5_ppp;
     q[5] = angle1;
@@ -541,7 +545,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m8 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -554,7 +558,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
         w1 = sqrt(D1);
-    const int doubt1 = fabs(D1) <= k2;
+    const int doubt1 = fabs(D1) <= m1;
     const double inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * t14));
     const double v3 = inverse1 * (d2 * t14);
@@ -567,13 +571,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
     const double v6 = k4 * w1;
     const four w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3 * v6) <= boundary3;
-    const double v7 = m2 * v5 + (m2 * N1 - 1.0);
-    const four s3 = v7 + w1 * (m1 * e1), v8 = k6 * (k5 * w3);
+    const four_mask doubt2 = abs_four(D3 * v6) <= m2;
+    const double v7 = m4 * v5 + (m4 * N1 - 1.0);
+    const four s3 = v7 + w1 * (m3 * e1), v8 = k6 * (k5 * w3);
 
     /* theta2 */
-    const four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m3 * (e2 * v4)) - v9,
-        v10 = v4 * Y1_2, v11 = m3 * (e2 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
+    const four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m5 * (e2 * v4)) - v9,
+        v10 = v4 * Y1_2, v11 = m5 * (e2 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
         factor2 = sqrt_four(v13) * (1.0 / v13);
 
     /* theta4 */
@@ -586,9 +590,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v23 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v25 = signed_four(half_turn, s3), v26 = m6 * (1.0 - e2),
+    const four v25 = signed_four(half_turn, s3), v26 = m8 * (1.0 - e2),
         v28 = signed_four(half_turn, -v17);
-    const four_mask doubt3 = (v13 <= m4) | (v19 <= m5);
+    const four_mask doubt3 = (v13 <= m6) | (v19 <= m7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -906,7 +910,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -980,10 +984,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -1083,7 +1087,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != STAUBLI_TX2_90_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1132,9 +1136,7 @@ static void stay(
         if (status[row] != STAUBLI_TX2_90_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1146,8 +1148,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = STAUBLI_TX2_90_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1184,9 +1192,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = STAUBLI_TX2_90_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX2_90_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 6e4b657bed02f709"
+_KEY = "staubli_tx2_90 30aef36433401a5e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,17 +186,21 @@ high2 = 2.5743606476916363
 high3 = 2.530727416391778
 low5 = -2.007128640793479
 high5 = 2.4434609537920613
-m1 = 0.2768166089965398  # a coefficient of s3
-m2 = 2.768166089965398  # a coefficient of s3
-m3 = 1.1764705882352942  # a coefficient of Y1_2
-m4 = 5.451216326656003e-16  # doubt_limit_squared2^2 [m^4]
-m5 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 1.5280000000002338e-12  # 1000 * k3 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 1.876998556582453e-11
+m3 = 0.2768166089965398  # a coefficient of s3
+m4 = 2.768166089965398  # a coefficient of s3
+m5 = 1.1764705882352942  # a coefficient of Y1_2
+m6 = 5.451216326656003e-16  # doubt_limit_squared2^2 [m^4]
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -690,13 +694,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -933,10 +937,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1064,7 +1068,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1117,7 +1121,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1136,18 +1140,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1170,10 +1177,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1214,8 +1220,8 @@ def _regular(pose, q, status):
     v8 = k4 * w1
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
-    v9 = m2 * v7 + (m2 * N1 - 1.0)
-    v10 = m1 * w1
+    v9 = m4 * v7 + (m4 * N1 - 1.0)
+    v10 = m3 * w1
     s3_p = v9 + v10
     s3_m = v9 - v10
     v11 = k6 * (k5 * w3_p)
@@ -1226,15 +1232,15 @@ def _regular(pose, q, status):
     Y1_2_m = a2 + d4 * s3_m
     v13 = Z1_3 * Y1_2_p
     v14 = Z1_3 * Y1_2_m
-    v15 = w3_p * (m3 * v5)
+    v15 = w3_p * (m5 * v5)
     S2_pp = v15 - v13
     v16 = v13 + v15
-    S2_mp = w3_m * (m3 * v6) - v14
-    S2_mm = w3_m * (m3 * -v6) - v14
+    S2_mp = w3_m * (m5 * v6) - v14
+    S2_mm = w3_m * (m5 * -v6) - v14
     v17 = v5 * Y1_2_p
     v18 = v6 * Y1_2_m
-    v19 = m3 * Z1_3
-    v20 = m3 * -Z1_3
+    v19 = m5 * Z1_3
+    v20 = m5 * -Z1_3
     v21 = v17 + w3_p * v19
     v22 = v17 + w3_p * v20
     v23 = v18 + w3_m * v19
@@ -1286,8 +1292,8 @@ def _regular(pose, q, status):
     v63 = math.copysign(half_turn, -v39)
     v64 = math.copysign(half_turn, -v40)
     doubt1 = (
-        v46 <= m5 or v28 <= m4 or v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or
-        v25 <= m4 or abs(D3_m * v8) <= boundary3 or abs(D1) <= k2 or abs(D3_p * v8) <= boundary3
+        v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43 <= m7 or
+        v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2
     )
 
     # a joint is free, or branches meet
@@ -1783,8 +1789,8 @@ def _in_tiles(T, q, status):
             v8 = k4 * w1
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v9 = m2 * v7 + (m2 * N1 - 1.0)
-            v10 = m1 * w1
+            v9 = m4 * v7 + (m4 * N1 - 1.0)
+            v10 = m3 * w1
             s3_p = v9 + v10
             s3_m = v9 - v10
             v11 = k6 * (k5 * w3_p)
@@ -1793,15 +1799,15 @@ def _in_tiles(T, q, status):
             Y1_2_m = a2 + d4 * s3_m
             v13 = Z1_3 * Y1_2_p
             v14 = Z1_3 * Y1_2_m
-            v15 = w3_p * (m3 * v5)
+            v15 = w3_p * (m5 * v5)
             S2_pp = v15 - v13
             v16 = v13 + v15
-            S2_mp = w3_m * (m3 * v6) - v14
-            S2_mm = w3_m * (m3 * -v6) - v14
+            S2_mp = w3_m * (m5 * v6) - v14
+            S2_mm = w3_m * (m5 * -v6) - v14
             v17 = v5 * Y1_2_p
             v18 = v6 * Y1_2_m
-            v19 = m3 * Z1_3
-            v20 = m3 * -Z1_3
+            v19 = m5 * Z1_3
+            v20 = m5 * -Z1_3
             v21 = v17 + w3_p * v19
             v22 = v17 + w3_p * v20
             v23 = v18 + w3_m * v19
@@ -1847,9 +1853,8 @@ def _in_tiles(T, q, status):
             v63 = math.copysign(half_turn, -v39)
             v64 = math.copysign(half_turn, -v40)
             doubt1 = (
-                v46 <= m5 or v28 <= m4 or v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <=
-                m5 or v25 <= m4 or abs(D3_m * v8) <= boundary3 or abs(D1) <= k2 or abs(D3_p * v8) <=
-                boundary3
+                v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43 <=
+                m7 or v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m

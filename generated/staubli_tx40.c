@@ -271,10 +271,13 @@ static const double
     k4 = 1.1494252873563218, /* 1 / arm_size1 [m^-1] */
     k5 = 0.10125, /* 2 * d4 * a2 [m^2] */
     k6 = 97.54610577655845, /* 1 / (k5^2) [m^-4] */
-    m2 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
-    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m1 = 6.090000000000759e-13, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.5906026495925924e-12,
+    m4 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
-static const double m1 = 2.2222222222222223, m3 = 21.947873799725652, m4 = 4.4444444444444455;
+static const double m3 = 2.2222222222222223, m5 = 21.947873799725652, m6 = 4.4444444444444455;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -291,6 +294,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void staubli_tx40_fk(const double q[6], double T[16])
 {
@@ -400,8 +404,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v7 = k5 * (N3 - k5);
 
     /* theta2 */
-    const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
-        v10 = w3 * (m1 * Z1_3), v11 = w3 * (m1 * -Z1_3), v12 = m1 * (w1 * N3), C2_pp = v10 + v12,
+    const wide v8 = m3 * (Z1_3 * N3), v9 = w3 * (m3 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
+        v10 = w3 * (m3 * Z1_3), v11 = w3 * (m3 * -Z1_3), v12 = m3 * (w1 * N3), C2_pp = v10 + v12,
         C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12, v13 = S2_pp * S2_pp,
         v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm, v16 = v15 + C2_pm * C2_pm,
         v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm,
@@ -409,7 +413,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         factor2_mp = sqrt_wide(v17) * (1.0 / v17), factor2_mm = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta4 */
-    const wide v19 = m3 * N3, v20 = v19 - m1, v21 = m4 - v19, v22 = w1 * (N3 * (v20 + v21)),
+    const wide v19 = m5 * N3, v20 = v19 - m3, v21 = m6 - v19, v22 = w1 * (N3 * (v20 + v21)),
         s23_pp = v22 - v10, s23_pm = v22 - v11, v23 = w1 * (N3 * (-v20 - v21)), s23_mp = v23 - v10,
         s23_mm = v23 - v11, v24 = T23 * s1_p - T13 * v3, v25 = T23 * s1_m - T13 * v4,
         X4_pp = S2_pm * v24 - T33 * s23_pp, X4_pm = S2_pp * v24 - T33 * s23_pm,
@@ -460,9 +464,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v66 = angle19 - offset5, v67 = offset5 + angle19, q1_ppp = v6 + raised_wide(v40),
         q1_mpp = v6 + raised_wide(v41), q3_ppp = v1 + raised_wide(v46),
         q3_pmp = v1 + raised_wide(v47);
-    const wide_mask doubt1 = (v31 <= m5) | (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) |
-        (v16 <= m2) | (v28 <= m5) | (abs_wide(D1) <= k2) | (abs_wide(D3 * (k4 * w1)) <= boundary3) |
-        (v14 <= m2);
+    const wide_mask doubt1 = (v31 <= m7) | (v18 <= m4) | (v30 <= m7) | (v17 <= m4) | (v29 <= m7) |
+        (v16 <= m4) | (v28 <= m7) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2) | (v14
+        <= m4);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v50); q[4] = raised_wide(v60);
     q[5] = angle1;
@@ -498,7 +502,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m6 = 0.5; /* 1 / 2 */
+    m8 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -521,16 +525,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four v7 = e1 * e2;
-    const double v8 = m1 * (Z1_3 * N3);
-    const four S2 = v8 - w3 * (m1 * (w1 * v7)), v9 = w3 * (m1 * (e2 * Z1_3)),
-        v10 = m1 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
+    const double v8 = m3 * (Z1_3 * N3);
+    const four S2 = v8 - w3 * (m3 * (w1 * v7)), v9 = w3 * (m3 * (e2 * Z1_3)),
+        v10 = m3 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
         factor2 = sqrt_four(v11) * (1.0 / v11);
 
     /* theta4 */
-    const four v12 = v8 + w3 * (w1 * (m1 * v7));
-    const double v13 = m3 * N3, v14 = v13 - m1;
+    const four v12 = v8 + w3 * (w1 * (m3 * v7));
+    const double v13 = m5 * N3, v14 = v13 - m3;
     const four v15 = e1 * v14;
-    const double v16 = m4 - v13;
+    const double v16 = m6 - v13;
     const four v17 = e2 * v16, s23 = w1 * (N3 * (v15 + v7 * v17)) - v9, v18 = T23 * s1 - T13 * v3,
         X4 = v12 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v19 = Y4 * Y4,
         v20 = v19 + factor2 * (X4 * (factor2 * X4));
@@ -542,8 +546,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v27 = copysign(half_turn, v6);
     const four v29 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= k2) | (fabs(D3 * (k4 * w1)) <= boundary3);
-    const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
+    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
+    const four_mask doubt2 = (v11 <= m4) | (v20 <= m7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -558,7 +562,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v25 = angle2 - offset1,
         v26 = angle3 - offset2, q2_p = raised_four(v26),
-        v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
+        v28 = e2 * angle4 + v27 * (m8 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
         v31 = angle5 - v29 - offset4, q4_p = raised_four(v30), q4_m = raised_four(v31),
         v32 = angle6 - offset5, v33 = offset5 + angle6, q5_p = raised_four(v32),
         q5_m = only_four(-v33 <= -half_turn, turn) - v33, q1_p = v5 + raised_four(v25),
@@ -745,7 +749,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -891,8 +895,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = STAUBLI_TX40_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -923,9 +928,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = STAUBLI_TX40_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX40_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 e71e7b0d8690655f"
+_KEY = "staubli_tx40 3325d478a219d927"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -181,17 +181,21 @@ k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 1.1494252873563218  # 1 / arm_size1 [m^-1]
 k5 = 0.10125  # 2 * d4 * a2 [m^2]
 k6 = 97.54610577655845  # 1 / (k5^2) [m^-4]
-m1 = 2.2222222222222223  # a coefficient of S2
-m2 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
-m3 = 21.947873799725652  # a coefficient of v10
-m4 = 4.4444444444444455  # a coefficient of s23
-m5 = 9.999999999999999e-09  # doubt_limit^2
+m1 = 6.090000000000759e-13  # 1000 * k3 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m2 = 1.5906026495925924e-12
+m3 = 2.2222222222222223  # a coefficient of S2
+m4 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
+m5 = 21.947873799725652  # a coefficient of v10
+m6 = 4.4444444444444455  # a coefficient of s23
+m7 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -861,9 +865,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -882,10 +887,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -924,13 +928,13 @@ def _regular(pose, q, status):
     v7 = k5 * (N3 - k5)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = m1 * (Z1_3 * N3)
-    v9 = w3 * (m1 * w1)
+    v8 = m3 * (Z1_3 * N3)
+    v9 = w3 * (m3 * w1)
     S2_pp = v8 - v9
     S2_pm = v8 + v9
-    v10 = w3 * (m1 * Z1_3)
-    v11 = w3 * (m1 * -Z1_3)
-    v12 = m1 * (w1 * N3)
+    v10 = w3 * (m3 * Z1_3)
+    v11 = w3 * (m3 * -Z1_3)
+    v12 = m3 * (w1 * N3)
     C2_pp = v10 + v12
     C2_pm = v11 + v12
     C2_mp = v10 - v12
@@ -947,9 +951,9 @@ def _regular(pose, q, status):
     factor2_mm = math.sqrt(v18) * (1.0 / v18)
 
     # theta4, type 2: U4[3, 3]
-    v19 = m3 * N3
-    v20 = v19 - m1
-    v21 = m4 - v19
+    v19 = m5 * N3
+    v20 = v19 - m3
+    v21 = m6 - v19
     v22 = w1 * (N3 * (v20 + v21))
     s23_pp = v22 - v10
     s23_pm = v22 - v11
@@ -991,8 +995,8 @@ def _regular(pose, q, status):
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
     doubt1 = (
-        v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or
-        abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v14 <= m2
+        v31 <= m7 or v18 <= m4 or v30 <= m7 or v17 <= m4 or v29 <= m7 or v16 <= m4 or v28 <= m7 or
+        abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v14 <= m4
     )
 
     # a joint is free, or branches meet
@@ -1467,13 +1471,13 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(D3)
             v6 = w3 - w3
             v7 = k5 * (N3 - k5)
-            v8 = m1 * (Z1_3 * N3)
-            v9 = w3 * (m1 * w1)
+            v8 = m3 * (Z1_3 * N3)
+            v9 = w3 * (m3 * w1)
             S2_pp = v8 - v9
             S2_pm = v8 + v9
-            v10 = w3 * (m1 * Z1_3)
-            v11 = w3 * (m1 * -Z1_3)
-            v12 = m1 * (w1 * N3)
+            v10 = w3 * (m3 * Z1_3)
+            v11 = w3 * (m3 * -Z1_3)
+            v12 = m3 * (w1 * N3)
             C2_pp = v10 + v12
             C2_pm = v11 + v12
             C2_mp = v10 - v12
@@ -1488,9 +1492,9 @@ def _in_tiles(T, q, status):
             factor2_pm = math.sqrt(v16) * (1.0 / v16)
             factor2_mp = math.sqrt(v17) * (1.0 / v17)
             factor2_mm = math.sqrt(v18) * (1.0 / v18)
-            v19 = m3 * N3
-            v20 = v19 - m1
-            v21 = m4 - v19
+            v19 = m5 * N3
+            v20 = v19 - m3
+            v21 = m6 - v19
             v22 = w1 * (N3 * (v20 + v21))
             s23_pp = v22 - v10
             s23_pm = v22 - v11
@@ -1528,8 +1532,8 @@ def _in_tiles(T, q, status):
             v58 = T33 * S2_pm
             v59 = T33 * S2_pp
             doubt1 = (
-                v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <=
-                m5 or abs(D1) <= k2 or abs(D3 * (k4 * w1)) <= boundary3 or v14 <= m2
+                v31 <= m7 or v18 <= m4 or v30 <= m7 or v17 <= m4 or v29 <= m7 or v16 <= m4 or v28 <=
+                m7 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v14 <= m4
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -246,8 +246,8 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - 1e-09)
-#define high(joint) (highest[joint - 1] + 1e-09)
+#define low(joint) (lowest[joint - 1] - slack(joint - 1))
+#define high(joint) (highest[joint - 1] + slack(joint - 1))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
 #define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
@@ -283,11 +283,12 @@ static const double
     k4 = 0.753494329955167, /* 1 / arm_size1 [m^-1] */
     k5 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
     k6 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m1 = 3.246208900000177e-12, /* 1000 * k3 [m^2] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m3 = 1.5753409313203573e-10;
+    m4 = 1.5753409313203573e-10;
 /* coefficients */
-static const double m4 = 1.1655011655011656, m5 = 0.017143065268065267;
+static const double m5 = 1.1655011655011656, m6 = 0.017143065268065267;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -308,6 +309,7 @@ static const double highest[6] = {
     4.71238898038469, 3.141592653589793, 2.705260340591211, 3.141592653589793, 3.141592653589793,
     4.71238898038469,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void techman_tm5_900_fk(const double q[6], double T[16])
 {
@@ -408,7 +410,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -474,18 +476,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle9 = atan2_wide(w3_mp, N3_mp - k5), angle10 = atan2_wide(w3_mm, N3_mm - k5);
 
     /* theta2 */
-    const wide v29 = m5 + m4 * N3_pp, v30 = m5 + m4 * N3_pm, v31 = m5 + m4 * N3_mp,
-        v32 = m5 + m4 * N3_mm, v33 = Z1_3_pp * v29, v34 = Z1_3_pm * v30, v35 = Z1_3_mp * v31,
+    const wide v29 = m6 + m5 * N3_pp, v30 = m6 + m5 * N3_pm, v31 = m6 + m5 * N3_mp,
+        v32 = m6 + m5 * N3_mm, v33 = Z1_3_pp * v29, v34 = Z1_3_pm * v30, v35 = Z1_3_mp * v31,
         v36 = Z1_3_mm * v32, v37 = Z2_3_pp * v29, v38 = Z2_3_pm * v30, v39 = Z2_3_mp * v31,
-        v40 = Z2_3_mm * v32, v41 = w3_pp * (m4 * Z2_3_pp),
-        angle11 = atan2_wide(v33 - v41, v37 + w3_pp * (m4 * Z1_3_pp)),
-        angle12 = atan2_wide(v33 + v41, v37 + w3_pp * (m4 * -Z1_3_pp)),
-        v42 = w3_pm * (m4 * Z2_3_pm), angle13 = atan2_wide(v34 - v42, v38 + w3_pm * (m4 * Z1_3_pm)),
-        angle14 = atan2_wide(v34 + v42, v38 + w3_pm * (m4 * -Z1_3_pm)),
-        v43 = w3_mp * (m4 * Z2_3_mp), angle15 = atan2_wide(v35 - v43, v39 + w3_mp * (m4 * Z1_3_mp)),
-        angle16 = atan2_wide(v35 + v43, v39 + w3_mp * (m4 * -Z1_3_mp)),
-        v44 = w3_mm * (m4 * Z2_3_mm), angle17 = atan2_wide(v36 - v44, v40 + w3_mm * (m4 * Z1_3_mm)),
-        angle18 = atan2_wide(v36 + v44, v40 + w3_mm * (m4 * -Z1_3_mm));
+        v40 = Z2_3_mm * v32, v41 = w3_pp * (m5 * Z2_3_pp),
+        angle11 = atan2_wide(v33 - v41, v37 + w3_pp * (m5 * Z1_3_pp)),
+        angle12 = atan2_wide(v33 + v41, v37 + w3_pp * (m5 * -Z1_3_pp)),
+        v42 = w3_pm * (m5 * Z2_3_pm), angle13 = atan2_wide(v34 - v42, v38 + w3_pm * (m5 * Z1_3_pm)),
+        angle14 = atan2_wide(v34 + v42, v38 + w3_pm * (m5 * -Z1_3_pm)),
+        v43 = w3_mp * (m5 * Z2_3_mp), angle15 = atan2_wide(v35 - v43, v39 + w3_mp * (m5 * Z1_3_mp)),
+        angle16 = atan2_wide(v35 + v43, v39 + w3_mp * (m5 * -Z1_3_mp)),
+        v44 = w3_mm * (m5 * Z2_3_mm), angle17 = atan2_wide(v36 - v44, v40 + w3_mm * (m5 * Z1_3_mm)),
+        angle18 = atan2_wide(v36 + v44, v40 + w3_mm * (m5 * -Z1_3_mm));
 
     /* joint values */
     const wide angle19 = atan2_wide(s1_p, c1_p), v45 = angle19 - offset1,
@@ -509,9 +511,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mmp = v28 - angle4, q6_ppp = angle1 + v25,
         q6_pmp = v26 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v27,
         q6_mmp = v28 + (angle2 - signed_wide(half_turn, Y6_m));
-    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
-        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v5 <= m1) | (abs_wide(D1) <=
-        k2) | (v4 <= m1);
+    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
+        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) | (abs_wide(D1) <=
+        m1) | (v4 <= m2);
 
     q[0] = q1_ppp; q[1] = raised_wide(v47); q[2] = angle7; q[3] = raised_wide(v63); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -543,7 +545,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m2 = 0.5; /* 1 / 2 */
+    m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -556,7 +558,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
         w1 = sqrt(D1), v1 = k4 * w1;
-    const int doubt1 = fabs(D1) <= k2;
+    const int doubt1 = fabs(D1) <= m1;
     const double inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
     const four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (d3 * X1);
@@ -565,8 +567,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta6 */
     const four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
         w6 = sqrt_four(v4);
-    const four_mask doubt2 = v4 <= m1;
-    const four v5 = 1.0 / v4, v6 = signed_four(half_turn, Y6), v7 = m2 * (e2 - 1.0);
+    const four_mask doubt2 = v4 <= m2;
+    const four v5 = 1.0 / v4, v6 = signed_four(half_turn, Y6), v7 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T23 * c1 - T13 * s1;
@@ -583,18 +585,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
         Z2_3 = v15 + (v16 - e2 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v18 = w3 - w3;
-    const four_mask doubt3 = abs_four(v1 * D3) <= m3;
+    const four_mask doubt3 = abs_four(v1 * D3) <= m4;
 
     /* theta2 */
-    const four v19 = m5 + m4 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m4 * Z2_3);
+    const four v19 = m6 + m5 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m5 * Z2_3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(Y6, w6, 0, 5, 2, 7), shuffle(-X6, c5, 0, 5, 2, 7)),
         ratio2 = ratio_four(shuffle(v9, s1, 0, 5, 2, 7), shuffle(-v8, c1, 0, 5, 2, 7)),
-        ratio3 = ratio_four(w3, N3 - k5), ratio4 = ratio_four(v20 - v22, v21 + w3 * (m4 * Z1_3)),
-        ratio5 = ratio_four(v20 + v22, v21 + w3 * (m4 * -Z1_3));
+        ratio3 = ratio_four(w3, N3 - k5), ratio4 = ratio_four(v20 - v22, v21 + w3 * (m5 * Z1_3)),
+        ratio5 = ratio_four(v20 + v22, v21 + w3 * (m5 * -Z1_3));
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = angle_four(ratio2),
         angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
@@ -1005,7 +1007,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1079,10 +1081,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -1182,7 +1184,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != TECHMAN_TM5_900_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1231,9 +1233,7 @@ static void stay(
         if (status[row] != TECHMAN_TM5_900_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1245,8 +1245,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = TECHMAN_TM5_900_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1286,9 +1292,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = TECHMAN_TM5_900_OUT_OF_LIMITS;
         }
         count += status[row] != TECHMAN_TM5_900_OUT_OF_LIMITS;

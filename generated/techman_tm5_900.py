@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 bac2330e9bb0879d"
+_KEY = "techman_tm5_900 291fa0fcb5c8d988"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -184,16 +184,18 @@ k4 = 0.753494329955167  # 1 / arm_size1 [m^-1]
 k5 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k6 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 high3 = 2.705260341591211
-m1 = 9.999999999999999e-09  # doubt_limit^2
-m3 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
-m4 = 1.1655011655011656  # a coefficient of S2
-m5 = 0.017143065268065267  # a coefficient of S2
+m1 = 3.246208900000177e-12  # 1000 * k3 [m^2]
+m2 = 9.999999999999999e-09  # doubt_limit^2
+m4 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
+m5 = 1.1655011655011656  # a coefficient of S2
+m6 = 0.017143065268065267  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -703,13 +705,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1056,10 +1058,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1187,7 +1189,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1240,7 +1242,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1259,18 +1261,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1293,10 +1298,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1392,10 +1396,10 @@ def _regular(pose, q, status):
     v28 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v29 = m5 + m4 * N3_pp
-    v30 = m5 + m4 * N3_pm
-    v31 = m5 + m4 * N3_mp
-    v32 = m5 + m4 * N3_mm
+    v29 = m6 + m5 * N3_pp
+    v30 = m6 + m5 * N3_pm
+    v31 = m6 + m5 * N3_mp
+    v32 = m6 + m5 * N3_mm
     v33 = Z1_3_pp * v29
     v34 = Z1_3_pm * v30
     v35 = Z1_3_mp * v31
@@ -1404,15 +1408,15 @@ def _regular(pose, q, status):
     v38 = Z2_3_pm * v30
     v39 = Z2_3_mp * v31
     v40 = Z2_3_mm * v32
-    v41 = w3_pp * (m4 * Z2_3_pp)
-    v42 = w3_pm * (m4 * Z2_3_pm)
-    v43 = w3_mp * (m4 * Z2_3_mp)
-    v44 = w3_mm * (m4 * Z2_3_mm)
+    v41 = w3_pp * (m5 * Z2_3_pp)
+    v42 = w3_pm * (m5 * Z2_3_pm)
+    v43 = w3_mp * (m5 * Z2_3_mp)
+    v44 = w3_mm * (m5 * Z2_3_mm)
 
     # joint values
     doubt1 = (
-        abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 * D3_pp)
-        <= m3 or v5 <= m1 or abs(D1) <= k2 or v4 <= m1
+        abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 * D3_pp)
+        <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2
     )
 
     # a joint is free, or branches meet
@@ -1450,14 +1454,14 @@ def _regular(pose, q, status):
     room[31] = N3_pm - k5
     room[32] = N3_mp - k5
     room[33] = N3_mm - k5
-    room[34] = v37 + w3_pp * (m4 * Z1_3_pp)
-    room[35] = v37 + w3_pp * (m4 * -Z1_3_pp)
-    room[36] = v38 + w3_pm * (m4 * Z1_3_pm)
-    room[37] = v38 + w3_pm * (m4 * -Z1_3_pm)
-    room[38] = v39 + w3_mp * (m4 * Z1_3_mp)
-    room[39] = v39 + w3_mp * (m4 * -Z1_3_mp)
-    room[40] = v40 + w3_mm * (m4 * Z1_3_mm)
-    room[41] = v40 + w3_mm * (m4 * -Z1_3_mm)
+    room[34] = v37 + w3_pp * (m5 * Z1_3_pp)
+    room[35] = v37 + w3_pp * (m5 * -Z1_3_pp)
+    room[36] = v38 + w3_pm * (m5 * Z1_3_pm)
+    room[37] = v38 + w3_pm * (m5 * -Z1_3_pm)
+    room[38] = v39 + w3_mp * (m5 * Z1_3_mp)
+    room[39] = v39 + w3_mp * (m5 * -Z1_3_mp)
+    room[40] = v40 + w3_mm * (m5 * Z1_3_mm)
+    room[41] = v40 + w3_mm * (m5 * -Z1_3_mm)
     room[42] = c1_p
     room[43] = c1_m
     for k in range(20, 24):
@@ -1951,10 +1955,10 @@ def _in_tiles(T, q, status):
             v26 = w3_pm - w3_pm
             v27 = w3_mp - w3_mp
             v28 = w3_mm - w3_mm
-            v29 = m5 + m4 * N3_pp
-            v30 = m5 + m4 * N3_pm
-            v31 = m5 + m4 * N3_mp
-            v32 = m5 + m4 * N3_mm
+            v29 = m6 + m5 * N3_pp
+            v30 = m6 + m5 * N3_pm
+            v31 = m6 + m5 * N3_mp
+            v32 = m6 + m5 * N3_mm
             v33 = Z1_3_pp * v29
             v34 = Z1_3_pm * v30
             v35 = Z1_3_mp * v31
@@ -1963,13 +1967,13 @@ def _in_tiles(T, q, status):
             v38 = Z2_3_pm * v30
             v39 = Z2_3_mp * v31
             v40 = Z2_3_mm * v32
-            v41 = w3_pp * (m4 * Z2_3_pp)
-            v42 = w3_pm * (m4 * Z2_3_pm)
-            v43 = w3_mp * (m4 * Z2_3_mp)
-            v44 = w3_mm * (m4 * Z2_3_mm)
+            v41 = w3_pp * (m5 * Z2_3_pp)
+            v42 = w3_pm * (m5 * Z2_3_pm)
+            v43 = w3_mp * (m5 * Z2_3_mp)
+            v44 = w3_mm * (m5 * Z2_3_mm)
             doubt1 = (
-                abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 *
-                D3_pp) <= m3 or v5 <= m1 or abs(D1) <= k2 or v4 <= m1
+                abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 *
+                D3_pp) <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2
             )
             work[272 + k] = Y6_p
             work[288 + k] = Y6_m
@@ -2010,14 +2014,14 @@ def _in_tiles(T, q, status):
             work[848 + k] = N3_pm - k5
             work[864 + k] = N3_mp - k5
             work[880 + k] = N3_mm - k5
-            work[896 + k] = v37 + w3_pp * (m4 * Z1_3_pp)
-            work[912 + k] = v37 + w3_pp * (m4 * -Z1_3_pp)
-            work[928 + k] = v38 + w3_pm * (m4 * Z1_3_pm)
-            work[944 + k] = v38 + w3_pm * (m4 * -Z1_3_pm)
-            work[960 + k] = v39 + w3_mp * (m4 * Z1_3_mp)
-            work[976 + k] = v39 + w3_mp * (m4 * -Z1_3_mp)
-            work[992 + k] = v40 + w3_mm * (m4 * Z1_3_mm)
-            work[1008 + k] = v40 + w3_mm * (m4 * -Z1_3_mm)
+            work[896 + k] = v37 + w3_pp * (m5 * Z1_3_pp)
+            work[912 + k] = v37 + w3_pp * (m5 * -Z1_3_pp)
+            work[928 + k] = v38 + w3_pm * (m5 * Z1_3_pm)
+            work[944 + k] = v38 + w3_pm * (m5 * -Z1_3_pm)
+            work[960 + k] = v39 + w3_mp * (m5 * Z1_3_mp)
+            work[976 + k] = v39 + w3_mp * (m5 * -Z1_3_mp)
+            work[992 + k] = v40 + w3_mm * (m5 * Z1_3_mm)
+            work[1008 + k] = v40 + w3_mm * (m5 * -Z1_3_mm)
             work[1024 + k] = c1_p
             work[1040 + k] = c1_m
         for k in range(416, 736):

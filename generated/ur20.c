@@ -272,11 +272,12 @@ static const double
     k4 = 0.4270584215920738, /* 1 / arm_size1 [m^-1] */
     k5 = 1.27404769, /* a2^2 + a3^2 [m^2] */
     k6 = 0.796001651862628, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m1 = 9.413232000000549e-12, /* 1000 * k3 [m^2] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m3 = 1.8717428710508678e-09;
+    m4 = 1.8717428710508678e-09;
 /* coefficients */
-static const double m4 = 0.580046403712297, m5 = 0.1229932192575406;
+static const double m5 = 0.580046403712297, m6 = 0.1229932192575406;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -297,6 +298,7 @@ static const double highest[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void ur20_fk(const double q[6], double T[16])
 {
@@ -397,7 +399,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -461,17 +463,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle11 = atan2_wide(w3_mp, N3_mp - k5), angle12 = atan2_wide(w3_mm, N3_mm - k5);
 
     /* theta2 */
-    const wide v35 = m5 + m4 * N3_pp, v36 = m5 + m4 * N3_pm, v37 = m5 + m4 * N3_mp,
-        v38 = m5 + m4 * N3_mm, v39 = Z1_3_pp * v35, v40 = Z1_3_pm * v36, v41 = Z1_3_mp * v37,
+    const wide v35 = m6 + m5 * N3_pp, v36 = m6 + m5 * N3_pm, v37 = m6 + m5 * N3_mp,
+        v38 = m6 + m5 * N3_mm, v39 = Z1_3_pp * v35, v40 = Z1_3_pm * v36, v41 = Z1_3_mp * v37,
         v42 = Z1_3_mm * v38, v43 = Z2_3_pp * v35, v44 = Z2_3_pm * v36, v45 = Z2_3_mp * v37,
-        v46 = Z2_3_mm * v38, v47 = w3_pp * (m4 * Z2_3_pp), v48 = w3_pp * (m4 * Z1_3_pp),
+        v46 = Z2_3_mm * v38, v47 = w3_pp * (m5 * Z2_3_pp), v48 = w3_pp * (m5 * Z1_3_pp),
         angle13 = atan2_wide(v47 - v39, -(v43 + v48)),
-        angle14 = atan2_wide(-(v39 + v47), v48 - v43), v49 = w3_pm * (m4 * Z2_3_pm),
-        v50 = w3_pm * (m4 * Z1_3_pm), angle15 = atan2_wide(v49 - v40, -(v44 + v50)),
-        angle16 = atan2_wide(-(v40 + v49), v50 - v44), v51 = w3_mp * (m4 * Z2_3_mp),
-        v52 = w3_mp * (m4 * Z1_3_mp), angle17 = atan2_wide(v51 - v41, -(v45 + v52)),
-        angle18 = atan2_wide(-(v41 + v51), v52 - v45), v53 = w3_mm * (m4 * Z2_3_mm),
-        v54 = w3_mm * (m4 * Z1_3_mm), angle19 = atan2_wide(v53 - v42, -(v46 + v54)),
+        angle14 = atan2_wide(-(v39 + v47), v48 - v43), v49 = w3_pm * (m5 * Z2_3_pm),
+        v50 = w3_pm * (m5 * Z1_3_pm), angle15 = atan2_wide(v49 - v40, -(v44 + v50)),
+        angle16 = atan2_wide(-(v40 + v49), v50 - v44), v51 = w3_mp * (m5 * Z2_3_mp),
+        v52 = w3_mp * (m5 * Z1_3_mp), angle17 = atan2_wide(v51 - v41, -(v45 + v52)),
+        angle18 = atan2_wide(-(v41 + v51), v52 - v45), v53 = w3_mm * (m5 * Z2_3_mm),
+        v54 = w3_mm * (m5 * Z1_3_mm), angle19 = atan2_wide(v53 - v42, -(v46 + v54)),
         angle20 = atan2_wide(-(v42 + v53), v54 - v46);
 
     /* joint values */
@@ -483,9 +485,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle5 + v31, q5_pmp = v32 - angle5, q5_mpp = angle6 + v33, q5_mmp = v34 - angle6,
         q6_ppp = angle3 + v31, q6_pmp = v32 + (angle3 - signed_wide(half_turn, -v8)),
         q6_mpp = angle4 + v33, q6_mmp = v34 + (angle4 - signed_wide(half_turn, -v9));
-    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
-        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v11 <= m1) | (abs_wide(D1) <=
-        k2) | (v10 <= m1);
+    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
+        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v11 <= m2) | (abs_wide(D1) <=
+        m1) | (v10 <= m2);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v55); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -517,7 +519,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double
-    m2 = 0.5; /* 1 / 2 */
+    m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -530,7 +532,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
         w1 = sqrt(D1), v1 = k4 * w1;
-    const int doubt1 = fabs(D1) <= k2;
+    const int doubt1 = fabs(D1) <= m1;
     const double inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy);
     const four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d4 * X1);
@@ -539,8 +541,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta6 */
     const four v5 = v3 * T21 + s1 * T11, v6 = v3 * T22 + s1 * T12, v7 = v5 * v5 + v6 * v6,
         w6 = sqrt_four(v7);
-    const four_mask doubt2 = v7 <= m1;
-    const four v8 = 1.0 / v7, v9 = signed_four(half_turn, -v6), v10 = m2 * (e2 - 1.0);
+    const four_mask doubt2 = v7 <= m2;
+    const four v8 = 1.0 / v7, v9 = signed_four(half_turn, -v6), v10 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T13 * s1 + T23 * v3;
@@ -557,11 +559,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v18 = T24 * s1 - T14 * v3, v19 = c234 * v14, v20 = d5 * s234, Z2_3 = v18 + (v19 - e2 * v20),
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v21 = w3 - w3;
-    const four_mask doubt3 = abs_four(v1 * D3) <= m3;
+    const four_mask doubt3 = abs_four(v1 * D3) <= m4;
 
     /* theta2 */
-    const four v22 = m5 + m4 * N3, v23 = Z1_3 * v22, v24 = Z2_3 * v22, v25 = w3 * (m4 * Z2_3),
-        v26 = w3 * (m4 * Z1_3);
+    const four v22 = m6 + m5 * N3, v23 = Z1_3 * v22, v24 = Z2_3 * v22, v25 = w3 * (m5 * Z2_3),
+        v26 = w3 * (m5 * Z1_3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -965,7 +967,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1039,10 +1041,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -1142,7 +1144,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != UR20_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1191,9 +1193,7 @@ static void stay(
         if (status[row] != UR20_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1205,8 +1205,14 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = UR20_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1246,9 +1252,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = UR20_OUT_OF_LIMITS;
         }
         count += status[row] != UR20_OUT_OF_LIMITS;

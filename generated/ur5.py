@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5 5b2739a666c67103"
+_KEY = "ur5 170dd56d4d4409d0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -179,16 +179,18 @@ k3 = 2.6032471470001422e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 0.8385680946642751  # 1 / arm_size1 [m^-1]
 k5 = 0.3344850625  # a2^2 + a3^2 [m^2]
 k6 = 2.99928766917857  # 1 / (2 * a3 * a2) [m^-2]
-m1 = 9.999999999999999e-09  # doubt_limit^2
-m3 = 1.299750652900866e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
-m4 = 1.1764705882352942  # a coefficient of S2
-m5 = 0.031488161764705896  # a coefficient of S2
+m1 = 2.603247147000142e-12  # 1000 * k3 [m^2]
+m2 = 9.999999999999999e-09  # doubt_limit^2
+m4 = 1.299750652900866e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
+m5 = 1.1764705882352942  # a coefficient of S2
+m6 = 0.031488161764705896  # a coefficient of S2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -687,13 +689,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1040,10 +1042,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1171,7 +1173,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1224,7 +1226,7 @@ def _tell_once(pose, q, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1243,18 +1245,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1277,10 +1282,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -1376,10 +1380,10 @@ def _regular(pose, q, status):
     v34 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v35 = m5 + m4 * N3_pp
-    v36 = m5 + m4 * N3_pm
-    v37 = m5 + m4 * N3_mp
-    v38 = m5 + m4 * N3_mm
+    v35 = m6 + m5 * N3_pp
+    v36 = m6 + m5 * N3_pm
+    v37 = m6 + m5 * N3_mp
+    v38 = m6 + m5 * N3_mm
     v39 = Z1_3_pp * v35
     v40 = Z1_3_pm * v36
     v41 = Z1_3_mp * v37
@@ -1388,19 +1392,19 @@ def _regular(pose, q, status):
     v44 = Z2_3_pm * v36
     v45 = Z2_3_mp * v37
     v46 = Z2_3_mm * v38
-    v47 = w3_pp * (m4 * Z2_3_pp)
-    v48 = w3_pp * (m4 * Z1_3_pp)
-    v49 = w3_pm * (m4 * Z2_3_pm)
-    v50 = w3_pm * (m4 * Z1_3_pm)
-    v51 = w3_mp * (m4 * Z2_3_mp)
-    v52 = w3_mp * (m4 * Z1_3_mp)
-    v53 = w3_mm * (m4 * Z2_3_mm)
-    v54 = w3_mm * (m4 * Z1_3_mm)
+    v47 = w3_pp * (m5 * Z2_3_pp)
+    v48 = w3_pp * (m5 * Z1_3_pp)
+    v49 = w3_pm * (m5 * Z2_3_pm)
+    v50 = w3_pm * (m5 * Z1_3_pm)
+    v51 = w3_mp * (m5 * Z2_3_mp)
+    v52 = w3_mp * (m5 * Z1_3_mp)
+    v53 = w3_mm * (m5 * Z2_3_mm)
+    v54 = w3_mm * (m5 * Z1_3_mm)
 
     # joint values
     doubt1 = (
-        abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 * D3_pp)
-        <= m3 or v11 <= m1 or abs(D1) <= k2 or v10 <= m1
+        abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 * D3_pp)
+        <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2
     )
 
     # a joint is free, or branches meet
@@ -1907,10 +1911,10 @@ def _in_tiles(T, q, status):
             v32 = w3_pm - w3_pm
             v33 = w3_mp - w3_mp
             v34 = w3_mm - w3_mm
-            v35 = m5 + m4 * N3_pp
-            v36 = m5 + m4 * N3_pm
-            v37 = m5 + m4 * N3_mp
-            v38 = m5 + m4 * N3_mm
+            v35 = m6 + m5 * N3_pp
+            v36 = m6 + m5 * N3_pm
+            v37 = m6 + m5 * N3_mp
+            v38 = m6 + m5 * N3_mm
             v39 = Z1_3_pp * v35
             v40 = Z1_3_pm * v36
             v41 = Z1_3_mp * v37
@@ -1919,17 +1923,17 @@ def _in_tiles(T, q, status):
             v44 = Z2_3_pm * v36
             v45 = Z2_3_mp * v37
             v46 = Z2_3_mm * v38
-            v47 = w3_pp * (m4 * Z2_3_pp)
-            v48 = w3_pp * (m4 * Z1_3_pp)
-            v49 = w3_pm * (m4 * Z2_3_pm)
-            v50 = w3_pm * (m4 * Z1_3_pm)
-            v51 = w3_mp * (m4 * Z2_3_mp)
-            v52 = w3_mp * (m4 * Z1_3_mp)
-            v53 = w3_mm * (m4 * Z2_3_mm)
-            v54 = w3_mm * (m4 * Z1_3_mm)
+            v47 = w3_pp * (m5 * Z2_3_pp)
+            v48 = w3_pp * (m5 * Z1_3_pp)
+            v49 = w3_pm * (m5 * Z2_3_pm)
+            v50 = w3_pm * (m5 * Z1_3_pm)
+            v51 = w3_mp * (m5 * Z2_3_mp)
+            v52 = w3_mp * (m5 * Z1_3_mp)
+            v53 = w3_mm * (m5 * Z2_3_mm)
+            v54 = w3_mm * (m5 * Z1_3_mm)
             doubt1 = (
-                abs(v1 * D3_mm) <= m3 or abs(v1 * D3_mp) <= m3 or abs(v1 * D3_pm) <= m3 or abs(v1 *
-                D3_pp) <= m3 or v11 <= m1 or abs(D1) <= k2 or v10 <= m1
+                abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 *
+                D3_pp) <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2
             )
             work[272 + k] = v8
             work[288 + k] = v9

@@ -179,6 +179,7 @@ static const float highest[6] = {
     6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f,
     6.2831855f,
 };
+#define slack(joint) 2e-06f /* by which joint values may miss their limits */
 
 void ur5_f32_fk(const float q[6], float T[16])
 {
@@ -279,7 +280,7 @@ static float overshoot(int joint, float value)
     const float gap = turn - (high - low), over = value - high;
     const float rest = over - turn * floorf(over / turn);
     const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
 /* The same of a row. */
@@ -743,7 +744,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
-    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
+    const float low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     float value = given;
     if (fabsf(towards) < 100.0f)
         value += turn * floorf((towards - given) / turn + 0.5f);
@@ -817,10 +818,10 @@ static void add_step(const int held[6], float damping, float e[6], float x[6])
 static float past_an_end(int joint, float value)
 {
     const float low = lowest[joint], high = highest[joint];
-    if (high - low < 6.2831845f)
+    if (high - low < 6.183185f)
         return overshoot(joint, value);
     const float off = value - fminf(fmaxf(value, low), high);
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
 /* The same of all joints. */
@@ -920,7 +921,7 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != UR5_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
-            && half_way(rows[k], q, to) > 0.00031622776f && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
         take(x, q);
@@ -969,9 +970,7 @@ static void stay(
         if (status[row] != UR5_F32_UNREACHABLE) {
             const float off = half_way(x, q[row], half);
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
-            for (int i = 0; i < 6; i++)
-                half[i] += half[i] - x[i]; /* not turned */
-            if (off < nearest && past_ends(half) <= 0.0f) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0f; /* its own */
@@ -983,8 +982,14 @@ static void stay(
     }
     if (least >= 0.0f)
         status[place] = UR5_F32_FREE_JOINT;
-    if (nearest > 0.003f)
-        take(x, q[place]);
+    if (nearest <= 0.003f) {
+        (void)half_way(x, q[place], half);
+        for (int i = 0; i < 6; i++)
+            half[i] += half[i] - x[i]; /* the row as it is next to x */
+        if (past_ends(half) <= 0.0f)
+            return;
+    }
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1024,9 +1029,8 @@ APART int ik_carefully(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 2e-06f <= *value && *value <= highest[i] + 2e-06f))
+            *value = turned(i, *value, 0.0f);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = UR5_F32_OUT_OF_LIMITS;
         }
         count += status[row] != UR5_F32_OUT_OF_LIMITS;

@@ -484,6 +484,7 @@ const char *const welding_5r_branches[8] = {
 
 static const double lowest[5] = { -2.9670597283903604, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { 2.9670597283903604, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void welding_5r_fk(const double q[5], double T[16])
 {
@@ -569,7 +570,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of a row. */
@@ -1129,7 +1130,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1262,7 +1263,7 @@ static void stand(const double T[16], int row, double rows[8][5], const unsigned
     off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != WELDING_5R_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -1307,7 +1308,7 @@ static void stay(
         if (status[row] != WELDING_5R_UNREACHABLE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest && beyond_limits(q[row]) <= 0.0) {
+            if (off < nearest) {
                 nearest = off;
                 place = row;
                 least = -1.0; /* its own */
@@ -1319,8 +1320,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = WELDING_5R_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
+        return;
+    take(x, q[place]);
 }
 
 int welding_5r_ik(
@@ -1361,9 +1363,8 @@ int welding_5r_ik(
         stand(pose, row, q, status);
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = WELDING_5R_OUT_OF_LIMITS;
         }
         count += status[row] != WELDING_5R_OUT_OF_LIMITS;

@@ -260,13 +260,14 @@ static const double
     f4 = 0.3213938048432697, /* ca2 * 1 / 2 */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.0000000000000002e-10,
-    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m5 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
-    m6 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
-    m7 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m8 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+    m1 = 1e-12, /* 1000 * merge_slack1 [m] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m6 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
+    m7 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
+    m8 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 /* coefficients */
-static const double m1 = 0.383022221559489, m3 = 0.5, m4 = 0.8660254037844386;
+static const double m2 = 0.383022221559489, m4 = 0.5, m5 = 0.8660254037844386;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -280,6 +281,7 @@ const char *const wrist_oblique_branches[2] = {
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void wrist_oblique_fk(const double q[3], double T[16])
 {
@@ -361,10 +363,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 
     /* theta3 */
     const wide v7 = sqrt3 * T22, v8 = sqrt3 * T12, v9 = sqrt3 * T21, v10 = sqrt3 * T11,
-        v11 = Y1 * v10 - v1 * v9, v12 = m1 * (T31 - inverse1 * (v2 * v10 + v3 * v9)),
-        S3_p = v12 + w1 * (m1 * (inverse1 * v11)), S3_m = v12 + w1 * (m1 * (inverse1 * -v11)),
-        v13 = Y1 * v8 - v1 * v7, v14 = m1 * (T32 - inverse1 * (v2 * v8 + v3 * v7)),
-        C3_p = v14 + w1 * (m1 * (inverse1 * v13)), C3_m = v14 + w1 * (m1 * (inverse1 * -v13)),
+        v11 = Y1 * v10 - v1 * v9, v12 = m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9)),
+        S3_p = v12 + w1 * (m2 * (inverse1 * v11)), S3_m = v12 + w1 * (m2 * (inverse1 * -v11)),
+        v13 = Y1 * v8 - v1 * v7, v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7)),
+        C3_p = v14 + w1 * (m2 * (inverse1 * v13)), C3_m = v14 + w1 * (m2 * (inverse1 * -v13)),
         v15 = S3_p * S3_p + C3_p * C3_p, v16 = S3_m * S3_m + C3_m * C3_m,
         v17 = sqrt_wide(v15) * (1.0 / v15), v18 = sqrt_wide(v16) * (1.0 / v16), v19 = C3_p * v17,
         v20 = C3_m * v18, v21 = S3_p * v17, v22 = S3_m * v18;
@@ -377,11 +379,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         s2_m = v24 * v30;
 
     /* is the pose one that the arm can take? */
-    const wide v31 = ca2 * v21, v32 = ca2 * v22, v33 = sa2 * s2_p, v34 = sa2 * s2_m, v35 = m3 * v2,
-        v36 = w1 * (m3 * Y1), v37 = v36 - v35, v38 = v35 + v36, v39 = m3 * v3, v40 = w1 * (m3 * v1),
+    const wide v31 = ca2 * v21, v32 = ca2 * v22, v33 = sa2 * s2_p, v34 = sa2 * s2_m, v35 = m4 * v2,
+        v36 = w1 * (m4 * Y1), v37 = v36 - v35, v38 = v35 + v36, v39 = m4 * v3, v40 = w1 * (m4 * v1),
         v41 = v39 + v40, v42 = v39 - v40, v43 = k5 * T31, v44 = k5 * T33, v45 = sa2 * c2_p,
-        v46 = sa2 * c2_m, v47 = k5 * T34, v48 = m4 * v2, v49 = w1 * (m4 * Y1), v50 = v49 - v48,
-        v51 = v48 + v49, v52 = m4 * v3, v53 = w1 * (m4 * v1), v54 = v52 + v53, v55 = v52 - v53,
+        v46 = sa2 * c2_m, v47 = k5 * T34, v48 = m5 * v2, v49 = w1 * (m5 * Y1), v50 = v49 - v48,
+        v51 = v48 + v49, v52 = m5 * v3, v53 = w1 * (m5 * v1), v54 = v52 + v53, v55 = v52 - v53,
         v56 = k1 * T31, v57 = k1 * T33, v58 = k1 * T34,
         v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2,
         v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2,
@@ -407,15 +409,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 
     /* joint values */
     const double v81 = NAN;
-    const wide v82 = only_wide(((v77 <= m5) & (v79 <= m7)) == 0, v81),
-        v83 = only_wide(((v78 <= m5) & (v80 <= m7)) == 0, v81), angle1 = atan2_wide(s1_p, c1_p),
+    const wide v82 = only_wide(((v77 <= m6) & (v79 <= m8)) == 0, v81),
+        v83 = only_wide(((v78 <= m6) & (v80 <= m8)) == 0, v81), angle1 = atan2_wide(s1_p, c1_p),
         angle2 = atan2_wide(-v6, c1_m), angle3 = atan2_wide(v23, v25),
         angle4 = atan2_wide(v24, v25), angle5 = atan2_wide(-S3_p, -C3_p),
         angle6 = atan2_wide(-S3_m, -C3_m);
-    const wide_mask doubt1 = (v28 <= m2) | (v16 <= m2) | (v27 <= m2) | (v15 <= m2) | ((m5 < v78) &
-        (v78 <= m6)) | ((m5 < v77) & (v77 <= m6)) | ((m7 < v80) & (v80 <= m8)) | (N1 <=
-        doubt_limit_squared2) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1)))
-        | ((m7 < v79) & (v79 <= m8));
+    const wide_mask doubt1 = (v28 <= m3) | (v16 <= m3) | (v27 <= m3) | (v15 <= m3) | ((m6 < v78) &
+        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v80) & (v80 <= m9)) | (N1 <=
+        doubt_limit_squared2) | (abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | ((m8 <
+        v79) & (v79 <= m9));
 
     q[0] = v82 + angle1; q[1] = v82 + angle3; q[2] = v82 + angle5;
     kind[0] = kind_of(q[0], 0);
@@ -444,10 +446,10 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* theta3 */
     const double v8 = sqrt3 * T22, v9 = sqrt3 * T12, v10 = sqrt3 * T21, v11 = sqrt3 * T11,
-        v12 = Y1 * v11 - v1 * v10, v13 = m1 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
-    const four S3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12)));
-    const double v14 = Y1 * v9 - v1 * v8, v15 = m1 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
-    const four C3 = v15 + w1 * (m1 * (inverse1 * (e1 * v14))), v16 = S3 * S3 + C3 * C3,
+        v12 = Y1 * v11 - v1 * v10, v13 = m2 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
+    const four S3 = v13 + w1 * (m2 * (inverse1 * (e1 * v12)));
+    const double v14 = Y1 * v9 - v1 * v8, v15 = m2 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
+    const four C3 = v15 + w1 * (m2 * (inverse1 * (e1 * v14))), v16 = S3 * S3 + C3 * C3,
         v17 = sqrt_four(v16) * (1.0 / v16), v18 = C3 * v17, v19 = S3 * v17;
 
     /* theta2 */
@@ -458,16 +460,16 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* is the pose one that the arm can take? */
     const four v25 = ca2 * v19, v26 = sa2 * s2;
-    const double v27 = m3 * v2;
-    const four v28 = w1 * (m3 * v7) - v27;
-    const double v29 = m3 * v3;
-    const four v30 = v29 + w1 * (m3 * v5);
+    const double v27 = m4 * v2;
+    const four v28 = w1 * (m4 * v7) - v27;
+    const double v29 = m4 * v3;
+    const four v30 = v29 + w1 * (m4 * v5);
     const double v31 = k5 * T31, v32 = k5 * T33;
     const four v33 = sa2 * c2;
-    const double v34 = k5 * T34, v35 = m4 * v2;
-    const four v36 = w1 * (m4 * v7) - v35;
-    const double v37 = m4 * v3;
-    const four v38 = v37 + w1 * (m4 * v5);
+    const double v34 = k5 * T34, v35 = m5 * v2;
+    const four v36 = w1 * (m5 * v7) - v35;
+    const double v37 = m5 * v3;
+    const four v38 = v37 + w1 * (m5 * v5);
     const double v39 = k1 * T31, v40 = k1 * T33, v41 = k1 * T34;
     const four v42 = v41 + inverse1 * (T14 * v36 - T24 * v38) - k2,
         v43 = v40 + inverse1 * (v36 * T13 - v38 * T23) - ca2,
@@ -482,11 +484,11 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* joint values */
     const double v53 = NAN;
-    const four v54 = only_four(((v51 <= m5) & (v52 <= m7)) == 0, v53);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
-        2.0 * fabs(Z1)));
-    const four_mask doubt2 = (v23 <= m2) | (v16 <= m2) | ((m7 < v52) & (v52 <= m8)) | ((m5 < v51) &
-        (v51 <= m6));
+    const four v54 = only_four(((v51 <= m6) & (v52 <= m8)) == 0, v53);
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= m1 * (merge_slack1 + 2.0 *
+        fabs(Z1)));
+    const four_mask doubt2 = (v23 <= m3) | (v16 <= m3) | ((m8 < v52) & (v52 <= m9)) | ((m6 < v51) &
+        (v51 <= m7));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -628,7 +630,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -751,8 +753,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = WRIST_OBLIQUE_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -782,9 +785,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = WRIST_OBLIQUE_OUT_OF_LIMITS;
         }
         count += status[row] != WRIST_OBLIQUE_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique cd9d64996aeaebf1"
+_KEY = "wrist_oblique 66cd8727faa5497e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -167,20 +167,22 @@ f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.383022221559489  # sa2 * 1 / 2
 f4 = 0.3213938048432697  # ca2 * 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-10  # square of a length that fixes no angle [m^2]
-m1 = 0.383022221559489  # a coefficient of S3
-m2 = 9.999999999999997e-17  # doubt_limit_squared^2
-m3 = 0.5  # a coefficient of v17
-m4 = 0.8660254037844386  # a coefficient of v23
-m5 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
-m6 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
-m7 = 1.0000000000000002e-10  # pose_slack^2
-m8 = 6.000000000000001e-10  # 6 * pose_slack^2
+m1 = 1e-12  # 1000 * merge_slack1 [m]
+m2 = 0.383022221559489  # a coefficient of S3
+m3 = 9.999999999999997e-17  # doubt_limit_squared^2
+m4 = 0.5  # a coefficient of v17
+m5 = 0.8660254037844386  # a coefficient of v23
+m6 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
+m7 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
+m8 = 1.0000000000000002e-10  # pose_slack^2
+m9 = 6.000000000000001e-10  # 6 * pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -695,9 +697,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(3):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -714,10 +717,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
@@ -755,13 +757,13 @@ def _regular(pose, q, status):
     v9 = sqrt3 * T21
     v10 = sqrt3 * T11
     v11 = Y1 * v10 - v1 * v9
-    v12 = m1 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
-    S3_p = v12 + w1 * (m1 * (inverse1 * v11))
-    S3_m = v12 + w1 * (m1 * (inverse1 * -v11))
+    v12 = m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
+    S3_p = v12 + w1 * (m2 * (inverse1 * v11))
+    S3_m = v12 + w1 * (m2 * (inverse1 * -v11))
     v13 = Y1 * v8 - v1 * v7
-    v14 = m1 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
-    C3_p = v14 + w1 * (m1 * (inverse1 * v13))
-    C3_m = v14 + w1 * (m1 * (inverse1 * -v13))
+    v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
+    C3_p = v14 + w1 * (m2 * (inverse1 * v13))
+    C3_m = v14 + w1 * (m2 * (inverse1 * -v13))
     v15 = S3_p * S3_p + C3_p * C3_p
     v16 = S3_m * S3_m + C3_m * C3_m
     v17 = math.sqrt(v15) * (1.0 / v15)
@@ -790,12 +792,12 @@ def _regular(pose, q, status):
     v32 = ca2 * v22
     v33 = sa2 * s2_p
     v34 = sa2 * s2_m
-    v35 = m3 * v2
-    v36 = w1 * (m3 * Y1)
+    v35 = m4 * v2
+    v36 = w1 * (m4 * Y1)
     v37 = v36 - v35
     v38 = v35 + v36
-    v39 = m3 * v3
-    v40 = w1 * (m3 * v1)
+    v39 = m4 * v3
+    v40 = w1 * (m4 * v1)
     v41 = v39 + v40
     v42 = v39 - v40
     v43 = k5 * T31
@@ -803,12 +805,12 @@ def _regular(pose, q, status):
     v45 = sa2 * c2_p
     v46 = sa2 * c2_m
     v47 = k5 * T34
-    v48 = m4 * v2
-    v49 = w1 * (m4 * Y1)
+    v48 = m5 * v2
+    v49 = w1 * (m5 * Y1)
     v50 = v49 - v48
     v51 = v48 + v49
-    v52 = m4 * v3
-    v53 = w1 * (m4 * v1)
+    v52 = m5 * v3
+    v53 = w1 * (m5 * v1)
     v54 = v52 + v53
     v55 = v52 - v53
     v56 = k1 * T31
@@ -839,12 +841,12 @@ def _regular(pose, q, status):
 
     # joint values
     v81 = math.sqrt(-1.0)
-    v82 = 0.0 if (v77 <= m5 and v79 <= m7) else v81
-    v83 = 0.0 if (v78 <= m5 and v80 <= m7) else v81
+    v82 = 0.0 if (v77 <= m6 and v79 <= m8) else v81
+    v83 = 0.0 if (v78 <= m6 and v80 <= m8) else v81
     doubt1 = (
-        v28 <= m2 or v16 <= m2 or v27 <= m2 or v15 <= m2 or (m5 < v78 and v78 <= m6) or (m5 < v77
-        and v77 <= m6) or (m7 < v80 and v80 <= m8) or N1 <= doubt_limit_squared2 or abs(D1) <=
-        reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m7 < v79 and v79 <= m8)
+        v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7) or (m6 < v77
+        and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <= doubt_limit_squared2 or abs(D1) <= m1 *
+        (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9)
     )
 
     # a joint is free, or branches meet
@@ -1179,13 +1181,13 @@ def _in_tiles(T, q, status):
             v9 = sqrt3 * T21
             v10 = sqrt3 * T11
             v11 = Y1 * v10 - v1 * v9
-            v12 = m1 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
-            S3_p = v12 + w1 * (m1 * (inverse1 * v11))
-            S3_m = v12 + w1 * (m1 * (inverse1 * -v11))
+            v12 = m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
+            S3_p = v12 + w1 * (m2 * (inverse1 * v11))
+            S3_m = v12 + w1 * (m2 * (inverse1 * -v11))
             v13 = Y1 * v8 - v1 * v7
-            v14 = m1 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
-            C3_p = v14 + w1 * (m1 * (inverse1 * v13))
-            C3_m = v14 + w1 * (m1 * (inverse1 * -v13))
+            v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
+            C3_p = v14 + w1 * (m2 * (inverse1 * v13))
+            C3_m = v14 + w1 * (m2 * (inverse1 * -v13))
             v15 = S3_p * S3_p + C3_p * C3_p
             v16 = S3_m * S3_m + C3_m * C3_m
             v17 = math.sqrt(v15) * (1.0 / v15)
@@ -1210,12 +1212,12 @@ def _in_tiles(T, q, status):
             v32 = ca2 * v22
             v33 = sa2 * s2_p
             v34 = sa2 * s2_m
-            v35 = m3 * v2
-            v36 = w1 * (m3 * Y1)
+            v35 = m4 * v2
+            v36 = w1 * (m4 * Y1)
             v37 = v36 - v35
             v38 = v35 + v36
-            v39 = m3 * v3
-            v40 = w1 * (m3 * v1)
+            v39 = m4 * v3
+            v40 = w1 * (m4 * v1)
             v41 = v39 + v40
             v42 = v39 - v40
             v43 = k5 * T31
@@ -1223,12 +1225,12 @@ def _in_tiles(T, q, status):
             v45 = sa2 * c2_p
             v46 = sa2 * c2_m
             v47 = k5 * T34
-            v48 = m4 * v2
-            v49 = w1 * (m4 * Y1)
+            v48 = m5 * v2
+            v49 = w1 * (m5 * Y1)
             v50 = v49 - v48
             v51 = v48 + v49
-            v52 = m4 * v3
-            v53 = w1 * (m4 * v1)
+            v52 = m5 * v3
+            v53 = w1 * (m5 * v1)
             v54 = v52 + v53
             v55 = v52 - v53
             v56 = k1 * T31
@@ -1257,12 +1259,12 @@ def _in_tiles(T, q, status):
             v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
             v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
             v81 = math.sqrt(-1.0)
-            v82 = 0.0 if (v77 <= m5 and v79 <= m7) else v81
-            v83 = 0.0 if (v78 <= m5 and v80 <= m7) else v81
+            v82 = 0.0 if (v77 <= m6 and v79 <= m8) else v81
+            v83 = 0.0 if (v78 <= m6 and v80 <= m8) else v81
             doubt1 = (
-                v28 <= m2 or v16 <= m2 or v27 <= m2 or v15 <= m2 or (m5 < v78 and v78 <= m6) or (m5
-                < v77 and v77 <= m6) or (m7 < v80 and v80 <= m8) or N1 <= doubt_limit_squared2 or
-                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m7 < v79 and v79 <= m8)
+                v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7) or (m6
+                < v77 and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <= doubt_limit_squared2 or
+                abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9)
             )
             work[272 + k] = v82
             work[288 + k] = v83

@@ -272,8 +272,8 @@ static const double
     k2 = 4.918543046385274, /* 1 / (2 * a3 * a2) [m^-2] */
     m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
     m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m6 = 5.6295049109125804e-14,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m6 = 5.597903840841209e-12,
     m11 = 1.0000000000000002e-10, /* pose_slack^2 */
     m12 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
     m13 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
@@ -293,6 +293,7 @@ const char *const xarm5_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void xarm5_fk(const double q[5], double T[16])
 {
@@ -894,7 +895,7 @@ static void choose_again(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1017,8 +1018,9 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = XARM5_FREE_JOINT;
-    if (nearest > 1e-06)
-        take(x, q[place]);
+    if (nearest <= 1e-06)
+        return;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1051,9 +1053,8 @@ APART int ik_carefully(
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = XARM5_OUT_OF_LIMITS;
         }
         count += status[row] != XARM5_OUT_OF_LIMITS;

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 2af73417d0106b0d"
+_KEY = "xarm5 603651141598d94b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -178,7 +178,8 @@ m1 = 1.1677971055248613e-08  # doubt_limit1^2 [m^2]
 m2 = 9.999999999999997e-17  # doubt_limit_squared^2
 m4 = 0.076  # a coefficient of v9
 m5 = 0.097  # a coefficient of v11
-m6 = 5.6295049109125804e-14  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m6 = 5.597903840841209e-12
 m7 = 1.727195576168653  # a coefficient of S2
 m8 = 0.06824295773100271  # a coefficient of S2
 m9 = 1.4238523749857612  # a coefficient of c23
@@ -189,9 +190,10 @@ m13 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -1026,9 +1028,10 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(5):
-            q[place, i] = x[i]
+    if nearest <= 1e-06:
+        return
+    for i in range(5):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1046,10 +1049,9 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

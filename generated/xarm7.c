@@ -3410,6 +3410,7 @@ static const double lowest[7] = {
 static const double highest[7] = {
     INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void xarm7_fk(const double q[7], double T[16])
 {
@@ -3552,7 +3553,7 @@ static void take(const double from[7], double to[7])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -3584,9 +3585,8 @@ int xarm7_ik(
             continue;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, *value);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = XARM7_OUT_OF_LIMITS;
         }
         count += status[row] != XARM7_OUT_OF_LIMITS;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 4af09e89af900320"
+_KEY = "yaskawa_gp7 49497f761581c780"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -187,7 +187,8 @@ low3 = -1.221700001
 high3 = 3.316100001
 high5 = 2.356100001
 m1 = 1.8906249999999994e-08  # doubt_limit1^2 [m^2]
-m3 = 1.9164816413959385e-13  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 1.920847203220787e-11
 m4 = 1.1235955056179774  # a coefficient of Y1_2
 m5 = 0.003174157303370838  # a coefficient of Y1_2
 m6 = 0.10245901639344261  # a coefficient of c2m3
@@ -198,9 +199,10 @@ m10 = 9.999999999999999e-09  # doubt_limit^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
-# The limits with what rounding may add.
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# By what joint values may miss their limits, and the limits with it: rounding.
+_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
@@ -681,13 +683,13 @@ def _turned(joint, given, towards):
 @_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
     if low <= value <= high:
         return 0.0
     gap, over = turn - (high - low), value - high
     rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -924,10 +926,10 @@ def _half_way(x, q, half):
 def _past_an_end(joint, value):
     """How far a joint value is beyond its limits as it stands: it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.283184307179586:
+    if high - low < 6.183185307179587:
         return _overshoot(joint, value)
-    off = value - min(max(value, low + 1e-09), high - 1e-09)
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
+    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
 
 
 @_inner
@@ -1055,7 +1057,7 @@ def _stand(pose, row, rows, status):
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
-            if _half_way(rows[k], x, to) < off and _half_way(rows[k], q, to) > 1e-07:
+            if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
         for i in range(6):
@@ -1066,7 +1068,7 @@ def _stand(pose, row, rows, status):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one inside the limits: that of one beside
+    The solution next to the seed gets a row unless it has one: that of one beside
     it, that of one which it is told from by nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
@@ -1085,18 +1087,21 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             off = _half_way(x, q[row], half)
             between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            for i in range(6):
-                half[i] += half[i] - x[i]  # the same row, not turned
-            if off < nearest and _past_ends(half) <= 0.0:
+            if off < nearest:
                 place, nearest, least = row, off, -1.0  # its own
         if between <= 2.0 * least:
             place = row
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 1e-06:
+    if nearest <= 1e-06:
+        _half_way(x, q[place], half)
         for i in range(6):
-            q[place, i] = x[i]
+            half[i] += half[i] - x[i]  # the row as it is next to x
+        if _past_ends(half) <= 0.0:
+            return
+    for i in range(6):
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1117,10 +1122,9 @@ def _whole(pose, seed, q, status):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
+            q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                q[row, i] = _turned(i, q[row, i], q[row, i])
-                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                    status[row] = OUT_OF_LIMITS
+                status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count

@@ -3807,6 +3807,7 @@ static const double highest[6] = {
     3.141592653589793, 3.141592653589793, 6.19591884457987, 3.141592653589793, 3.141592653589793,
     3.141592653589793,
 };
+#define slack(joint) 1e-09 /* by which joint values may miss their limits */
 
 void yaskawa_hc10_fk(const double q[6], double T[16])
 {
@@ -3908,7 +3909,7 @@ static double overshoot(int joint, double value)
     const double gap = turn - (high - low), over = value - high;
     const double rest = over - turn * floor(over / turn);
     const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 
@@ -3949,7 +3950,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -4023,10 +4024,10 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.283184307179586)
+    if (high - low < 6.183185307179587)
         return overshoot(joint, value);
     const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
 /* The same of all joints. */
@@ -4126,7 +4127,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
     off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
         if (status[k] != YASKAWA_HC10_UNREACHABLE && past_ends(rows[k]) <= 0.0
-            && half_way(rows[k], q, to) > 1e-07 && half_way(rows[k], x, to) < off)
+            && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
         take(x, q);
@@ -4157,9 +4158,8 @@ int yaskawa_hc10_ik(
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            if (*value < lowest[i] || highest[i] < *value)
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
+            *value = turned(i, *value, 0.0);
+            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = YASKAWA_HC10_OUT_OF_LIMITS;
         }
         count += status[row] != YASKAWA_HC10_OUT_OF_LIMITS;

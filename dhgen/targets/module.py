@@ -125,14 +125,21 @@ def made_text(module: SolverModule, template: str, indent: str) -> str:
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 
 
+def slacks(module: SolverModule) -> list[float]:
+    """By what each joint value may miss its limits [rad or length]."""
+    angle = module.precision.tolerances.limit
+    length = float(f"{angle * module.chain.size:.4g}")  # more digits tell nothing
+    return [angle if turns else length for turns in module.chain.turning]
+
+
 def regular_solver(module: SolverModule) -> Regular | None:
     """The program of regular poses, with limits."""
     return regular(module.solver, tuple(_limits(module)), module.precision.tolerances)
 
 
 def _limits(module: SolverModule) -> list[Limits | None]:
-    slack = module.precision.tolerances.limit
+    joints = zip(module.chain.joints, slacks(module), module.chain.turning, strict=True)
     return [
         Limits(joint.limits[0] - slack, joint.limits[1] + slack, turns) if joint.limits else None
-        for joint, turns in zip(module.chain.joints, module.chain.turning, strict=True)
+        for joint, slack, turns in joints
     ]

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
+    from dhgen.tolerances import Tolerances
 
 BOTH_SIDES = 100  # one width serves both sides if it is not so many times the other
 
@@ -22,13 +23,14 @@ class Brink:
 
     Args:
         builder: Where values are.
-        wider: How many times as wide brinks are where the value hangs on an angle that is good to
-            few digits.
+        tolerances: The table: brinks are wider than where branches meet, by as much as limits ask
+            for, and where the value hangs on an angle that is good to few digits.
     """
 
-    def __init__(self, builder: Builder, wider: int) -> None:
+    def __init__(self, builder: Builder, tolerances: Tolerances) -> None:
         self._builder = builder
-        self._wider = wider
+        self._beside = builder.integer(round(tolerances.brink / tolerances.merge))
+        self._blurred = builder.integer(round(tolerances.near / tolerances.regular))
         self._least: dict[Node, Fraction] = {}
 
     def ends(self, inside: Node) -> None:
@@ -95,12 +97,23 @@ class Brink:
         inner, outer = self._width(value, apart), self._width(value, inside)
         value = self._weighed(value, inside)
         if blurred:
-            inner = outer = builder.arithmetic("mul", builder.integer(self._wider), inner)
+            inner = outer = self._times(self._blurred, inner)
+        else:
+            inner = self._times(self._beside, inner)
         low, high = (self._number(width) for width in (inner, outer))
         if low is None or high is None or high <= BOTH_SIDES * low:
-            return builder.apply("at_most", builder.absolute(value), outer)
+            most = outer if low is not None and high is not None and low < high else inner
+            return builder.apply("at_most", builder.absolute(value), most)
         below = builder.apply("at_most", builder.neg(outer), value)
         return builder.apply("and", below, builder.apply("at_most", value, inner))
+
+    def _times(self, factor: Node, width: Node) -> Node:
+        """A width times a number, which is taken into the constant before the rest of a product."""
+        builder, entry = self._builder, self._builder.entries[width]
+        if entry.operator == "mul" and self._number(entry.operands[0]) is not None:
+            constant, rest = entry.operands
+            return builder.arithmetic("mul", builder.arithmetic("mul", factor, constant), rest)
+        return builder.arithmetic("mul", factor, width)
 
     def _weighed(self, value: Node, inside: Node) -> Node:
         """The value, or what is compared with a slack instead, where earlier roots are in it."""

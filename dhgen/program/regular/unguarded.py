@@ -79,7 +79,7 @@ class Unguarded:
         self._assumptions = Assumptions(program)
         self._doubts: list[Node] = []
         self._endings = Endings(self._builder)
-        self._brink = Brink(self._builder, round(tolerances.near / tolerances.regular))
+        self._brink = Brink(self._builder, tolerances)
         self._reached: Guard | None = None
 
     def run(self) -> Regular:

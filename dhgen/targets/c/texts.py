@@ -10,7 +10,7 @@ from dhgen.targets.c.irregular import finite_entries, finite_given
 from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, c_array, listed, packed, paragraph
-from dhgen.targets.module import made_text, named_entries
+from dhgen.targets.module import made_text, named_entries, slacks
 from dhgen.targets.solver.searches import fan_steps
 from dhgen.targets.solver.task import meaning
 from dhgen.tolerances import SINGLE
@@ -50,6 +50,7 @@ class CTables:
         lowest: Limits.
         highest: The same.
         revolute: Which joints turn.
+        slack: By what joint values may miss their limits.
         weight: Of squared differences of joint values.
         fan_step: From one value of a free joint that is tried to the next.
         constants: Of the programs, as lines.
@@ -60,6 +61,7 @@ class CTables:
     lowest: str
     highest: str
     revolute: str
+    slack: str
     weight: str
     fan_step: str
     constants: Sequence[str]
@@ -135,6 +137,7 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
         lowest=c_array(f"static const double lowest[{dof}]", low),
         highest=c_array(f"static const double highest[{dof}]", high),
         revolute=c_array(f"static const int revolute[{dof}]", flags),
+        slack=c_array(f"static const double slack[{dof}]", map(repr, slacks(module))),
         weight=c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
         fan_step=c_array(f"static const double fan_step[{dof}]", map(repr, fan_steps(module))),
         constants=_constant_lines(common),

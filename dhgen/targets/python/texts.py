@@ -10,7 +10,7 @@ from dhgen.targets.arctangent import STEEP, arctangent_coefficients
 from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
-from dhgen.targets.module import has_to_be_finite, made_text, named_entries
+from dhgen.targets.module import has_to_be_finite, made_text, named_entries, slacks
 from dhgen.targets.python.language import Python
 from dhgen.targets.python.one_pose import assigned
 from dhgen.targets.scalar import output_texts, pose_entries
@@ -55,6 +55,7 @@ class PythonTables:
         limits: Of each joint.
         branches: The name of every row.
         free_joints: Whose values the caller gives; empty without any.
+        slack: By what joint values may miss their limits.
         weights: Of squared differences of joint values.
         fan_steps: From one value of a free joint that is tried to the next.
         constants: Of the programs, as lines.
@@ -63,6 +64,7 @@ class PythonTables:
     limits: Sequence[str]
     branches: Sequence[str]
     free_joints: str
+    slack: str
     weights: str
     fan_steps: str
     constants: Sequence[str]
@@ -152,6 +154,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
         limits=[f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         branches=module.branches,
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
+        slack=python_array("_SLACK = np.array", map(repr, slacks(module))),
         weights=python_array("_WEIGHT = np.array", map(repr, module.weights)),
         fan_steps=python_array("_FAN_STEP = np.array", map(repr, fan_steps(module))),
         constants=[line for each in constants for line in _constant(each)],

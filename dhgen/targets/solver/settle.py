@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -65,7 +64,6 @@ class Settle:
         steps_aside: So many of them are made.
         aside: Times the whole way: how far steps lead from half way.
         alike: Two misses within so many times are the same.
-        apart: Two solutions that differ by less are told apart by rounding [rad, arm sizes].
         promised: A row may miss its pose by this [arm sizes, rad].
         told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
     """
@@ -78,7 +76,6 @@ class Settle:
     paces: str
     together: float
     fine: float
-    apart: float
     promised: float
     told_by_nothing: float
     cautious: float = CAUTIOUS
@@ -112,7 +109,6 @@ def settle_of(module: SolverModule) -> Settle:
         paces=", ".join(_pace(joint, chain) for joint in chain.joints),
         together=max(TOGETHER, BEYOND_TOLD * tolerances.told),
         fine=tolerances.fine,
-        apart=math.sqrt(tolerances.merge),
         promised=max(tolerances.promised, tolerances.exact),
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
     )

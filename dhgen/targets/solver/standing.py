@@ -17,7 +17,8 @@ from dhgen.targets.walk import roots_in_a_row, whole_arm
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
-LEAST_WHOLE = 2.0 * math.pi - 1e-6  # limits so far apart leave no gap [rad]
+# Limits so far apart leave next to no gap [rad]: beside a singular pose rounding leads across.
+LEAST_WHOLE = 2.0 * math.pi - 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +32,7 @@ class Standing:
         tells_once: Whether branches that meet may come out apart: one root follows another.
         leads: Whether rows of a root that follows another are led to solutions.
         winds: Whether a joint that is put on a limit could be turned.
-        least_whole: Limits so far apart leave no gap [rad].
+        least_whole: Limits so far apart leave next to no gap [rad].
         beyond_an_end: The function that says how far a joint is beyond the end of its range.
         beyond_ends: The same for a row.
         leads_inside: The function that leads joints beyond their limits onto them or inside.
@@ -79,7 +80,7 @@ def stands_on_limits(module: SolverModule) -> bool:
 
 
 def winds(module: SolverModule) -> bool:
-    """Whether an arm stands on limits that are a whole turn apart: a joint could be turned."""
+    """Whether an arm stands on limits about a whole turn apart: a joint could be turned."""
     turning = (joint for joint in module.chain.joints if joint.kind is JointKind.REVOLUTE)
     ranges = [joint.limits[1] - joint.limits[0] for joint in turning if joint.limits]
     return stands_on_limits(module) and max(ranges, default=0.0) > LEAST_WHOLE
