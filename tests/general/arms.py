@@ -15,7 +15,8 @@ import numpy as np
 from dhgen.general.links import Link
 from dhgen.general.reference import solve
 from dhgen.general.setup import setup
-from dhgen.targets.general.emit import c_source, python_source
+from dhgen.targets.general.emit import source
+from dhgen.targets.writing import IN_C, IN_PYTHON
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -127,7 +128,7 @@ def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
 def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
     """The same of any kernel."""
     text = (
-        f"#include <math.h>\n{c_source(known, name)}\n"
+        f"#include <math.h>\n{source(known, name, IN_C)}\n"
         f"int run(const double *T, double *q, double *residual);\n"
         f"int run(const double *T, double *q, double *residual)\n"
         f"{{\n    return {name}_general(T, (double (*)[6])q, residual);\n}}\n"
@@ -178,7 +179,7 @@ def in_python(known: GeneralKernel, name: str) -> Callable[[np.ndarray], Answer]
         "_room": lambda size: size,
         "carray": lambda _, size: np.zeros(size),
     }
-    exec(python_source(known, name), scope)  # noqa: S102  it is what the tests are about
+    exec(source(known, name, IN_PYTHON), scope)  # noqa: S102  it is what the tests are about
     return lambda T: _answer(scope[f"{name}_general"], np.ravel(T))
 
 

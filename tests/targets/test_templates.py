@@ -14,9 +14,8 @@ import jinja2.meta
 import pytest
 from jinja2 import nodes
 
+from dhgen.targets import writing
 from dhgen.targets.c import files as c
-from dhgen.targets.general import emit as general
-from dhgen.targets.numerical import emit as numerical
 from dhgen.targets.python import files as python
 from dhgen.targets.templates import render
 from dhgen.tolerances import Tolerances
@@ -164,7 +163,7 @@ def filled(robot: str) -> tuple[tuple[str, dict[str, object]], ...]:
 
     module = made(robot).module
     with pytest.MonkeyPatch.context() as patch:
-        for place in (c, python, general, numerical):
+        for place in (c, python, writing):
             patch.setattr(place, "render", filled_in)
         c.c_files(module)
         python.python_files(module)

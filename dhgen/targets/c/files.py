@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.targets.angles import Angles
@@ -16,14 +15,13 @@ from dhgen.targets.c.motion import Motion, motion_of
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
-from dhgen.targets.general.emit import c_rows, c_source
 from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
-from dhgen.targets.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.solver.parts import Parts, Writers, parts_of
+from dhgen.targets.solver.parts import Parts, parts_of
 from dhgen.targets.templates import named, render
+from dhgen.targets.writing import IN_C
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
@@ -115,23 +113,10 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
         calls=calls,
         motion=motion.macro,
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
-        parts=parts_of(module, common, _writers(calls)),
+        parts=parts_of(module, common, calls, IN_C),
         regular=regular_values(module, flats) if flats else None,
         angles=Angles(),
         arctangent=CArctangent(),
-    )
-
-
-def _writers(calls: CCalls) -> Writers:
-    return Writers(
-        tools=c_tools,
-        search=c_search,
-        general=c_source,
-        general_rows=c_rows,
-        tightening=c_tightening,
-        both_sides=partial(c_both_sides, calls=calls),
-        seeking=partial(c_seeking, calls=calls),
-        between="\n",
     )
 
 

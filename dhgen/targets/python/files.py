@@ -3,22 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import partial
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.program.regular.flatten import flatten
 from dhgen.targets.angles import Angles
-from dhgen.targets.general.emit import python_rows, python_source
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
-from dhgen.targets.numerical.emit import (
-    python_both_sides,
-    python_search,
-    python_seeking,
-    python_tightening,
-    python_tools,
-)
 from dhgen.targets.python.calls import PythonCalls, python_calls
 from dhgen.targets.python.language import Python
 from dhgen.targets.python.texts import (
@@ -35,8 +26,9 @@ from dhgen.targets.python.tiles import PythonRegular, regular_values
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.solver.parts import Parts, Writers, parts_of
+from dhgen.targets.solver.parts import Parts, parts_of
 from dhgen.targets.templates import named, render
+from dhgen.targets.writing import IN_PYTHON
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -99,7 +91,7 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
         pose=python_pose(module),
         calls=calls,
         bodies=bodies_of(module, Python(), _assignments, _entries),
-        parts=parts_of(module, common, _writers(calls)),
+        parts=parts_of(module, common, calls, IN_PYTHON),
         regular=None if flat is None else regular_values(module, flat),
         angles=Angles(),
         arctangent=python_arctangent(module.solver),
@@ -108,19 +100,6 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
 
 def _text(common: Common, solver: PythonSolver) -> str:
     return render("python/solver.py.jinja", **named(common), **named(solver))
-
-
-def _writers(calls: PythonCalls) -> Writers:
-    return Writers(
-        tools=python_tools,
-        search=python_search,
-        general=python_source,
-        general_rows=python_rows,
-        tightening=python_tightening,
-        both_sides=partial(python_both_sides, calls=calls),
-        seeking=partial(python_seeking, calls=calls),
-        between="\n\n",
-    )
 
 
 def _entries(program: Program) -> list[str]:
