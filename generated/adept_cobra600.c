@@ -275,11 +275,9 @@ const char *const adept_cobra600_branches[2] = {
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[4] = { 1, 1, 0, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[4] = { 1e-09, 1e-09, 9.87e-10, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[4] = { 1.0, 1.0, 1.0265159330670552, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 9.87e-10) /* of limits */
 
 void adept_cobra600_fk(const double q[4], double T[16])
 {
@@ -546,7 +544,7 @@ static void take(const double from[4], double to[4])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -564,7 +562,7 @@ static double half_way(const double x[4], const double q[4], double half[4])
     for (int i = 0; i < 4; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.013));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -593,7 +591,7 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
@@ -671,9 +669,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = ADEPT_COBRA600_FREE_JOINT;
-    if (nearest <= 1e-06)
-        return;
-    take(x, q[place]);
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r 230fa612fb11877c"
+_KEY = "arm_3r d69cec5fd0788283"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -616,10 +616,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(3):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r 3a739d05a2ea0abb"
+_KEY = "arm_6r 4981750105c49362"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -774,10 +774,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(6):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

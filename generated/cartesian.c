@@ -229,11 +229,9 @@ const char *const cartesian_branches[1] = {
 
 static const double lowest[3] = { 0.0, 0.0, 0.0 };
 static const double highest[3] = { 0.8, 0.6, 1.2 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[3] = { 1.2e-09, 1.2e-09, 1.2e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[3] = { 0.6944444444444444, 0.6944444444444444, 0.6944444444444444 };
+#define slack(joint) 1.2e-09 /* of limits */
 
 void cartesian_fk(const double q[3], double T[16])
 {

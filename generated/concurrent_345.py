@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 56edc3f81d052b05"
+_KEY = "concurrent_345 39982888a474f7ba"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1728,10 +1728,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(6):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

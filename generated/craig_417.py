@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 a3566228f0e8237a"
+_KEY = "craig_417 8b6143bee06b3912"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -714,10 +714,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(4):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(4):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 3262e9f0440b007e"
+_KEY = "cuspidal_3r 606ed970bf109f6e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1242,10 +1242,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(3):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -281,11 +281,9 @@ static const double lowest[4] = {
 };
 static const double highest[4] = { 2.303834612632515, 2.4609142453120048, 0.0, 6.283185307179586 };
 static const int revolute[4] = { 1, 1, 0, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[4] = { 1e-09, 1e-09, 4e-10, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[4] = { 1.0, 1.0, 6.249999999999999, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 4e-10) /* of limits */
 /* Of the values of a free joint that are tried, from one to the next. */
 static const double fan_step[4] = {
     0.09817477042468103, 0.09817477042468103, 0.0046875, 0.09817477042468103,
@@ -366,12 +364,12 @@ static double overshoot(int joint, double value)
     return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row; lengths count in arm sizes. */
+/* The same of a row. */
 static double beyond_limits(const double values[4])
 {
     double sum = 0.0;
     for (int i = 0; i < 4; i++)
-        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 2.5);
+        sum += fabs(overshoot(i, values[i])) * sqrt(weight[i]);
     return sum;
 }
 
@@ -683,7 +681,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -701,7 +699,7 @@ static double half_way(const double x[4], const double q[4], double half[4])
     for (int i = 0; i < 4; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 2.5));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -730,7 +728,7 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
@@ -770,7 +768,7 @@ static double past_ends(const double values[4])
 {
     double sum = 0.0;
     for (int i = 0; i < 4; i++)
-        sum += fabs(past_an_end(i, values[i])) * (revolute[i] ? 1.0 : 2.5);
+        sum += fabs(past_an_end(i, values[i])) * sqrt(weight[i]);
     return sum;
 }
 
@@ -851,8 +849,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[2][4], const unsigned char status[2])
 {
     double x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
@@ -902,14 +900,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = EPSON_T3_FREE_JOINT;
-    if (nearest <= 1e-06) {
-        (void)half_way(x, q[place], half);
-        for (int i = 0; i < 4; i++)
-            half[i] += half[i] - x[i]; /* the row as it is next to x */
-        if (past_ends(half) <= 0.0)
-            return;
-    }
-    take(x, q[place]);
+    if (nearest > 5e-10)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -306,7 +306,7 @@ static const double highest[6] = {
     2.9670597283903604, 2.530727415391778, 3.5779249665883754, 3.3161255787892263,
     2.181661564992912, 6.283185307179586,
 };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void fanuc_lrmate200id_fk(const double q[6], double T[16])
 {
@@ -885,7 +885,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -930,7 +930,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -1049,8 +1049,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1100,14 +1100,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = FANUC_LRMATE200ID_FREE_JOINT;
-    if (nearest <= 1e-06) {
-        (void)half_way(x, q[place], half);
-        for (int i = 0; i < 6; i++)
-            half[i] += half[i] - x[i]; /* the row as it is next to x */
-        if (past_ends(half) <= 0.0)
-            return;
-    }
-    take(x, q[place]);
+    if (nearest > 5e-10)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 73775afc9e807d9c"
+_KEY = "fanuc_lrmate200id 74aafbfba6e8ff8a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1095,14 +1095,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        _half_way(x, q[place], half)
+    if nearest > 5e-10:
         for i in range(6):
-            half[i] += half[i] - x[i]  # the row as it is next to x
-        if _past_ends(half) <= 0.0:
-            return
-    for i in range(6):
-        q[place, i] = x[i]
+            q[place, i] = x[i]
 
 
 @_jit

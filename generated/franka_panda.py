@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 624988f9b9f5d9ce"
+_KEY = "franka_panda 00447b26da036784"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1153,10 +1153,9 @@ def _stay(pose, q_free, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
-        return
-    for i in range(7):
-        q[place, i] = x[i]
+    if nearest > 5e-10:
+        for i in range(7):
+            q[place, i] = x[i]
 
 
 @_jit

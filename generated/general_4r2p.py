@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p fd7a56198eadc893"
+_KEY = "general_4r2p 29002ae30403fe07"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2201,10 +2201,10 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same of a row; lengths count in arm sizes."""
+    """The same of a row."""
     total = 0.0
     for i in range(6):
-        total += abs(_overshoot(i, values[i])) * (1.0 if _REVOLUTE[i] else 0.578)
+        total += abs(_overshoot(i, values[i])) * math.sqrt(_WEIGHT[i])
     return total
 
 
@@ -2269,7 +2269,7 @@ def _half_way(x, q, half):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
             off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.578))
+        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
         half[i] = x[i] + 0.5 * off
     return most
 

@@ -3550,7 +3550,7 @@ static const double lowest[5] = {
 static const double highest[5] = {
     2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
 };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void general_5r_fk(const double q[5], double T[16])
 {
@@ -3718,7 +3718,7 @@ static void take(const double from[5], double to[5])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -3763,7 +3763,7 @@ static double off_pose(const double T[16], const double x[5], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[5], double damping, double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
@@ -3882,8 +3882,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[16][5], const unsigned char status[16])
 {
     double x[5], half[5], to[5], *q = rows[row], off = past_ends(q);

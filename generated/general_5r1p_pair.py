@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair beff7d8bcb2b20ec"
+_KEY = "general_5r1p_pair 44d46d3bf7b5a458"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2331,10 +2331,10 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same of a row; lengths count in arm sizes."""
+    """The same of a row."""
     total = 0.0
     for i in range(6):
-        total += abs(_overshoot(i, values[i])) * (1.0 if _REVOLUTE[i] else 0.5546)
+        total += abs(_overshoot(i, values[i])) * math.sqrt(_WEIGHT[i])
     return total
 
 
@@ -2399,7 +2399,7 @@ def _half_way(x, q, half):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
             off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.5546))
+        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
         half[i] = x[i] + 0.5 * off
     return most
 

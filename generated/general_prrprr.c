@@ -3354,11 +3354,9 @@ const char *const general_prrprr_branches[8] = {
 static const double lowest[6] = { 0.0, -INFINITY, -INFINITY, -0.4, -INFINITY, -INFINITY };
 static const double highest[6] = { 1.2, INFINITY, INFINITY, 0.4, INFINITY, INFINITY };
 static const int revolute[6] = { 0, 1, 1, 0, 1, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[6] = { 1.75e-09, 1e-09, 1e-09, 1.75e-09, 1e-09, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 0.32653061224489793, 1.0, 1.0, 0.32653061224489793, 1.0, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 1.75e-09) /* of limits */
 
 void general_prrprr_fk(const double q[6], double T[16])
 {
@@ -3488,12 +3486,12 @@ static double overshoot(int joint, double value)
     return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row; lengths count in arm sizes. */
+/* The same of a row. */
 static double beyond_limits(const double values[6])
 {
     double sum = 0.0;
     for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 0.5714);
+        sum += fabs(overshoot(i, values[i])) * sqrt(weight[i]);
     return sum;
 }
 
@@ -3534,7 +3532,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -3552,7 +3550,7 @@ static double half_way(const double x[6], const double q[6], double half[6])
     for (int i = 0; i < 6; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.5714));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -3581,7 +3579,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -3648,8 +3646,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);

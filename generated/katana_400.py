@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 8ecf6d95196596ec"
+_KEY = "katana_400 cbbaca3535e9fc6e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1004,10 +1004,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(5):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(5):
+            q[place, i] = x[i]
 
 
 @_jit

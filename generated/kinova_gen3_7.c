@@ -3577,7 +3577,7 @@ const char *const kinova_gen3_7_branches[16] = {
 
 static const double lowest[7] = { -INFINITY, -2.24, -INFINITY, -2.57, -INFINITY, -2.09, -INFINITY };
 static const double highest[7] = { INFINITY, 2.24, INFINITY, 2.57, INFINITY, 2.09, INFINITY };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void kinova_gen3_7_fk(const double q[7], double T[16])
 {
@@ -3738,7 +3738,7 @@ static void take(const double from[7], double to[7])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -3783,7 +3783,7 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -3850,8 +3850,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[16][7], const unsigned char status[16])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);

@@ -308,7 +308,7 @@ static const double highest[7] = {
     2.9670597283903604, 2.0943951023931953, 2.9670597283903604, 2.0943951023931953,
     2.9670597283903604, 2.0943951023931953, 3.0543261909900767,
 };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 /* What follows from joint values: what the pose and the Jacobian are made of. */
 #define MOTION \
@@ -923,7 +923,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -968,7 +968,7 @@ static double off_pose(const double T[16], const double x[7], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[7], double damping, double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
@@ -1035,8 +1035,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
@@ -1107,9 +1107,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KUKA_IIWA14_FREE_JOINT;
-    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
-        return;
-    take(x, q[place]);
+    if (nearest > 5e-10)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 dd9f70e629cae3cf"
+_KEY = "kuka_iiwa14 19883229938bd53a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1160,10 +1160,9 @@ def _stay(pose, q_free, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
-        return
-    for i in range(7):
-        q[place, i] = x[i]
+    if nearest > 5e-10:
+        for i in range(7):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa e9ac6019daa51f2f"
+_KEY = "kuka_kr40pa a074d036acc7225c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1327,10 +1327,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(4):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(4):
+            q[place, i] = x[i]
 
 
 @_jit

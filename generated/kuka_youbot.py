@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 9c4cb2c12709477c"
+_KEY = "kuka_youbot b8e1b8d9a4b10c77"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1014,10 +1014,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(5):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(5):
+            q[place, i] = x[i]
 
 
 @_jit

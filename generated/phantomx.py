@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 257969dc7a9bc5ff"
+_KEY = "phantomx d95d559ba61c45bc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1328,10 +1328,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(4):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(4):
+            q[place, i] = x[i]
 
 
 @_jit

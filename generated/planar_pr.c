@@ -232,11 +232,9 @@ const char *const planar_pr_branches[2] = {
 static const double lowest[2] = { -INFINITY, -INFINITY };
 static const double highest[2] = { INFINITY, INFINITY };
 static const int revolute[2] = { 0, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[2] = { 3e-10, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[2] = { 11.11111111111111, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 3e-10) /* of limits */
 
 void planar_pr_fk(const double q[2], double T[16])
 {
@@ -396,7 +394,7 @@ static void take(const double from[2], double to[2])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -414,7 +412,7 @@ static double half_way(const double x[2], const double q[2], double half[2])
     for (int i = 0; i < 2; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 3.333));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -438,7 +436,7 @@ static double off_pose(const double T[16], const double x[2], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[2], double damping, double e[6], double x[2])
 {
     double A[6][8] = { { 0.0 } }, square[6] = { 0.0 }, J[12];
@@ -516,9 +514,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_PR_FREE_JOINT;
-    if (nearest <= 1e-06)
-        return;
-    take(x, q[place]);
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -242,11 +242,9 @@ const char *const planar_rp_branches[2] = {
 static const double lowest[2] = { -INFINITY, 0.0 };
 static const double highest[2] = { INFINITY, 1.0 };
 static const int revolute[2] = { 1, 0 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[2] = { 1e-09, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[2] = { 1.0, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 1e-09) /* of limits */
 /* Of the values of a free joint that are tried, from one to the next. */
 static const double fan_step[2] = { 0.09817477042468103, 0.03125 };
 
@@ -297,12 +295,12 @@ static double overshoot(int joint, double value)
     return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
 }
 
-/* The same of a row; lengths count in arm sizes. */
+/* The same of a row. */
 static double beyond_limits(const double values[2])
 {
     double sum = 0.0;
     for (int i = 0; i < 2; i++)
-        sum += fabs(overshoot(i, values[i])) * (revolute[i] ? 1.0 : 1.0);
+        sum += fabs(overshoot(i, values[i])) * sqrt(weight[i]);
     return sum;
 }
 
@@ -548,7 +546,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -566,7 +564,7 @@ static double half_way(const double x[2], const double q[2], double half[2])
     for (int i = 0; i < 2; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.0));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -590,7 +588,7 @@ static double off_pose(const double T[16], const double x[2], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[2], double damping, double e[6], double x[2])
 {
     double A[6][8] = { { 0.0 } }, square[6] = { 0.0 }, J[12];
@@ -657,8 +655,8 @@ static int settle(const double T[16], double enough, double most, double q[2])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[2][2], const unsigned char status[2])
 {
     double x[2], half[2], to[2], *q = rows[row], off = beyond_limits(q);
@@ -705,9 +703,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_RP_FREE_JOINT;
-    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
-        return;
-    take(x, q[place]);
+    if (nearest > 5e-10)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -232,7 +232,7 @@ const char *const planar_rr_branches[2] = {
 
 static const double lowest[2] = { -INFINITY, -INFINITY };
 static const double highest[2] = { INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void planar_rr_fk(const double q[2], double T[16])
 {
@@ -414,7 +414,7 @@ static void take(const double from[2], double to[2])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -454,7 +454,7 @@ static double off_pose(const double T[16], const double x[2], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[2], double damping, double e[6], double x[2])
 {
     double A[6][8] = { { 0.0 } }, square[6] = { 0.0 }, J[12];
@@ -532,9 +532,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_RR_FREE_JOINT;
-    if (nearest <= 1e-06)
-        return;
-    take(x, q[place]);
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

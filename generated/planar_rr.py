@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rr 2b3d3cabca882db3"
+_KEY = "planar_rr 45a43c89fe9a75d8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -561,10 +561,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(2):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(2):
+            q[place, i] = x[i]
 
 
 @_jit

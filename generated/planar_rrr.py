@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 697d400a5053bc82"
+_KEY = "planar_rrr 20239d09321963e0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -894,10 +894,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(3):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit

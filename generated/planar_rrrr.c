@@ -267,7 +267,7 @@ static const double lowest[4] = {
 static const double highest[4] = {
     2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
 };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void planar_rrrr_fk(const double q[4], double T[16])
 {
@@ -366,7 +366,7 @@ static void take(const double from[4], double to[4])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -406,7 +406,7 @@ static double off_pose(const double T[16], const double x[4], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[4], double damping, double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
@@ -473,8 +473,8 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[1][4], const unsigned char status[1])
 {
     double x[4], half[4], to[4], *q = rows[row], off = beyond_limits(q);

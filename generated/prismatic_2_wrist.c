@@ -284,11 +284,9 @@ static const double lowest[6] = {
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[6] = { 1, 0, 1, 1, 1, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[6] = { 1e-09, 1.24e-09, 1e-09, 1e-09, 1e-09, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 1.24e-09) /* of limits */
 
 void prismatic_2_wrist_fk(const double q[6], double T[16])
 {
@@ -731,7 +729,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -749,7 +747,7 @@ static double half_way(const double x[6], const double q[6], double half[6])
     for (int i = 0; i < 6; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.8065));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -778,7 +776,7 @@ static double off_pose(const double T[16], const double x[6], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
@@ -878,9 +876,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PRISMATIC_2_WRIST_FREE_JOINT;
-    if (nearest <= 1e-06)
-        return;
-    take(x, q[place]);
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

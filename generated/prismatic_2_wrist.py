@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist b87ad70e01dbee71"
+_KEY = "prismatic_2_wrist ddc0f73819bfb035"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -745,7 +745,7 @@ def _half_way(x, q, half):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
             off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.8065))
+        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
         half[i] = x[i] + 0.5 * off
     return most
 
@@ -851,10 +851,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(6):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

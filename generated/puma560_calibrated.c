@@ -3548,7 +3548,7 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void puma560_calibrated_fk(const double q[6], double T[16])
 {
@@ -3715,7 +3715,7 @@ static void take(const double from[6], double to[6])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);

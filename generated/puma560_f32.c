@@ -173,7 +173,7 @@ static const float highest[6] = {
     2.7925267f, 1.9198622f, 2.3561945f, 4.6425757f, 1.7453293f,
     4.6425757f,
 };
-#define slack(joint) 2e-06f /* by which joint values may miss their limits */
+#define slack(joint) 2e-06f /* of limits */
 
 void puma560_f32_fk(const float q[6], float T[16])
 {
@@ -619,7 +619,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
-    const float low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
     float value = given;
     if (fabsf(towards) < 100.0f)
         value += turn * floorf((towards - given) / turn + 0.5f);
@@ -664,7 +664,7 @@ static float off_pose(const float T[16], const float x[6], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[6], float damping, float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
@@ -783,8 +783,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
     float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -857,14 +857,8 @@ static void stay(
     }
     if (least >= 0.0f)
         status[place] = PUMA560_F32_FREE_JOINT;
-    if (nearest <= 0.003f) {
-        (void)half_way(x, q[place], half);
-        for (int i = 0; i < 6; i++)
-            half[i] += half[i] - x[i]; /* the row as it is next to x */
-        if (past_ends(half) <= 0.0f)
-            return;
-    }
-    take(x, q[place]);
+    if (nearest > 1e-06f)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -524,11 +524,9 @@ const char *const rail_5dof_branches[2] = {
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 static const int revolute[5] = { 0, 1, 1, 1, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[5] = { 6e-09, 1e-09, 1e-09, 1e-09, 1e-09 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[5] = { 0.027777777777777776, 1.0, 1.0, 1.0, 1.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 6e-09) /* of limits */
 
 void rail_5dof_fk(const double q[5], double T[16])
 {
@@ -950,7 +948,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -968,7 +966,7 @@ static double half_way(const double x[5], const double q[5], double half[5])
     for (int i = 0; i < 5; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.1667));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -997,7 +995,7 @@ static double off_pose(const double T[16], const double x[5], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[5], double damping, double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
@@ -1075,9 +1073,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = RAIL_5DOF_FREE_JOINT;
-    if (nearest <= 1e-06)
-        return;
-    take(x, q[place]);
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

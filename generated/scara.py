@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara e85f3b36db8f2405"
+_KEY = "scara ab6ba301134efa35"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -551,10 +551,10 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same of a row; lengths count in arm sizes."""
+    """The same of a row."""
     total = 0.0
     for i in range(4):
-        total += abs(_overshoot(i, values[i])) * (1.0 if _REVOLUTE[i] else 1.25)
+        total += abs(_overshoot(i, values[i])) * math.sqrt(_WEIGHT[i])
     return total
 
 
@@ -775,7 +775,7 @@ def _half_way(x, q, half):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
             off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 1.25))
+        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
         half[i] = x[i] + 0.5 * off
     return most
 
@@ -795,7 +795,7 @@ def _past_ends(values):
     """How far joints are beyond their limits as they stand."""
     total = 0.0
     for i in range(4):
-        total += abs(_past_an_end(i, values[i])) * (1.0 if _REVOLUTE[i] else 1.25)
+        total += abs(_past_an_end(i, values[i])) * math.sqrt(_WEIGHT[i])
     return total
 
 
@@ -954,14 +954,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        _half_way(x, q[place], half)
+    if nearest > 5e-10:
         for i in range(4):
-            half[i] += half[i] - x[i]  # the row as it is next to x
-        if _past_ends(half) <= 0.0:
-            return
-    for i in range(4):
-        q[place, i] = x[i]
+            q[place, i] = x[i]
 
 
 @_jit

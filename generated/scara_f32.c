@@ -173,11 +173,9 @@ static const float lowest[4] = {
 };
 static const float highest[4] = { 2.268928f, 2.5307274f, 0.0f, 6.2831855f };
 static const int revolute[4] = { 1, 1, 0, 1 };
-/* By what joint values may miss their limits: rounding. */
-static const float slack[4] = { 2e-06f, 2e-06f, 1.6e-06f, 2e-06f };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const float weight[4] = { 1.0f, 1.0f, 1.5625f, 1.0f };
+#define slack(joint) (revolute[joint] ? 2e-06f : 1.6e-06f) /* of limits */
 /* Of the values of a free joint that are tried, from one to the next. */
 static const float fan_step[4] = {
     0.09817477f, 0.09817477f, 0.00625f, 0.09817477f,
@@ -263,12 +261,12 @@ static float overshoot(int joint, float value)
     return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
 }
 
-/* The same of a row; lengths count in arm sizes. */
+/* The same of a row. */
 static float beyond_limits(const float values[4])
 {
     float sum = 0.0f;
     for (int i = 0; i < 4; i++)
-        sum += fabsf(overshoot(i, values[i])) * (revolute[i] ? 1.0f : 1.25f);
+        sum += fabsf(overshoot(i, values[i])) * sqrtf(weight[i]);
     return sum;
 }
 
@@ -514,7 +512,7 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
-    const float low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
     if (!revolute[joint])
         return given;
     float value = given;
@@ -532,7 +530,7 @@ static float half_way(const float x[4], const float q[4], float half[4])
     for (int i = 0; i < 4; i++) {
         float off = q[i] - x[i];
         off -= revolute[i] ? turn * floorf(off / turn + 0.5f) : 0.0f;
-        most = fmaxf(most, fabsf(off) * (revolute[i] ? 1.0f : 1.25f));
+        most = fmaxf(most, fabsf(off) * sqrtf(weight[i]));
         half[i] = x[i] + 0.5f * off;
     }
     return most;
@@ -561,7 +559,7 @@ static float off_pose(const float T[16], const float x[4], float e[6])
     return sqrtf(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[4], float damping, float e[6], float x[4])
 {
     float A[6][10] = { { 0.0f } }, square[6] = { 0.0f }, J[24];
@@ -601,7 +599,7 @@ static float past_ends(const float values[4])
 {
     float sum = 0.0f;
     for (int i = 0; i < 4; i++)
-        sum += fabsf(past_an_end(i, values[i])) * (revolute[i] ? 1.0f : 1.25f);
+        sum += fabsf(past_an_end(i, values[i])) * sqrtf(weight[i]);
     return sum;
 }
 
@@ -682,8 +680,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const float T[16], int row, float rows[2][4], const unsigned char status[2])
 {
     float x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
@@ -733,14 +731,8 @@ static void stay(
     }
     if (least >= 0.0f)
         status[place] = SCARA_F32_FREE_JOINT;
-    if (nearest <= 0.003f) {
-        (void)half_way(x, q[place], half);
-        for (int i = 0; i < 4; i++)
-            half[i] += half[i] - x[i]; /* the row as it is next to x */
-        if (past_ends(half) <= 0.0f)
-            return;
-    }
-    take(x, q[place]);
+    if (nearest > 1e-06f)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr b955abdf8aa3f2f0"
+_KEY = "scara_prrr 65182abafa7a621e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -575,7 +575,7 @@ def _half_way(x, q, half):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
             off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 1.818))
+        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
         half[i] = x[i] + 0.5 * off
     return most
 
@@ -651,10 +651,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(4):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(4):
+            q[place, i] = x[i]
 
 
 @_jit

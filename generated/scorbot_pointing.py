@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 91154860020ad630"
+_KEY = "scorbot_pointing b2286511a2e384e5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1353,10 +1353,9 @@ def _stay(pose, q_free, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(5):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(5):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -230,11 +230,9 @@ const char *const spherical_branches[4] = {
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 static const int revolute[3] = { 1, 1, 0 };
-/* By what joint values may miss their limits: rounding. */
-static const double slack[3] = { 1e-09, 1e-09, 5e-10 };
-#define slack(joint) slack[joint]
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[3] = { 1.0, 1.0, 4.0 };
+#define slack(joint) (revolute[joint] ? 1e-09 : 5e-10) /* of limits */
 
 void spherical_fk(const double q[3], double T[16])
 {
@@ -441,7 +439,7 @@ static void take(const double from[3], double to[3])
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
     double value = given;
@@ -459,7 +457,7 @@ static double half_way(const double x[3], const double q[3], double half[3])
     for (int i = 0; i < 3; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 2.0));
+        most = fmax(most, fabs(off) * sqrt(weight[i]));
         half[i] = x[i] + 0.5 * off;
     }
     return most;
@@ -483,7 +481,7 @@ static double off_pose(const double T[16], const double x[3], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[3], double damping, double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
@@ -561,9 +559,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = SPHERICAL_FREE_JOINT;
-    if (nearest <= 1e-06)
-        return;
-    take(x, q[place]);
+    if (nearest > 1e-06)
+        take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets 546cec07749899ab"
+_KEY = "spherical_wrist_all_offsets ab09d6e420251e6f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -846,10 +846,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(6):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

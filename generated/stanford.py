@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford f410c609f62be605"
+_KEY = "stanford e6151661c7bf5aa1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -598,10 +598,10 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same of a row; lengths count in arm sizes."""
+    """The same of a row."""
     total = 0.0
     for i in range(6):
-        total += abs(_overshoot(i, values[i])) * (1.0 if _REVOLUTE[i] else 0.7874)
+        total += abs(_overshoot(i, values[i])) * math.sqrt(_WEIGHT[i])
     return total
 
 
@@ -822,7 +822,7 @@ def _half_way(x, q, half):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
             off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.7874))
+        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
         half[i] = x[i] + 0.5 * off
     return most
 
@@ -940,10 +940,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
-        return
-    for i in range(6):
-        q[place, i] = x[i]
+    if nearest > 5e-10:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

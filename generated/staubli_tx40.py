@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 3325d478a219d927"
+_KEY = "staubli_tx40 9a7ff8f07bc27f43"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -865,10 +865,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(6):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(6):
+            q[place, i] = x[i]
 
 
 @_jit

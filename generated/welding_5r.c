@@ -484,7 +484,7 @@ const char *const welding_5r_branches[8] = {
 
 static const double lowest[5] = { -2.9670597283903604, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { 2.9670597283903604, INFINITY, INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* by which joint values may miss their limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void welding_5r_fk(const double q[5], double T[16])
 {
@@ -1130,7 +1130,7 @@ static void seek(
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - slack(joint), high = highest[joint] + slack(joint);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     double value = given;
     if (fabs(towards) < 100000.0)
         value += turn * floor((towards - given) / turn + 0.5);
@@ -1175,7 +1175,7 @@ static double off_pose(const double T[16], const double x[5], double e[6])
     return sqrt(square);
 }
 
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice for singular places. */
+/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
 static void add_step(const int held[5], double damping, double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
@@ -1250,8 +1250,8 @@ static int settle(const double T[16], double enough, double most, double q[5])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless that is another solution (half way
- * to it is none) or that of another row that keeps its limits. */
+/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
+ * row stands there. */
 static void stand(const double T[16], int row, double rows[8][5], const unsigned char status[8])
 {
     double x[5], half[5], to[5], *q = rows[row], off = beyond_limits(q);
@@ -1320,9 +1320,8 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = WELDING_5R_FREE_JOINT;
-    if (nearest <= 1e-06 && beyond_limits(q[place]) <= 0.0)
-        return;
-    take(x, q[place]);
+    if (nearest > 5e-10)
+        take(x, q[place]);
 }
 
 int welding_5r_ik(

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r e663bfd3ea1c7dd7"
+_KEY = "welding_5r 1aff3f858dab1ed8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1827,10 +1827,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06 and _beyond_limits(q[place]) <= 0.0:
-        return
-    for i in range(5):
-        q[place, i] = x[i]
+    if nearest > 5e-10:
+        for i in range(5):
+            q[place, i] = x[i]
 
 
 @_jit

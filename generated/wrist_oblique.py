@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 66cd8727faa5497e"
+_KEY = "wrist_oblique 53baf8113edd196d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -697,10 +697,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(3):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit

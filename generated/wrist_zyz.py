@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zyz 6be07c1e22bd605b"
+_KEY = "wrist_zyz 71624b2263cba099"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -574,10 +574,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(3):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(3):
+            q[place, i] = x[i]
 
 
 @_jit

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 603651141598d94b"
+_KEY = "xarm5 e34ced7d85082e76"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1028,10 +1028,9 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest <= 1e-06:
-        return
-    for i in range(5):
-        q[place, i] = x[i]
+    if nearest > 1e-06:
+        for i in range(5):
+            q[place, i] = x[i]
 
 
 @_jit

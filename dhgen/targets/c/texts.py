@@ -137,12 +137,20 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
         lowest=c_array(f"static const double lowest[{dof}]", low),
         highest=c_array(f"static const double highest[{dof}]", high),
         revolute=c_array(f"static const int revolute[{dof}]", flags),
-        slack=c_array(f"static const double slack[{dof}]", map(repr, slacks(module))),
+        slack=_slack(module),
         weight=c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
         fan_step=c_array(f"static const double fan_step[{dof}]", map(repr, fan_steps(module))),
         constants=_constant_lines(common),
         lane_constants=_constant_lines(only),
     )
+
+
+def _slack(module: SolverModule) -> str:
+    """That of `joint`."""
+    slack = dict(zip(module.chain.turning, slacks(module), strict=True))
+    if len(slack) == 1:
+        return repr(*slack.values())
+    return f"(revolute[joint] ? {slack[True]!r} : {slack[False]!r})"
 
 
 def _constants(

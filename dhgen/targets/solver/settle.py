@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import BESIDE_SEED, DAMPING, FLOOR, TOGETHER
 from dhgen.robot.robot import JointKind
+from dhgen.targets.solver.standing import stands_on_limits
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, ChainJoint
@@ -45,7 +46,6 @@ class Settle:
         width: Columns of a table with the miss and all joints.
         spin: Where the Jacobian's angular part begins.
         twice: Entries of two of its rows.
-        per_length: What a length counts of a miss.
         miss_weights: What the components of a miss count, between commas.
         paces: What a step of one means for each joint, between commas.
         together: Joint values that differ by less are one solution [rad, arm sizes].
@@ -65,18 +65,19 @@ class Settle:
         aside: Times the whole way: how far steps lead from half way.
         alike: Two misses within so many times are the same.
         promised: A row may miss its pose by this [arm sizes, rad].
+        beside: A row that is no farther from the seed's solution stays as it is [rad, arm sizes].
         told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
     """
 
     width: int
     spin: int
     twice: int
-    per_length: str
     miss_weights: str
     paces: str
     together: float
     fine: float
     promised: float
+    beside: float
     told_by_nothing: float
     cautious: float = CAUTIOUS
     damping: float = DAMPING
@@ -104,12 +105,13 @@ def settle_of(module: SolverModule) -> Settle:
         width=6 + chain.dof,
         spin=3 * chain.dof,
         twice=2 * chain.dof,
-        per_length=length,
         miss_weights=", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         paces=", ".join(_pace(joint, chain) for joint in chain.joints),
         together=max(TOGETHER, BEYOND_TOLD * tolerances.told),
         fine=tolerances.fine,
         promised=max(tolerances.promised, tolerances.exact),
+        # where there are limits, not so far that it may be beyond one
+        beside=0.5 * tolerances.limit if stands_on_limits(module) else tolerances.told,
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
     )
 
