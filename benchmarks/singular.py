@@ -2,10 +2,10 @@
 
     python -m benchmarks.singular [--arms NAME ...] [--poses N] [--write]
 
-At such poses a careful solver looks for the value that a free joint can have, puts joints on their
-limits, and finds the solution next to the seed. CPU time of one process, the generated C at -O3
--march=native, all solutions, with the joint values that belong to the pose as the seed. The poses
-are those of the survey: joints at multiples of a quarter turn, on limits, or moved until the
+At most of them a careful solver looks for the value that a free joint can have, puts joints on
+their limits, and finds the solution next to the seed. CPU time of one process, the generated C at
+-O3 -march=native, all solutions, with the joint values that belong to the pose as the seed. The
+poses are those of the survey: joints at multiples of a quarter turn, on limits, or moved until the
 Jacobian loses rank, and 1e-10 to 1e-3 rad beside. Every pose is solved five times, in five passes
 over all of them; its least time counts. `--write` puts the table into docs/benchmarks.md.
 """

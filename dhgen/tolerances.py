@@ -32,7 +32,8 @@ class Tolerances:
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         blur: The same where an angle before them is good to few digits only.
-        brink: Nearer to it than this a pose is singular to fast code. Rounding over the root of
+        brink: Nearer to it than this a pose is singular to fast code, and farther where an angle
+            before is good to few digits. Rounding over the root of
             this is far below what a joint may miss its limit by.
         orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
             is taken as it is.

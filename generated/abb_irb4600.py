@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 f6673b5ab47c1784"
+_KEY = "abb_irb4600 f634e3de1ef82149"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -907,7 +907,7 @@ def _half_way(x, q, half):
 
 @_inner
 def _past_an_end(joint, value):
-    """How far a joint value is beyond its limits as it stands: it could be turned."""
+    """How far a joint value is beyond its limits as it stands: perhaps it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
     if high - low < 6.183185307179587:
         return _overshoot(joint, value)
@@ -926,13 +926,16 @@ def _past_ends(values):
 
 @_inner
 def _at_an_end(joint, value, seed):
-    """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
-    beyond an end there."""
+    """A joint value moved by whole turns inside its limits, or next to an end that it is just
+    beyond: the one near the seed."""
     near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
-    return _turned(joint, value, value)
+    off = _overshoot(joint, value)
+    if off == 0.0 or abs(off) > 0.01:
+        return _turned(joint, value, value)
+    return off + (_HIGHEST[joint] - _SLACK[joint] if off > 0.0 else _LOWEST[joint] + _SLACK[joint])
 
 
 @_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
@@ -1077,7 +1080,7 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 5e-10:
+    if nearest > 1e-06 or _past_ends(q[place]) > 0.0:
         for i in range(6):
             q[place, i] = x[i]
 
@@ -1091,13 +1094,15 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    for row in range(8):
+        if status[row] != UNREACHABLE:
+            for i in range(6):
+                q[row, i] = _at_an_end(i, q[row, i], seed[i])
     _stay(pose, seed, q, status)
     count = 0
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        for i in range(6):
-            q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(6):
             q[row, i] = _turned(i, q[row, i], 0.0)

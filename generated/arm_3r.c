@@ -574,8 +574,8 @@ static int settle(const double T[16], double enough, double most, double q[3])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])

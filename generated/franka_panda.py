@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 00447b26da036784"
+_KEY = "franka_panda 44a29d221069760d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1153,7 +1153,7 @@ def _stay(pose, q_free, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 5e-10:
+    if nearest > 1e-06 or _beyond_limits(q[place]) > 0.0:
         for i in range(7):
             q[place, i] = x[i]
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 6599ce55873c8559"
+_KEY = "general_5r 09f81b8102d4bf81"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2450,7 +2450,7 @@ def _half_way(x, q, half):
 
 @_inner
 def _past_an_end(joint, value):
-    """How far a joint value is beyond its limits as it stands: it could be turned."""
+    """How far a joint value is beyond its limits as it stands: perhaps it could be turned."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
     if high - low < 6.183185307179587:
         return _overshoot(joint, value)
@@ -2469,13 +2469,16 @@ def _past_ends(values):
 
 @_inner
 def _at_an_end(joint, value, seed):
-    """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
-    beyond an end there."""
+    """A joint value moved by whole turns inside its limits, or next to an end that it is just
+    beyond: the one near the seed."""
     near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
-    return _turned(joint, value, value)
+    off = _overshoot(joint, value)
+    if off == 0.0 or abs(off) > 0.01:
+        return _turned(joint, value, value)
+    return off + (_HIGHEST[joint] - _SLACK[joint] if off > 0.0 else _LOWEST[joint] + _SLACK[joint])
 
 
 @_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
@@ -2598,12 +2601,14 @@ def _whole(pose, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    for row in range(16):
+        if status[row] != UNREACHABLE:
+            for i in range(5):
+                q[row, i] = _at_an_end(i, q[row, i], seed[i])
     count = 0
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        for i in range(5):
-            q[row, i] = _at_an_end(i, q[row, i], seed[i])
         _stand(pose, row, q, status)
         for i in range(5):
             q[row, i] = _turned(i, q[row, i], 0.0)

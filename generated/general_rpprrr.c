@@ -3599,7 +3599,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
@@ -3623,8 +3623,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);

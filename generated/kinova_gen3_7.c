@@ -3826,7 +3826,7 @@ static int settle(const double T[16], double enough, double most, double q[7])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 7; i++)
@@ -3850,8 +3850,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[16][7], const unsigned char status[16])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);

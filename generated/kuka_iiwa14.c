@@ -1011,7 +1011,7 @@ static int settle(const double T[16], double enough, double most, double q[7])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 7; i++)
@@ -1035,8 +1035,8 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
@@ -1077,8 +1077,8 @@ static void tell_once(const double T[16], double q[8][7], unsigned char status[8
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
@@ -1107,7 +1107,7 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = KUKA_IIWA14_FREE_JOINT;
-    if (nearest > 5e-10)
+    if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
 

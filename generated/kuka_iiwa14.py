@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 19883229938bd53a"
+_KEY = "kuka_iiwa14 bbffe4e54feec5ff"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1160,7 +1160,7 @@ def _stay(pose, q_free, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 5e-10:
+    if nearest > 1e-06 or _beyond_limits(q[place]) > 0.0:
         for i in range(7):
             q[place, i] = x[i]
 

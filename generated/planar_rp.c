@@ -244,7 +244,7 @@ static const double highest[2] = { INFINITY, 1.0 };
 static const int revolute[2] = { 1, 0 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[2] = { 1.0, 1.0 };
-#define slack(joint) (revolute[joint] ? 1e-09 : 1e-09) /* of limits */
+#define slack(joint) 1e-09 /* of limits */
 /* Of the values of a free joint that are tried, from one to the next. */
 static const double fan_step[2] = { 0.09817477042468103, 0.03125 };
 
@@ -631,7 +631,7 @@ static int settle(const double T[16], double enough, double most, double q[2])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 2; i++)
@@ -655,8 +655,8 @@ static int settle(const double T[16], double enough, double most, double q[2])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[2][2], const unsigned char status[2])
 {
     double x[2], half[2], to[2], *q = rows[row], off = beyond_limits(q);
@@ -674,8 +674,8 @@ static void stand(const double T[16], int row, double rows[2][2], const unsigned
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[2], double q[2][2],
     unsigned char status[2])
@@ -703,7 +703,7 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = PLANAR_RP_FREE_JOINT;
-    if (nearest > 5e-10)
+    if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 53c60724fea4feaa"
+_KEY = "planar_rp 62270ae608a8d917"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -760,7 +760,7 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 5e-10:
+    if nearest > 1e-06 or _beyond_limits(q[place]) > 0.0:
         for i in range(2):
             q[place, i] = x[i]
 

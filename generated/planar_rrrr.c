@@ -449,7 +449,7 @@ static int settle(const double T[16], double enough, double most, double q[4])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 4; i++)
@@ -473,8 +473,8 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[1][4], const unsigned char status[1])
 {
     double x[4], half[4], to[4], *q = rows[row], off = beyond_limits(q);

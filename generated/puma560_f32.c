@@ -689,7 +689,7 @@ static void add_step(const int held[6], float damping, float e[6], float x[6])
     }
 }
 
-/* How far a joint value is beyond its limits as it stands: it could be turned to the other end. */
+/* The same of a value as it stands: it might be turned. */
 static float past_an_end(int joint, float value)
 {
     const float low = lowest[joint], high = highest[joint];
@@ -708,15 +708,18 @@ static float past_ends(const float values[6])
     return sum;
 }
 
-/* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an end there. */
+/* A joint value moved by whole turns inside its limits, or to an end that it is just beyond: the
+ * seed's. */
 static float at_an_end(int joint, float value, float seed)
 {
     const float near = value + turn * floorf((seed - value) / turn + 0.5f);
     const float past = fabsf(past_an_end(joint, near));
     if (0.0f < past && past < 0.01f && fabsf(near - seed) < 0.15f)
         return near;
-    return turned(joint, value, value);
+    const float off = overshoot(joint, value);
+    if (off == 0.0f || fabsf(off) > 0.01f)
+        return turned(joint, value, value);
+    return off + (off > 0.0f ? highest : lowest)[joint];
 }
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
@@ -737,7 +740,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
             worst = fabsf(off) > fabsf(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabsf(past) > 0.0f) {
             moves++;
             for (int i = 0; i < 6; i++)
@@ -761,8 +764,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * there at once. */
+/* Takes joint values onto ends that they are past or, as two may not stand there, inside. */
 static int lead_inside(const float T[16], float enough, float most, float q[6])
 {
     float x[6], e[6];
@@ -783,8 +785,8 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
     float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -825,8 +827,8 @@ static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
@@ -857,7 +859,7 @@ static void stay(
     }
     if (least >= 0.0f)
         status[place] = PUMA560_F32_FREE_JOINT;
-    if (nearest > 1e-06f)
+    if (nearest > 0.003f || past_ends(q[place]) > 0.0f)
         take(x, q[place]);
 }
 
@@ -886,12 +888,13 @@ APART int ik_carefully(
         if (status[row] == PUMA560_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
             keep_limits(pose, seed, row, q, status);
     tell_once(pose, q, status);
+    for (int row = 0; row < 8; row++)
+        for (int i = 0; i < 6; i++)
+            q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA560_F32_UNREACHABLE)
             continue;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = at_an_end(i, q[row][i], seed[i]);
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];

@@ -616,8 +616,8 @@ static void tell_once(const double T[16], double q[4][3], unsigned char status[4
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])

@@ -254,7 +254,7 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 static const int revolute[6] = { 1, 1, 0, 1, 1, 1 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-#define slack(joint) (revolute[joint] ? 1e-09 : 1e-09) /* of limits */
+#define slack(joint) 1e-09 /* of limits */
 
 void rrprrr_fk(const double q[6], double T[16])
 {
@@ -692,8 +692,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])

@@ -888,7 +888,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
@@ -912,8 +912,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);
@@ -931,8 +931,8 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         take(x, q);
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
@@ -960,7 +960,7 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = STANFORD_FREE_JOINT;
-    if (nearest > 5e-10)
+    if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford e6151661c7bf5aa1"
+_KEY = "stanford 439325e1134b9b36"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -940,7 +940,7 @@ def _stay(pose, seed, q, status):
         least = min(least, between)
     if least >= 0.0:
         status[place] = FREE_JOINT
-    if nearest > 5e-10:
+    if nearest > 1e-06 or _beyond_limits(q[place]) > 0.0:
         for i in range(6):
             q[place, i] = x[i]
 

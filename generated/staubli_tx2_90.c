@@ -980,7 +980,7 @@ static void add_step(const int held[6], double damping, double e[6], double x[6]
     }
 }
 
-/* How far a joint value is beyond its limits as it stands: it could be turned to the other end. */
+/* The same of a value as it stands: it might be turned. */
 static double past_an_end(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];
@@ -999,15 +999,18 @@ static double past_ends(const double values[6])
     return sum;
 }
 
-/* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
- * an end there. */
+/* A joint value moved by whole turns inside its limits, or to an end that it is just beyond: the
+ * seed's. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
     const double past = fabs(past_an_end(joint, near));
     if (0.0 < past && past < 0.01 && fabs(near - seed) < 0.15)
         return near;
-    return turned(joint, value, value);
+    const double off = overshoot(joint, value);
+    if (off == 0.0 || fabs(off) > 0.01)
+        return turned(joint, value, value);
+    return off + (off > 0.0 ? highest : lowest)[joint];
 }
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
@@ -1028,7 +1031,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 6; i++)
@@ -1052,8 +1055,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Takes joint values onto the ends that they are past, or else inside: two may be unable to stand
- * there at once. */
+/* Takes joint values onto ends that they are past or, as two may not stand there, inside. */
 static int lead_inside(const double T[16], double enough, double most, double q[6])
 {
     double x[6], e[6];
@@ -1074,8 +1076,8 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
@@ -1116,8 +1118,8 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
@@ -1148,7 +1150,7 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = STAUBLI_TX2_90_FREE_JOINT;
-    if (nearest > 5e-10)
+    if (nearest > 1e-06 || past_ends(q[place]) > 0.0)
         take(x, q[place]);
 }
 
@@ -1177,12 +1179,13 @@ APART int ik_carefully(
         if (status[row] == STAUBLI_TX2_90_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
     tell_once(pose, q, status);
+    for (int row = 0; row < 8; row++)
+        for (int i = 0; i < 6; i++)
+            q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == STAUBLI_TX2_90_UNREACHABLE)
             continue;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = at_an_end(i, q[row][i], seed[i]);
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];

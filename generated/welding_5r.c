@@ -1226,7 +1226,7 @@ static int settle(const double T[16], double enough, double most, double q[5])
             worst = fabs(off) > fabs(past) ? i : worst;
             past = worst == i ? off : past;
         }
-        /* one at a time: others may follow it inside, or the first the second */
+        /* one by one: others may follow it inside, or the first the second */
         if (fabs(past) > 0.0) {
             moves++;
             for (int i = 0; i < 5; i++)
@@ -1250,8 +1250,8 @@ static int settle(const double T[16], double enough, double most, double q[5])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless no solution is half way, or another
- * row stands there. */
+/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
+ * nearer to another row. */
 static void stand(const double T[16], int row, double rows[8][5], const unsigned char status[8])
 {
     double x[5], half[5], to[5], *q = rows[row], off = beyond_limits(q);
@@ -1291,8 +1291,8 @@ static void tell_once(const double T[16], double q[8][5], unsigned char status[8
     }
 }
 
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: one beside it, one
- * as good, one left, or any. */
+/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
+ * good, one left, or any. */
 static void stay(
     const double T[16], const double seed[5], double q[8][5],
     unsigned char status[8])
@@ -1320,7 +1320,7 @@ static void stay(
     }
     if (least >= 0.0)
         status[place] = WELDING_5R_FREE_JOINT;
-    if (nearest > 5e-10)
+    if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
 

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from tests.compiling import library
-from tests.targets.calling import HELD, LANGUAGES, OUT_OF_LIMITS, Solver, gap
+from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, Solver, gap
 from tests.targets.made import folder, made_up, poses_of, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
 
+INSIDE = (OK, FREE_JOINT)
 # Right angles of five digits, and limits that leave a gap of 5e-6 rad.
 FIVE_DIGITS = """theta: q, d: 0.4865, a: 0.15, alpha: -1.5708, limits: [-3.14159, 3.14159]
 theta: q - 1.5708, a: 0.7, limits: [-1.5708, 2.618]
@@ -49,8 +50,8 @@ def test_the_row_of_the_seed_does_not_take_the_other_ones() -> None:
         q = np.array([np.deg2rad(170.0), -1e-6, 0.0, 0.0])
         q[2:] = source.uniform(-200.0, 0.0), source.uniform(-6.0, 6.0)
         rows, status = solver.ik(solver.fk(q), q)
-        assert gap(rows[np.isin(status, HELD)], q).min() < 1e-9
-        there = rows[np.isin(status, (*HELD, OUT_OF_LIMITS))]
+        assert gap(rows[np.isin(status, INSIDE)], q).min() < 1e-9
+        there = rows[np.isin(status, HELD)]
         assert len(there) == 2
         assert gap(there[:1], there[1])[0] == pytest.approx(2e-6, rel=1e-2)
 
@@ -60,7 +61,7 @@ def test_fast_code_leaves_an_elbow_that_tells_too_little_of_limits() -> None:
     name, given = "kuka_iiwa14", 2
     q = np.array([-highest(name)[0], 0.05, 2.41, 2e-6, 0.73, 0.89, -1.76])
     rows, status = Solver(name, "C").all(poses_of(name, q[None])[0], q, q[[given]])
-    assert gap(rows[np.isin(status, HELD)], q).min() < 1e-9
+    assert gap(rows[np.isin(status, INSIDE)], q).min() < 1e-9
 
 
 def test_a_gap_between_limits_is_not_crossed_by_rounding() -> None:
@@ -71,7 +72,7 @@ def test_a_gap_between_limits_is_not_crossed_by_rounding() -> None:
     q = np.array([3.14159, -1.408115877685677, 0.96, -1.7523437389, 1.569754359, 6.279318099])
     seed = q + np.array([-0.003059, 0.002264, 0.001226, -7.5e-05, 0.001134, -0.001754])
     rows, status = solver.ik(solver.fk(q), seed)
-    held = rows[np.isin(status, HELD)]
+    held = rows[np.isin(status, INSIDE)]
     nearest = np.abs(held[gap(held, seed).argmin()] - seed)[:5]
     assert nearest.max() < 0.01
 
@@ -85,14 +86,17 @@ def test_rows_are_turned_as_everywhere_whatever_the_seed_is(language: str) -> No
         q = source.uniform(-1.0, 1.0, 6)
         q[4], q[5] = near, source.choice([-1.0, 1.0]) * highest(name)[5]
         rows, status = solver.all(poses_of(name, q[None])[0], q)
-        held = rows[np.isin(status, HELD)]
+        held = rows[np.isin(status, INSIDE)]
         assert gap(held, q).min() < 1e-3
         assert (np.abs(held) <= np.pi).all()
 
 
 # A joint on its limit, and another 1e-9 to 1e-7 rad from where two solutions meet.
 MEETING = {
-    "fanuc_lrmate200id": (-2.1047, -1.7453292519943295, 1.46669539, 3.3161, 2.181661565, -0.3346),
+    "general_prrprr": (
+        *(0.0, 1.1215530563442835, -1.080449447090736, 0.4, -1.946369726130538),
+        -0.7953645578323747,
+    ),
     "franka_panda": (-1.9488, 0.66853, 2.8973, -0.46700342573982, -1.78192, 3.7525, 0.0096),
 }
 
@@ -105,10 +109,26 @@ def test_the_other_solution_is_not_put_onto_the_limit(name: str, language: str) 
     free = [joint - 1 for joint in robot(name).free]
     given = [q[free]] if free else []
     rows, status = Solver(name, language).all(poses_of(name, q[None])[0], q, *given)
-    held = rows[np.isin(status, HELD)]
+    held = rows[np.isin(status, INSIDE)]
     assert gap(held, q).min() < 1e-9
     for place, row in enumerate(held):
-        assert gap(np.delete(held, place, axis=0), row).min() > 1e-10
+        assert gap(np.delete(held, place, axis=0), row).min(initial=1.0) > 1e-10
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_limits_that_leave_a_small_gap_at_one_side(language: str) -> None:
+    """A joint just beyond 355 degrees comes as -5: that is next to the end, not far below zero."""
+    name = "one_sided"
+    solver = Solver(name, language)
+    ends, source = (0.0, np.deg2rad(355.0)), np.random.default_rng(25)
+    for _ in range(60):
+        near = source.choice([1e-9, 1e-8, 1e-7, 1e-6]) * source.choice([-1.0, 1.0])
+        q = np.array([source.choice(ends), near, -0.2, source.choice([*ends, 3.0])])
+        for seed in (q, np.zeros(4)):
+            rows, status = solver.all(poses_of(name, q[None])[0], seed)
+            held = rows[np.isin(status, INSIDE)]
+            assert gap(held, q).min() < 1e-6
+            assert len(held) < 2 or gap(held[:1], held[1])[0] > 1e-10
 
 
 def test_lengths_beyond_limits_count_in_arm_sizes() -> None:
@@ -116,5 +136,5 @@ def test_lengths_beyond_limits_count_in_arm_sizes() -> None:
     solver = library(made_up("nodding", NODDING, NODDING_REST).module, folder())
     q = np.array([-1000.0, 600.0, -500.0, 2.2096413686920403, -3.1415841076677156])
     rows, status = solver.ik(solver.fk(q), q)
-    held = rows[np.isin(status, HELD)]
+    held = rows[np.isin(status, INSIDE)]
     assert np.abs(held - q).max(axis=1).min() < 1e-2

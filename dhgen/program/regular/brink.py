@@ -6,6 +6,7 @@ Poses on this brink are left to the whole program, which tells the two apart as 
 from __future__ import annotations
 
 from fractions import Fraction
+from math import prod
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -83,9 +84,10 @@ class Brink:
     def touches(self, value: Node, inside: Node, apart: Node, *, blurred: bool) -> Node:
         """Whether a value can't be told from zero.
 
-        One width for both sides takes one comparison less. Where rows are tightened branches end
-        far outside of where they meet, and each side has its own. A root that follows another is
-        weighed with that one: it may be as much above zero as it may be below, and be none.
+        One width for both sides, the larger, takes one comparison less. Where rows are tightened
+        branches end far outside of where they meet, and each side has its own if it is constant.
+        A root that follows another is weighed with that one: it may be as much above zero as it
+        may be below, and be none.
 
         Args:
             value: What is under a square root.
@@ -100,10 +102,10 @@ class Brink:
             inner = outer = self._times(self._blurred, inner)
         else:
             inner = self._times(self._beside, inner)
-        low, high = (self._number(width) for width in (inner, outer))
-        if low is None or high is None or high <= BOTH_SIDES * low:
-            most = outer if low is not None and high is not None and low < high else inner
-            return builder.apply("at_most", builder.absolute(value), most)
+        low, high = self._growth(inner), self._growth(outer)
+        if self._number(outer) is None or high <= BOTH_SIDES * low:
+            wider = outer if low < high else inner
+            return builder.apply("at_most", builder.absolute(value), wider)
         below = builder.apply("at_most", builder.neg(outer), value)
         return builder.apply("and", below, builder.apply("at_most", value, inner))
 
@@ -114,6 +116,14 @@ class Brink:
             constant, rest = entry.operands
             return builder.arithmetic("mul", builder.arithmetic("mul", factor, constant), rest)
         return builder.arithmetic("mul", factor, width)
+
+    def _growth(self, width: Node) -> Fraction:
+        """How a width grows: itself if it is constant, or its constant factors."""
+        entry, number = self._builder.entries[width], self._number(width)
+        if number is not None:
+            return number
+        factors = entry.operands if entry.operator == "mul" else ()
+        return prod(map(self._growth, factors), start=Fraction(1))
 
     def _weighed(self, value: Node, inside: Node) -> Node:
         """The value, or what is compared with a slack instead, where earlier roots are in it."""

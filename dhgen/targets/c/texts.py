@@ -146,10 +146,10 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
 
 
 def _slack(module: SolverModule) -> str:
-    """That of `joint`."""
+    """By what the value of `joint` may miss its limits."""
     slack = dict(zip(module.chain.turning, slacks(module), strict=True))
-    if len(slack) == 1:
-        return repr(*slack.values())
+    if len(set(slack.values())) == 1:
+        return repr(next(iter(slack.values())))
     return f"(revolute[joint] ? {slack[True]!r} : {slack[False]!r})"
 
 

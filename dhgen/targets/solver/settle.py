@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import BESIDE_SEED, DAMPING, FLOOR, TOGETHER
 from dhgen.robot.robot import JointKind
-from dhgen.targets.solver.standing import stands_on_limits
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, ChainJoint
@@ -65,7 +64,6 @@ class Settle:
         aside: Times the whole way: how far steps lead from half way.
         alike: Two misses within so many times are the same.
         promised: A row may miss its pose by this [arm sizes, rad].
-        beside: A row that is no farther from the seed's solution stays as it is [rad, arm sizes].
         told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
     """
 
@@ -77,7 +75,6 @@ class Settle:
     together: float
     fine: float
     promised: float
-    beside: float
     told_by_nothing: float
     cautious: float = CAUTIOUS
     damping: float = DAMPING
@@ -110,8 +107,6 @@ def settle_of(module: SolverModule) -> Settle:
         together=max(TOGETHER, BEYOND_TOLD * tolerances.told),
         fine=tolerances.fine,
         promised=max(tolerances.promised, tolerances.exact),
-        # where there are limits, not so far that it may be beyond one
-        beside=0.5 * tolerances.limit if stands_on_limits(module) else tolerances.told,
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
     )
 
