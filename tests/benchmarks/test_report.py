@@ -42,6 +42,8 @@ def test_the_documents_have_the_places() -> None:
     text = DOCUMENT.read_text(encoding="utf-8")
     for mark in ("arms", "scaling", "sizes", "derive", "general6r", "singular"):
         assert text.count(f"<!-- {mark} -->") == text.count(f"<!-- /{mark} -->") == 1
+        _, told = text.split(f"<!-- {mark} -->")
+        assert "\n| " in told.split(f"<!-- /{mark} -->")[0]
 
 
 @pytest.mark.parametrize(
