@@ -118,7 +118,7 @@ def test_the_other_solution_is_not_put_onto_the_limit(name: str, language: str) 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_limits_that_leave_a_small_gap_at_one_side(language: str) -> None:
     """A joint just beyond 355 degrees comes as -5: that is next to the end, not far below zero."""
-    name = "one_sided"
+    name = "gap_beside_zero"
     solver = Solver(name, language)
     ends, source = (0.0, np.deg2rad(355.0)), np.random.default_rng(25)
     for _ in range(60):
