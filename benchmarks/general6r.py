@@ -10,7 +10,6 @@ mostly do, and once more at one radian. `--write` puts the table into docs/bench
 
 from __future__ import annotations
 
-import ctypes
 import sys
 import tempfile
 from pathlib import Path
@@ -84,14 +83,9 @@ def measure(arm: Arm, count: int, value: float) -> tuple[Array, float]:
     shim = GIVEN_SHIM if given else ONE_SHIM
     text = shim.format(name=name, rows=rows, dof=arm.dof, given=given)
     interface = Interface(text, rows, arm.dof)
-    seconds = np.full((PASSES, count), np.inf)
     with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
         native = compiled(GENERATED / f"{name}.c", interface, NATIVE, Path(folder))
-        arrays = (T, seconds, np.empty((rows, arm.dof)))
-        pointers = [array.ctypes.data_as(ctypes.c_void_p) for array in arrays]
-        native.library.bench_each(ctypes.c_size_t(count), ctypes.c_size_t(PASSES), *pointers)
-        found = sum(map(len, native.solve(T))) / count
-    return seconds.min(axis=0), found
+        return native.each(T, PASSES), sum(map(len, native.solve(T))) / count
 
 
 if __name__ == "__main__":

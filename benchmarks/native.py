@@ -113,6 +113,14 @@ class Native:
         self.library.bench_solve(ctypes.c_size_t(len(T)), _pointer(poses), _pointer(q))
         return [rows[~np.isnan(rows).any(axis=1)] for rows in q]
 
+    def each(self, T: Array, passes: int) -> Array:
+        """The least CPU time of every pose (N, 4, 4) alone [s], of so many passes over all (N,)."""
+        poses, seconds = np.ascontiguousarray(T), np.empty((passes, len(T)))
+        q = np.empty((self.interface.rows, self.interface.dof))
+        sizes = ctypes.c_size_t(len(T)), ctypes.c_size_t(passes)
+        self.library.bench_each(*sizes, *map(_pointer, (poses, seconds, q)))
+        return np.asarray(seconds.min(axis=0))
+
     def prepare(self, T: Array) -> Run:
         """Solves the poses (N, 4, 4) again and again, and tells the CPU time."""
         poses = lined_up(T)

@@ -75,15 +75,11 @@ def measure(arm: Arm, count: int) -> Array:
     rows, width = generated(name).MAX_SOLUTIONS, given.shape[-1]
     values = f"values + {width} * k, " if width else ""
     text = SHIM.format(name=name, rows=rows, dof=arm.dof, given=values)
-    seconds = np.full((PASSES, len(q)), np.inf)
     with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
         source = GENERATED / f"{name}.c"
         native = compiled(source, Interface(text, rows, arm.dof), NATIVE, Path(folder))
         native.library.bench_asked(*map(_pointer, (T, given, q)))
-        room = np.empty((rows, arm.dof))
-        sizes = ctypes.c_size_t(len(q)), ctypes.c_size_t(PASSES)
-        native.library.bench_each(*sizes, *map(_pointer, (T, seconds, room)))
-    return np.asarray(seconds.min(axis=0))
+        return native.each(T, PASSES)
 
 
 def _given(arm: Arm, q: Array) -> Array:

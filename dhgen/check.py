@@ -126,7 +126,11 @@ def _difference(path: Path, text: str) -> str | None:
     if present == text:
         return None
     diff = difflib.unified_diff(
-        present.splitlines(), text.splitlines(), str(path), f"{path} (as compiled)", lineterm=""
+        present.splitlines(),
+        text.splitlines(),
+        f"{path} (as it is)",
+        f"{path} (as compiled)",
+        lineterm="",
     )
     lines = list(diff)
     if len(lines) > MOST_DIFFERENCES:
