@@ -54,6 +54,10 @@ class Tolerances:
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
             its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
+        overshoot: Fast code may be wrong by this where an arm is nearly singular twice over: the
+            direction to a wrist centre just farther than `regular` from an axis is taken from an
+            elbow just farther than `brink` from stretched. A joint that is beyond a limit by no
+            more may stand on it: the pose is left.
         standing: A joint that comes out a little beyond a limit stands on it if the pose is missed
             by so much more at most. Not above `merge`: where two branches are told apart, the one
             beyond the limit must not be taken for the other.
@@ -90,6 +94,7 @@ class Tolerances:
     doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9
+    overshoot: float = 1e-6
     standing: float = 1e-14
     told: float = 1e-6
     far: float = 1e5
@@ -102,11 +107,6 @@ class Tolerances:
     def tell_rounding(self) -> bool:
         """Whether the arithmetic is fine enough to tell a pose that was rounded."""
         return self.exact < self.consistent
-
-    @property
-    def blur_limits(self) -> bool:
-        """Whether rounding takes joints beyond their limits at regular poses, too."""
-        return self.limit < 10.0 * self.nothing
 
 
 TOLERANCES = Tolerances()
@@ -148,6 +148,7 @@ SINGLE = Precision(
         nothing=5e-7,
         exact=5e-5,
         limit=2e-6,
+        overshoot=1e-2,
         standing=1e-6,
         fine=1e-10,
         told=3e-3,

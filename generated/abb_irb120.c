@@ -243,12 +243,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -482,37 +483,47 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_pmm = only_wide(-v45 <= -half_turn, turn) - v45, q5_mpp = raised_wide(v46),
         q5_mpm = only_wide(-v47 <= -half_turn, turn) - v47, q5_mmp = raised_wide(v48),
         q5_mmm = only_wide(-v49 <= -half_turn, turn) - v49, q3_ppp = raised_wide(q3__p),
-        q3_pmp = only_wide(-v8 <= -half_turn, turn) - v8;
-    const wide_mask v50 = exceeds(q1__p, 1), v51 = exceeds(q1__m, 1), v52 = beyond(q3_ppp, 3),
-        v53 = beyond(q3_pmp, 3);
-    const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
-    const wide_mask v54 = v52 | v50 | exceeds(q2_ppp, 2), v55 = v53 | v50 | exceeds(q2_pmp, 2),
-        v56 = v52 | v51 | exceeds(q2_mpp, 2), v57 = v53 | v51 | exceeds(q2_mmp, 2),
-        doubt1 = (abs_wide(D3) <= m2) | (v1 <= m1) | (v25 <= m9) | (v24 <= m9) | (v22 <= m9) | (v23
-            <= m9);
+        q3_pmp = only_wide(-v8 <= -half_turn, turn) - v8, v50 = exceeds(q1__p, 1),
+        v51 = exceeds(q1__m, 1), v52 = beyond(q3_ppp, 3), v53 = beyond(q3_pmp, 3),
+        q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m,
+        v54 = maximum_wide(exceeds(q2_ppp, 2), maximum_wide(v50, v52)),
+        v55 = maximum_wide(exceeds(q2_pmp, 2), maximum_wide(v50, v53)),
+        v56 = maximum_wide(exceeds(q2_mpp, 2), maximum_wide(v51, v52)),
+        v57 = maximum_wide(exceeds(q2_mmp, 2), maximum_wide(v51, v53)),
+        excess_ppp = maximum_wide(exceeds(q5_ppp, 5), maximum_wide(v54, exceeds(angle2, 4))),
+        excess_ppm = maximum_wide(exceeds(q5_ppm, 5), maximum_wide(v54, exceeds(q4_ppm, 4))),
+        excess_pmp = maximum_wide(exceeds(q5_pmp, 5), maximum_wide(v55, exceeds(angle3, 4))),
+        excess_pmm = maximum_wide(exceeds(q5_pmm, 5), maximum_wide(v55, exceeds(q4_pmm, 4))),
+        excess_mpp = maximum_wide(exceeds(q5_mpp, 5), maximum_wide(v56, exceeds(angle4, 4))),
+        excess_mpm = maximum_wide(exceeds(q5_mpm, 5), maximum_wide(v56, exceeds(q4_mpm, 4))),
+        excess_mmp = maximum_wide(exceeds(q5_mmp, 5), maximum_wide(v57, exceeds(angle5, 4))),
+        excess_mmm = maximum_wide(exceeds(q5_mmm, 5), maximum_wide(v57, exceeds(q4_mmm, 4)));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2; q[4] = q5_ppp; q[5] = angle6;
-    kind[0] = kind_of(q[0], exceeds(q5_ppp, 5) | v54 | exceeds(angle2, 4));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm;
     q[11] = angle6 - signed_wide(half_turn, v32);
-    kind[1] = kind_of(q[6], exceeds(q5_ppm, 5) | v54 | exceeds(q4_ppm, 4));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle3; q[16] = q5_pmp; q[17] = angle7;
-    kind[2] = kind_of(q[12], exceeds(q5_pmp, 5) | v55 | exceeds(angle3, 4));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm;
     q[23] = angle7 - signed_wide(half_turn, v33);
-    kind[3] = kind_of(q[18], exceeds(q5_pmm, 5) | v55 | exceeds(q4_pmm, 4));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle4; q[28] = q5_mpp; q[29] = angle8;
-    kind[4] = kind_of(q[24], exceeds(q5_mpp, 5) | v56 | exceeds(angle4, 4));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm;
     q[35] = angle8 - signed_wide(half_turn, v34);
-    kind[5] = kind_of(q[30], exceeds(q5_mpm, 5) | v56 | exceeds(q4_mpm, 4));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle5; q[40] = q5_mmp; q[41] = angle9;
-    kind[6] = kind_of(q[36], exceeds(q5_mmp, 5) | v57 | exceeds(angle5, 4));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm;
     q[47] = angle9 - signed_wide(half_turn, v35);
-    kind[7] = kind_of(q[42], exceeds(q5_mmm, 5) | v57 | exceeds(q4_mmm, 4));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D3) <= m2) | (v1 <= m1) | (v25 <= m9) | (v24 <= m9) | (v22 <=
+        m9) | (v23 <= m9)) | (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) |
+        grazes(excess_mpp) | grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) |
+        grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -549,9 +560,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v9 = w1 * (v2 * (T21 * t24 - T11 * X1));
     const four c4 = T31 * s23 + e1 * (c23 * v9);
     const double v10 = w1 * (v2 * (T11 * t24 + X1 * T21)), v11 = v10 * v10;
-    const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m9;
-    const four v14 = signed_four(half_turn, -(e1 * v10));
+    const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12),
+        v14 = signed_four(half_turn, -(e1 * v10));
 
     /* theta6 */
     const double v15 = w1 * (v2 * (X1 * T22 + t24 * T12)), v16 = w1 * (v2 * (t24 * T22 - X1 * T12)),
@@ -560,9 +570,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v20 = copysign(half_turn, t24);
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v13 <= m9)) | (unsigned)((v1 <= m1) |
+        (fabs(D3) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ w3, t24, w3, w3 }, (four){ N3 - k3, -X1, N3 - k3,
@@ -577,12 +587,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v21 = angle4 + v20 * (m10 * (e1 - 1.0)) - offset1, q1_ = raised_four(v21),
         v22 = angle5 - offset2, q2_p = raised_four(v22), v23 = angle6 - offset5,
         v24 = offset5 + angle6, q5_p = raised_four(v23),
-        q5_m = only_four(-v24 <= -half_turn, turn) - v24, q3_p = raised_four(q3_);
-    const four_mask v25 = exceeds_four(q1_, 1), v26 = beyond_four(q3_p, 3);
-    const four q1_p = v3 + q1_;
-    const four_mask v27 = v26 | v25 | exceeds_four(q2_p, 2),
-        outside_p = exceeds_four(q5_p, 5) | v27 | exceeds_four(angle2, 4),
-        outside_m = exceeds_four(q5_m, 5) | v27 | exceeds_four(q4_m, 4);
+        q5_m = only_four(-v24 <= -half_turn, turn) - v24, q3_p = raised_four(q3_),
+        v25 = exceeds_four(q1_, 1), v26 = beyond_four(q3_p, 3), q1_p = v3 + q1_,
+        v27 = maximum_four(exceeds_four(q2_p, 2), maximum_four(v25, v26)),
+        excess_p = maximum_four(exceeds_four(q5_p, 5), maximum_four(v27, exceeds_four(angle2, 4))),
+        excess_m = maximum_four(exceeds_four(q5_m, 5), maximum_four(v27, exceeds_four(q4_m, 4)));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle2);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle3);
@@ -1035,18 +1047,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != ABB_IRB120_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != ABB_IRB120_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

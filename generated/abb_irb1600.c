@@ -464,8 +464,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v84 = angle18 - offset5, v85 = offset5 + angle18, v86 = angle19 - offset5,
         v87 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask doubt1 = (v38 <= m8) | (v37 <= m8) | (v36 <= m8) | (v35 <= m8) | (abs_wide(D3_m)
-        <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v70); q[4] = raised_wide(v80);
     q[5] = angle2;
@@ -492,7 +490,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[46] = only_wide(-v87 <= -half_turn, turn) - v87; q[47] = angle5 - signed_wide(half_turn, v58);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v38 <= m8) | (v37 <= m8) | (v36 <= m8) | (v35 <= m8) | (abs_wide(D3_m)
+        <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3));
 }
 
 #if LANES > 1
@@ -508,18 +507,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1, factor1 = w1 * v2, v3 = wx * factor1, s1 = Y1 * factor1,
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = wx * factor1, s1 = Y1 * factor1,
         v4 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v5 = a1 + e1 * w1;
     const double v6 = Z1_3 * Z1_3;
-    const four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m3;
-    const four v7 = k1 * (N3 - k2);
+    const four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
+        v7 = k1 * (N3 - k2);
 
     /* theta2 */
     const four v8 = m5 + m4 * N3, v9 = Z1_3 * v8, v10 = m4 * (e2 * Z1_3), v11 = v5 * v8,
@@ -534,7 +531,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v19 = v13 * v17 + v5 * v18, X4 = v19 + w3 * (m6 * (e2 * v16));
     const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23)), v21 = v20 * v20;
     const four v22 = factor2 * X4, v23 = v21 + factor2 * (X4 * v22);
-    const four_mask doubt3 = v23 <= m8;
 
     /* theta5 */
     const four v24 = v13 * (e1 * Z1_3) + T33 * v5, v25 = v13 * (v5 * (e1 * -v12)) + Z1_3 * v18;
@@ -552,7 +548,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v38 = signed_four(half_turn, v7), v39 = m2 * (1.0 - e2),
         v41 = signed_four(half_turn, -(e1 * v20));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m3) | (v23 <= m8)) |
+        (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v7, all_four(Y1), 0, 5, 2, 3), shuffle(-(k1 * w3),

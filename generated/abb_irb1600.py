@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb1600 aedcbbb6be1ac879"
+_KEY = "abb_irb1600 4f5d7a5fb4be6799"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -941,13 +941,11 @@ def _regular(pose, q, status):
     v69 = math.copysign(half_turn, v29)
     v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
     v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
-    doubt1 = (
+
+    if (
         v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1 or abs(D3_p)
         <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1329,16 +1327,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1072, 1088, 1104, 1120, 1136, 1152],
-    [1072, 1088, 1104, 1168, 1184, 1200],
-    [1072, 1216, 1232, 1248, 1264, 1280],
-    [1072, 1216, 1232, 1296, 1312, 1328],
-    [1344, 1360, 1376, 1392, 1408, 1424],
-    [1344, 1360, 1376, 1440, 1456, 1472],
-    [1344, 1488, 1504, 1520, 1536, 1552],
-    [1344, 1488, 1504, 1568, 1584, 1600],
+    [1168, 1184, 1200, 1216, 1232, 1248],
+    [1168, 1184, 1200, 1264, 1280, 1296],
+    [1168, 1312, 1328, 1344, 1360, 1376],
+    [1168, 1312, 1328, 1392, 1408, 1424],
+    [1440, 1456, 1472, 1488, 1504, 1520],
+    [1440, 1456, 1472, 1536, 1552, 1568],
+    [1440, 1584, 1600, 1616, 1632, 1648],
+    [1440, 1584, 1600, 1664, 1680, 1696],
 ])
-_KINDS = np.array([1616, 1632, 1648, 1664, 1680, 1696, 1712, 1728])
+_KINDS = np.array([1712, 1728, 1744, 1760, 1776, 1792, 1808, 1824])
 
 
 @intrinsic(prefer_literal=True)
@@ -1365,7 +1363,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1744), 1744)
+    work = carray(_tile(1840), 1840)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1482,94 +1480,102 @@ def _in_tiles(T, q, status):
             v69 = math.copysign(half_turn, v29)
             v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
             v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
-            doubt1 = (
-                v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1 or
-                abs(D3_p) <= m3
-            )
             work[272 + k] = Y1
-            work[288 + k] = w3_p
-            work[304 + k] = w3_m
-            work[320 + k] = v7
-            work[336 + k] = v8
-            work[352 + k] = v55
-            work[368 + k] = v56
-            work[384 + k] = v57
-            work[400 + k] = v58
-            work[416 + k] = v68
-            work[432 + k] = v69
-            work[448 + k] = doubt1
-            work[464 + k] = Y1
-            work[480 + k] = v55
-            work[496 + k] = v56
-            work[512 + k] = v57
-            work[528 + k] = v58
-            work[544 + k] = v59 - v11
-            work[560 + k] = -(v11 + v59)
-            work[576 + k] = w3_m * (m4 * v5) - v12
-            work[592 + k] = w3_m * (m4 * -v5) - v12
-            work[608 + k] = v7
-            work[624 + k] = v8
-            work[640 + k] = -v29
-            work[656 + k] = -v29
-            work[672 + k] = v29
-            work[688 + k] = v29
-            work[704 + k] = math.sqrt(v35)
-            work[720 + k] = math.sqrt(v36)
-            work[736 + k] = math.sqrt(v37)
-            work[752 + k] = math.sqrt(v38)
-            work[768 + k] = -wx
-            work[784 + k] = v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
-            work[800 + k] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
-            work[816 + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
-            work[832 + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
-            work[848 + k] = -(v15 + w3_p * v13)
-            work[864 + k] = -(v15 + w3_p * v14)
-            work[880 + k] = -(v16 + w3_m * v13)
-            work[896 + k] = -(v16 + w3_m * v14)
-            work[912 + k] = -(k1 * w3_p)
-            work[928 + k] = -(k1 * w3_m)
-            work[944 + k] = -v31
-            work[960 + k] = -v32
-            work[976 + k] = -v33
-            work[992 + k] = -v34
-            work[1008 + k] = factor2_p * (v39 - v78)
-            work[1024 + k] = factor2_p * (v39 + v78)
-            work[1040 + k] = factor2_m * (v40 - v79)
-            work[1056 + k] = factor2_m * (v40 + v79)
-        for k in range(464, 768):
+            work[288 + k] = v1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = v7
+            work[384 + k] = v8
+            work[400 + k] = v35
+            work[416 + k] = v36
+            work[432 + k] = v37
+            work[448 + k] = v38
+            work[464 + k] = v55
+            work[480 + k] = v56
+            work[496 + k] = v57
+            work[512 + k] = v58
+            work[528 + k] = v68
+            work[544 + k] = v69
+            work[560 + k] = Y1
+            work[576 + k] = v55
+            work[592 + k] = v56
+            work[608 + k] = v57
+            work[624 + k] = v58
+            work[640 + k] = v59 - v11
+            work[656 + k] = -(v11 + v59)
+            work[672 + k] = w3_m * (m4 * v5) - v12
+            work[688 + k] = w3_m * (m4 * -v5) - v12
+            work[704 + k] = v7
+            work[720 + k] = v8
+            work[736 + k] = -v29
+            work[752 + k] = -v29
+            work[768 + k] = v29
+            work[784 + k] = v29
+            work[800 + k] = math.sqrt(v35)
+            work[816 + k] = math.sqrt(v36)
+            work[832 + k] = math.sqrt(v37)
+            work[848 + k] = math.sqrt(v38)
+            work[864 + k] = -wx
+            work[880 + k] = v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
+            work[896 + k] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
+            work[912 + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
+            work[928 + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
+            work[944 + k] = -(v15 + w3_p * v13)
+            work[960 + k] = -(v15 + w3_p * v14)
+            work[976 + k] = -(v16 + w3_m * v13)
+            work[992 + k] = -(v16 + w3_m * v14)
+            work[1008 + k] = -(k1 * w3_p)
+            work[1024 + k] = -(k1 * w3_m)
+            work[1040 + k] = -v31
+            work[1056 + k] = -v32
+            work[1072 + k] = -v33
+            work[1088 + k] = -v34
+            work[1104 + k] = factor2_p * (v39 - v78)
+            work[1120 + k] = factor2_p * (v39 + v78)
+            work[1136 + k] = factor2_m * (v40 - v79)
+            work[1152 + k] = factor2_m * (v40 + v79)
+        for k in range(560, 864):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            w3_p = work[288 + k]
-            w3_m = work[304 + k]
-            v7 = work[320 + k]
-            v8 = work[336 + k]
-            v55 = work[352 + k]
-            v56 = work[368 + k]
-            v57 = work[384 + k]
-            v58 = work[400 + k]
-            v68 = work[416 + k]
-            v69 = work[432 + k]
-            doubt1 = work[448 + k] != 0.0
-            angle1 = work[464 + k]
-            angle2 = work[480 + k]
-            angle3 = work[496 + k]
-            angle4 = work[512 + k]
-            angle5 = work[528 + k]
-            angle6 = work[544 + k]
-            angle7 = work[560 + k]
-            angle8 = work[576 + k]
-            angle9 = work[592 + k]
-            angle10 = work[608 + k]
-            angle11 = work[624 + k]
-            angle12 = work[640 + k]
-            angle13 = work[656 + k]
-            angle14 = work[672 + k]
-            angle15 = work[688 + k]
-            angle16 = work[704 + k]
-            angle17 = work[720 + k]
-            angle18 = work[736 + k]
-            angle19 = work[752 + k]
+            v1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            v7 = work[368 + k]
+            v8 = work[384 + k]
+            v35 = work[400 + k]
+            v36 = work[416 + k]
+            v37 = work[432 + k]
+            v38 = work[448 + k]
+            v55 = work[464 + k]
+            v56 = work[480 + k]
+            v57 = work[496 + k]
+            v58 = work[512 + k]
+            v68 = work[528 + k]
+            v69 = work[544 + k]
+            angle1 = work[560 + k]
+            angle2 = work[576 + k]
+            angle3 = work[592 + k]
+            angle4 = work[608 + k]
+            angle5 = work[624 + k]
+            angle6 = work[640 + k]
+            angle7 = work[656 + k]
+            angle8 = work[672 + k]
+            angle9 = work[688 + k]
+            angle10 = work[704 + k]
+            angle11 = work[720 + k]
+            angle12 = work[736 + k]
+            angle13 = work[752 + k]
+            angle14 = work[768 + k]
+            angle15 = work[784 + k]
+            angle16 = work[800 + k]
+            angle17 = work[816 + k]
+            angle18 = work[832 + k]
+            angle19 = work[848 + k]
             q6_ppm = angle2 - math.copysign(half_turn, v55)
             q6_pmm = angle3 - math.copysign(half_turn, v56)
             q6_mpm = angle4 - math.copysign(half_turn, v57)
@@ -1624,83 +1630,86 @@ def _in_tiles(T, q, status):
             q5_mmm = (turn if -v87 <= -half_turn else 0.0) - v87
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-            _1072 = q1_ppp
-            work[1072 + k] = _1072
-            _1088 = q2_ppp
-            work[1088 + k] = _1088
-            _1104 = q3_ppp
-            work[1104 + k] = _1104
-            _1120 = q4_ppp
-            work[1120 + k] = _1120
-            _1136 = q5_ppp
-            work[1136 + k] = _1136
-            _1152 = angle2
-            work[1152 + k] = _1152
-            _1168 = q4_ppm
+            _1168 = q1_ppp
             work[1168 + k] = _1168
-            _1184 = q5_ppm
+            _1184 = q2_ppp
             work[1184 + k] = _1184
-            _1200 = q6_ppm
+            _1200 = q3_ppp
             work[1200 + k] = _1200
-            _1216 = q2_pmp
+            _1216 = q4_ppp
             work[1216 + k] = _1216
-            _1232 = q3_pmp
+            _1232 = q5_ppp
             work[1232 + k] = _1232
-            _1248 = q4_pmp
+            _1248 = angle2
             work[1248 + k] = _1248
-            _1264 = q5_pmp
+            _1264 = q4_ppm
             work[1264 + k] = _1264
-            _1280 = angle3
+            _1280 = q5_ppm
             work[1280 + k] = _1280
-            _1296 = q4_pmm
+            _1296 = q6_ppm
             work[1296 + k] = _1296
-            _1312 = q5_pmm
+            _1312 = q2_pmp
             work[1312 + k] = _1312
-            _1328 = q6_pmm
+            _1328 = q3_pmp
             work[1328 + k] = _1328
-            _1344 = q1_mpp
+            _1344 = q4_pmp
             work[1344 + k] = _1344
-            _1360 = q2_mpp
+            _1360 = q5_pmp
             work[1360 + k] = _1360
-            _1376 = q3_mpp
+            _1376 = angle3
             work[1376 + k] = _1376
-            _1392 = q4_mpp
+            _1392 = q4_pmm
             work[1392 + k] = _1392
-            _1408 = q5_mpp
+            _1408 = q5_pmm
             work[1408 + k] = _1408
-            _1424 = angle4
+            _1424 = q6_pmm
             work[1424 + k] = _1424
-            _1440 = q4_mpm
+            _1440 = q1_mpp
             work[1440 + k] = _1440
-            _1456 = q5_mpm
+            _1456 = q2_mpp
             work[1456 + k] = _1456
-            _1472 = q6_mpm
+            _1472 = q3_mpp
             work[1472 + k] = _1472
-            _1488 = q2_mmp
+            _1488 = q4_mpp
             work[1488 + k] = _1488
-            _1504 = q3_mmp
+            _1504 = q5_mpp
             work[1504 + k] = _1504
-            _1520 = q4_mmp
+            _1520 = angle4
             work[1520 + k] = _1520
-            _1536 = q5_mmp
+            _1536 = q4_mpm
             work[1536 + k] = _1536
-            _1552 = angle5
+            _1552 = q5_mpm
             work[1552 + k] = _1552
-            _1568 = q4_mmm
+            _1568 = q6_mpm
             work[1568 + k] = _1568
-            _1584 = q5_mmm
+            _1584 = q2_mmp
             work[1584 + k] = _1584
-            _1600 = q6_mmm
+            _1600 = q3_mmp
             work[1600 + k] = _1600
-            work[1616 + k] = UNREACHABLE if _1072 != _1072 else OK
-            work[1632 + k] = UNREACHABLE if _1072 != _1072 else OK
-            work[1648 + k] = UNREACHABLE if _1072 != _1072 else OK
-            work[1664 + k] = UNREACHABLE if _1072 != _1072 else OK
-            work[1680 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[1696 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[1712 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[1728 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1616 = q4_mmp
+            work[1616 + k] = _1616
+            _1632 = q5_mmp
+            work[1632 + k] = _1632
+            _1648 = angle5
+            work[1648 + k] = _1648
+            _1664 = q4_mmm
+            work[1664 + k] = _1664
+            _1680 = q5_mmm
+            work[1680 + k] = _1680
+            _1696 = q6_mmm
+            work[1696 + k] = _1696
+            work[1712 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1728 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1744 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1760 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1776 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1792 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1808 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1824 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[256 + k] = (
+                1.0 if v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <=
+                m1 or abs(D3_p) <= m3 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -237,10 +237,11 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -473,43 +474,51 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v46 = raised_wide(q3__pp), v47 = only_wide(-v6 <= -half_turn, turn) - v6,
         v48 = raised_wide(q3__mp), v49 = only_wide(-v7 <= -half_turn, turn) - v7,
         v50 = v46 - only_wide(high(3) < v46, turn), v51 = v47 - only_wide(high(3) < v47, turn),
-        v52 = v48 - only_wide(high(3) < v48, turn), v53 = v49 - only_wide(high(3) < v49, turn);
-    const wide_mask v54 = beyond(v50, 3), v55 = beyond(v51, 3), v56 = beyond(v52, 3),
-        v57 = beyond(v53, 3);
-    const wide q3_ppp = pick_wide(v54, v46, v50), q3_pmp = pick_wide(v55, v47, v51),
-        q3_mpp = pick_wide(v56, v48, v52), q3_mmp = pick_wide(v57, v49, v53),
+        v52 = v48 - only_wide(high(3) < v48, turn), v53 = v49 - only_wide(high(3) < v49, turn),
+        v54 = beyond(v50, 3), v55 = beyond(v51, 3), v56 = beyond(v52, 3), v57 = beyond(v53, 3),
+        q3_ppp = pick_wide(0.0 < v54, v46, v50), q3_pmp = pick_wide(0.0 < v55, v47, v51),
+        q3_mpp = pick_wide(0.0 < v56, v48, v52), q3_mmp = pick_wide(0.0 < v57, v49, v53),
         q1_ppp = angle1 + (w3_p - w3_p),
-        q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask v58 = v54 | beyond(angle4, 2), v59 = v55 | beyond(angle5, 2),
-        v60 = v56 | beyond(angle6, 2), v61 = v57 | beyond(angle7, 2),
-        doubt1 = (v35 <= m10) | (v34 <= m10) | (v33 <= m10) | (v32 <= m10) | (abs_wide(D3_m) <= m3)
-            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
+        q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m),
+        v58 = maximum_wide(v54, beyond(angle4, 2)), v59 = maximum_wide(v55, beyond(angle5, 2)),
+        v60 = maximum_wide(v56, beyond(angle6, 2)), v61 = maximum_wide(v57, beyond(angle7, 2)),
+        excess_ppp = maximum_wide(v58, beyond(angle12, 5)),
+        excess_ppm = maximum_wide(v58, maximum_wide(low(5) + angle12, -(high(5) + angle12))),
+        excess_pmp = maximum_wide(v59, beyond(angle13, 5)),
+        excess_pmm = maximum_wide(v59, maximum_wide(low(5) + angle13, -(high(5) + angle13))),
+        excess_mpp = maximum_wide(v60, beyond(angle14, 5)),
+        excess_mpm = maximum_wide(v60, maximum_wide(low(5) + angle14, -(high(5) + angle14))),
+        excess_mmp = maximum_wide(v61, beyond(angle15, 5)),
+        excess_mmm = maximum_wide(v61, maximum_wide(low(5) + angle15, -(high(5) + angle15)));
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
-    kind[0] = kind_of(q[0], v58 | beyond(angle12, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v36; q[10] = -angle12;
     q[11] = angle16 - signed_wide(half_turn, v42);
-    kind[1] = kind_of(q[6], v58 | beyond(-angle12, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
-    kind[2] = kind_of(q[12], v59 | beyond(angle13, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v36; q[22] = -angle13;
     q[23] = angle17 - signed_wide(half_turn, v43);
-    kind[3] = kind_of(q[18], v59 | beyond(-angle13, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_mpp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
-    kind[4] = kind_of(q[24], v60 | beyond(angle14, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = angle6; q[32] = q3_mpp; q[33] = angle10 - v37; q[34] = -angle14;
     q[35] = angle18 - signed_wide(half_turn, v44);
-    kind[5] = kind_of(q[30], v60 | beyond(-angle14, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_mmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
-    kind[6] = kind_of(q[36], v61 | beyond(angle15, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = angle7; q[44] = q3_mmp; q[45] = angle11 - v37; q[46] = -angle15;
     q[47] = angle19 - signed_wide(half_turn, v45);
-    kind[7] = kind_of(q[42], v61 | beyond(-angle15, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v35 <= m10) | (v34 <= m10) | (v33 <= m10) | (v32 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3)) | (grazes(excess_mmm) |
+        grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) | grazes(excess_pmm) |
+        grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -525,16 +534,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double t14 = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
+    const double t14 = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
     const four X1_2 = m4 * N3 - m5, v6 = v4 * X1_2, v7 = m4 * (e2 * Z1_3), v8 = Z1_3 * X1_2,
@@ -550,16 +557,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = T33 * c23 + e1 * (s23 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v19 = v18 * v18;
-    const four v20 = v19 + X4 * X4;
-    const four_mask doubt3 = v20 <= m10;
-    const four v21 = signed_four(half_turn, -(e1 * v18));
+    const four v20 = v19 + X4 * X4, v21 = signed_four(half_turn, -(e1 * v18));
 
     /* theta6 */
     const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
         v24 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v26 = e1 * (X4 * v24 - v18 * (c23 * T31 + e1 * (s23 * v25)));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m3) | (v20 <= m10)) |
+        (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
@@ -573,11 +579,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
         q6_m = angle6 - signed_four(half_turn, v26), v27 = raised_four(q3_),
-        v28 = v27 - only_four(high(3) < v27, turn);
-    const four_mask v29 = beyond_four(v28, 3);
-    const four q3_p = pick_four(v29, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v30 = v29 | beyond_four(angle3, 2), outside_p = v30 | beyond_four(angle5, 5),
-        outside_m = v30 | beyond_four(-angle5, 5);
+        v28 = v27 - only_four(high(3) < v27, turn), v29 = beyond_four(v28, 3),
+        q3_p = pick_four(0.0 < v29, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3),
+        v30 = maximum_four(v29, beyond_four(angle3, 2)),
+        excess_p = maximum_four(v30, beyond_four(angle5, 5)),
+        excess_m = maximum_four(v30, maximum_four(low(5) + angle5, -(high(5) + angle5)));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle3, q3_p, angle4);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle5, angle6);
@@ -1024,18 +1033,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != ABB_IRB4600_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != ABB_IRB4600_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

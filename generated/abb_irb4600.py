@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 f634e3de1ef82149"
+_KEY = "abb_irb4600 25c1c0629d8548c7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -183,6 +183,7 @@ low3 = -3.141592654589793
 high3 = 1.3089969399957473
 low5 = -2.181661565992912
 high5 = 2.0943951033931953
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.0240152378064056e-07  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 8.528223923621197e-10
@@ -1029,20 +1030,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1201,14 +1201,10 @@ def _regular(pose, q, status):
     v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
     v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
 
-    # joint values
-    doubt1 = (
+    if (
         v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1301,28 +1297,44 @@ def _regular(pose, q, status):
     v51 = v47 - (turn if high3 < v47 else 0.0)
     v52 = v48 - (turn if high3 < v48 else 0.0)
     v53 = v49 - (turn if high3 < v49 else 0.0)
-    v54 = v50 < low3 or high3 < v50
-    v55 = v51 < low3 or high3 < v51
-    v56 = v52 < low3 or high3 < v52
-    v57 = v53 < low3 or high3 < v53
-    q3_ppp = v46 if v54 else v50
-    q3_pmp = v47 if v55 else v51
-    q3_mpp = v48 if v56 else v52
-    q3_mmp = v49 if v57 else v53
+    v54 = max(low3 - v50, v50 - high3)
+    v55 = max(low3 - v51, v51 - high3)
+    v56 = max(low3 - v52, v52 - high3)
+    v57 = max(low3 - v53, v53 - high3)
+    q3_ppp = v46 if 0.0 < v54 else v50
+    q3_pmp = v47 if 0.0 < v55 else v51
+    q3_mpp = v48 if 0.0 < v56 else v52
+    q3_mmp = v49 if 0.0 < v57 else v53
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-    v58 = v54 or angle4 < low2 or high2 < angle4
-    v59 = v55 or angle5 < low2 or high2 < angle5
-    v60 = v56 or angle6 < low2 or high2 < angle6
-    v61 = v57 or angle7 < low2 or high2 < angle7
-    outside_ppp = v58 or angle12 < low5 or high5 < angle12
-    outside_ppm = v58 or -angle12 < low5 or high5 < -angle12
-    outside_pmp = v59 or angle13 < low5 or high5 < angle13
-    outside_pmm = v59 or -angle13 < low5 or high5 < -angle13
-    outside_mpp = v60 or angle14 < low5 or high5 < angle14
-    outside_mpm = v60 or -angle14 < low5 or high5 < -angle14
-    outside_mmp = v61 or angle15 < low5 or high5 < angle15
-    outside_mmm = v61 or -angle15 < low5 or high5 < -angle15
+    v58 = max(v54, max(low2 - angle4, angle4 - high2))
+    v59 = max(v55, max(low2 - angle5, angle5 - high2))
+    v60 = max(v56, max(low2 - angle6, angle6 - high2))
+    v61 = max(v57, max(low2 - angle7, angle7 - high2))
+    excess_ppp = max(v58, max(low5 - angle12, angle12 - high5))
+    excess_ppm = max(v58, max(low5 + angle12, -(high5 + angle12)))
+    excess_pmp = max(v59, max(low5 - angle13, angle13 - high5))
+    excess_pmm = max(v59, max(low5 + angle13, -(high5 + angle13)))
+    excess_mpp = max(v60, max(low5 - angle14, angle14 - high5))
+    excess_mpm = max(v60, max(low5 + angle14, -(high5 + angle14)))
+    excess_mmp = max(v61, max(low5 - angle15, angle15 - high5))
+    excess_mmm = max(v61, max(low5 + angle15, -(high5 + angle15)))
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = angle4
@@ -1582,16 +1594,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1040, 1056, 1072, 1088, 1104, 1120],
-    [1040, 1056, 1072, 1136, 1152, 1168],
-    [1040, 1184, 1200, 1216, 1232, 1248],
-    [1040, 1184, 1200, 1264, 1280, 1296],
-    [1312, 1328, 1344, 1360, 1376, 1392],
-    [1312, 1328, 1344, 1408, 1424, 1440],
-    [1312, 1456, 1472, 1488, 1504, 1520],
-    [1312, 1456, 1472, 1536, 1552, 1568],
+    [1136, 1152, 1168, 1184, 1200, 1216],
+    [1136, 1152, 1168, 1232, 1248, 1264],
+    [1136, 1280, 1296, 1312, 1328, 1344],
+    [1136, 1280, 1296, 1360, 1376, 1392],
+    [1408, 1424, 1440, 1456, 1472, 1488],
+    [1408, 1424, 1440, 1504, 1520, 1536],
+    [1408, 1552, 1568, 1584, 1600, 1616],
+    [1408, 1552, 1568, 1632, 1648, 1664],
 ])
-_KINDS = np.array([1584, 1600, 1616, 1632, 1648, 1664, 1680, 1696])
+_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
 @intrinsic(prefer_literal=True)
@@ -1618,7 +1630,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1712), 1712)
+    work = carray(_tile(1808), 1808)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1723,90 +1735,98 @@ def _in_tiles(T, q, status):
             v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41)
             v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
             v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
-            doubt1 = (
-                v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1
-                or abs(D3_p) <= m3
-            )
             work[272 + k] = Y1
-            work[288 + k] = w3_p
-            work[304 + k] = w3_m
-            work[320 + k] = v36
-            work[336 + k] = v37
-            work[352 + k] = v42
-            work[368 + k] = v43
-            work[384 + k] = v44
-            work[400 + k] = v45
-            work[416 + k] = doubt1
-            work[432 + k] = Y1
-            work[448 + k] = w3_p
-            work[464 + k] = w3_m
-            work[480 + k] = -(v8 + w3_p * v10)
-            work[496 + k] = -(v8 + w3_p * v11)
-            work[512 + k] = -(v9 + w3_m * v10)
-            work[528 + k] = -(v9 + w3_m * v11)
-            work[544 + k] = -v30
-            work[560 + k] = -v30
-            work[576 + k] = v30
-            work[592 + k] = v30
-            work[608 + k] = math.sqrt(v32)
-            work[624 + k] = math.sqrt(v33)
-            work[640 + k] = math.sqrt(v34)
-            work[656 + k] = math.sqrt(v35)
-            work[672 + k] = v42
-            work[688 + k] = v43
-            work[704 + k] = v44
-            work[720 + k] = v45
-            work[736 + k] = -t14
-            work[752 + k] = N3_p - k3
-            work[768 + k] = N3_m - k3
-            work[784 + k] = v12 - v14
-            work[800 + k] = v12 + v14
-            work[816 + k] = v13 - w3_m * (m4 * v4)
-            work[832 + k] = v13 - w3_m * (m4 * -v4)
-            work[848 + k] = -X4_pp
-            work[864 + k] = -X4_pm
-            work[880 + k] = -X4_mp
-            work[896 + k] = -X4_mm
-            work[912 + k] = c23_pp * v29 - T33 * s23_pp
-            work[928 + k] = c23_pm * v29 - T33 * s23_pm
-            work[944 + k] = -(c23_mp * v29 + T33 * s23_mp)
-            work[960 + k] = -(c23_mm * v29 + T33 * s23_mm)
-            work[976 + k] = X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39)
-            work[992 + k] = X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39)
-            work[1008 + k] = v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38
-            work[1024 + k] = v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38
-        for k in range(432, 736):
+            work[288 + k] = v1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = v32
+            work[384 + k] = v33
+            work[400 + k] = v34
+            work[416 + k] = v35
+            work[432 + k] = v36
+            work[448 + k] = v37
+            work[464 + k] = v42
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = v45
+            work[528 + k] = Y1
+            work[544 + k] = w3_p
+            work[560 + k] = w3_m
+            work[576 + k] = -(v8 + w3_p * v10)
+            work[592 + k] = -(v8 + w3_p * v11)
+            work[608 + k] = -(v9 + w3_m * v10)
+            work[624 + k] = -(v9 + w3_m * v11)
+            work[640 + k] = -v30
+            work[656 + k] = -v30
+            work[672 + k] = v30
+            work[688 + k] = v30
+            work[704 + k] = math.sqrt(v32)
+            work[720 + k] = math.sqrt(v33)
+            work[736 + k] = math.sqrt(v34)
+            work[752 + k] = math.sqrt(v35)
+            work[768 + k] = v42
+            work[784 + k] = v43
+            work[800 + k] = v44
+            work[816 + k] = v45
+            work[832 + k] = -t14
+            work[848 + k] = N3_p - k3
+            work[864 + k] = N3_m - k3
+            work[880 + k] = v12 - v14
+            work[896 + k] = v12 + v14
+            work[912 + k] = v13 - w3_m * (m4 * v4)
+            work[928 + k] = v13 - w3_m * (m4 * -v4)
+            work[944 + k] = -X4_pp
+            work[960 + k] = -X4_pm
+            work[976 + k] = -X4_mp
+            work[992 + k] = -X4_mm
+            work[1008 + k] = c23_pp * v29 - T33 * s23_pp
+            work[1024 + k] = c23_pm * v29 - T33 * s23_pm
+            work[1040 + k] = -(c23_mp * v29 + T33 * s23_mp)
+            work[1056 + k] = -(c23_mm * v29 + T33 * s23_mm)
+            work[1072 + k] = X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39)
+            work[1088 + k] = X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39)
+            work[1104 + k] = v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38
+            work[1120 + k] = v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38
+        for k in range(528, 832):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            w3_p = work[288 + k]
-            w3_m = work[304 + k]
-            v36 = work[320 + k]
-            v37 = work[336 + k]
-            v42 = work[352 + k]
-            v43 = work[368 + k]
-            v44 = work[384 + k]
-            v45 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
+            v1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            v32 = work[368 + k]
+            v33 = work[384 + k]
+            v34 = work[400 + k]
+            v35 = work[416 + k]
+            v36 = work[432 + k]
+            v37 = work[448 + k]
+            v42 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            v45 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
             q3__mp = angle3 - turn1
@@ -1827,121 +1847,139 @@ def _in_tiles(T, q, status):
             v51 = v47 - (turn if high3 < v47 else 0.0)
             v52 = v48 - (turn if high3 < v48 else 0.0)
             v53 = v49 - (turn if high3 < v49 else 0.0)
-            v54 = v50 < low3 or high3 < v50
-            v55 = v51 < low3 or high3 < v51
-            v56 = v52 < low3 or high3 < v52
-            v57 = v53 < low3 or high3 < v53
-            q3_ppp = v46 if v54 else v50
-            q3_pmp = v47 if v55 else v51
-            q3_mpp = v48 if v56 else v52
-            q3_mmp = v49 if v57 else v53
+            v54 = max(low3 - v50, v50 - high3)
+            v55 = max(low3 - v51, v51 - high3)
+            v56 = max(low3 - v52, v52 - high3)
+            v57 = max(low3 - v53, v53 - high3)
+            q3_ppp = v46 if 0.0 < v54 else v50
+            q3_pmp = v47 if 0.0 < v55 else v51
+            q3_mpp = v48 if 0.0 < v56 else v52
+            q3_mmp = v49 if 0.0 < v57 else v53
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-            v58 = v54 or angle4 < low2 or high2 < angle4
-            v59 = v55 or angle5 < low2 or high2 < angle5
-            v60 = v56 or angle6 < low2 or high2 < angle6
-            v61 = v57 or angle7 < low2 or high2 < angle7
-            outside_ppp = v58 or angle12 < low5 or high5 < angle12
-            outside_ppm = v58 or -angle12 < low5 or high5 < -angle12
-            outside_pmp = v59 or angle13 < low5 or high5 < angle13
-            outside_pmm = v59 or -angle13 < low5 or high5 < -angle13
-            outside_mpp = v60 or angle14 < low5 or high5 < angle14
-            outside_mpm = v60 or -angle14 < low5 or high5 < -angle14
-            outside_mmp = v61 or angle15 < low5 or high5 < angle15
-            outside_mmm = v61 or -angle15 < low5 or high5 < -angle15
-            _1040 = q1_ppp
-            work[1040 + k] = _1040
-            _1056 = angle4
-            work[1056 + k] = _1056
-            _1072 = q3_ppp
-            work[1072 + k] = _1072
-            _1088 = angle8
-            work[1088 + k] = _1088
-            _1104 = angle12
-            work[1104 + k] = _1104
-            _1120 = angle16
-            work[1120 + k] = _1120
-            _1136 = q4_ppm
+            v58 = max(v54, max(low2 - angle4, angle4 - high2))
+            v59 = max(v55, max(low2 - angle5, angle5 - high2))
+            v60 = max(v56, max(low2 - angle6, angle6 - high2))
+            v61 = max(v57, max(low2 - angle7, angle7 - high2))
+            excess_ppp = max(v58, max(low5 - angle12, angle12 - high5))
+            excess_ppm = max(v58, max(low5 + angle12, -(high5 + angle12)))
+            excess_pmp = max(v59, max(low5 - angle13, angle13 - high5))
+            excess_pmm = max(v59, max(low5 + angle13, -(high5 + angle13)))
+            excess_mpp = max(v60, max(low5 - angle14, angle14 - high5))
+            excess_mpm = max(v60, max(low5 + angle14, -(high5 + angle14)))
+            excess_mmp = max(v61, max(low5 - angle15, angle15 - high5))
+            excess_mmm = max(v61, max(low5 + angle15, -(high5 + angle15)))
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1136 = q1_ppp
             work[1136 + k] = _1136
-            _1152 = -angle12
+            _1152 = angle4
             work[1152 + k] = _1152
-            _1168 = q6_ppm
+            _1168 = q3_ppp
             work[1168 + k] = _1168
-            _1184 = angle5
+            _1184 = angle8
             work[1184 + k] = _1184
-            _1200 = q3_pmp
+            _1200 = angle12
             work[1200 + k] = _1200
-            _1216 = angle9
+            _1216 = angle16
             work[1216 + k] = _1216
-            _1232 = angle13
+            _1232 = q4_ppm
             work[1232 + k] = _1232
-            _1248 = angle17
+            _1248 = -angle12
             work[1248 + k] = _1248
-            _1264 = q4_pmm
+            _1264 = q6_ppm
             work[1264 + k] = _1264
-            _1280 = -angle13
+            _1280 = angle5
             work[1280 + k] = _1280
-            _1296 = q6_pmm
+            _1296 = q3_pmp
             work[1296 + k] = _1296
-            _1312 = q1_mpp
+            _1312 = angle9
             work[1312 + k] = _1312
-            _1328 = angle6
+            _1328 = angle13
             work[1328 + k] = _1328
-            _1344 = q3_mpp
+            _1344 = angle17
             work[1344 + k] = _1344
-            _1360 = angle10
+            _1360 = q4_pmm
             work[1360 + k] = _1360
-            _1376 = angle14
+            _1376 = -angle13
             work[1376 + k] = _1376
-            _1392 = angle18
+            _1392 = q6_pmm
             work[1392 + k] = _1392
-            _1408 = q4_mpm
+            _1408 = q1_mpp
             work[1408 + k] = _1408
-            _1424 = -angle14
+            _1424 = angle6
             work[1424 + k] = _1424
-            _1440 = q6_mpm
+            _1440 = q3_mpp
             work[1440 + k] = _1440
-            _1456 = angle7
+            _1456 = angle10
             work[1456 + k] = _1456
-            _1472 = q3_mmp
+            _1472 = angle14
             work[1472 + k] = _1472
-            _1488 = angle11
+            _1488 = angle18
             work[1488 + k] = _1488
-            _1504 = angle15
+            _1504 = q4_mpm
             work[1504 + k] = _1504
-            _1520 = angle19
+            _1520 = -angle14
             work[1520 + k] = _1520
-            _1536 = q4_mmm
+            _1536 = q6_mpm
             work[1536 + k] = _1536
-            _1552 = -angle15
+            _1552 = angle7
             work[1552 + k] = _1552
-            _1568 = q6_mmm
+            _1568 = q3_mmp
             work[1568 + k] = _1568
-            work[1584 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1600 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1616 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1632 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1648 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1664 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
+            _1584 = angle11
+            work[1584 + k] = _1584
+            _1600 = angle15
+            work[1600 + k] = _1600
+            _1616 = angle19
+            work[1616 + k] = _1616
+            _1632 = q4_mmm
+            work[1632 + k] = _1632
+            _1648 = -angle15
+            work[1648 + k] = _1648
+            _1664 = q6_mmm
+            work[1664 + k] = _1664
             work[1680 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1696 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[1712 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1728 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[1744 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1760 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[1776 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1792 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[256 + k] = (
+                1.0 if v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1
+                <= m1 or abs(D3_p) <= m3 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -244,12 +244,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -483,43 +484,52 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mpm = only_wide(-v54 <= -half_turn, turn) - v54, q5_mmp = raised_wide(v55),
         q5_mmm = only_wide(-v56 <= -half_turn, turn) - v56, v57 = raised_wide(q3__pp),
         v58 = only_wide(-v6 <= -half_turn, turn) - v6, v59 = raised_wide(q3__mp),
-        v60 = only_wide(-v7 <= -half_turn, turn) - v7;
-    const wide_mask v61 = exceeds(angle1, 1), v62 = exceeds(q1__m, 1);
-    const wide v63 = v57 - only_wide(high(3) < v57, turn),
+        v60 = only_wide(-v7 <= -half_turn, turn) - v7, v61 = exceeds(angle1, 1),
+        v62 = exceeds(q1__m, 1), v63 = v57 - only_wide(high(3) < v57, turn),
         v64 = v58 - only_wide(high(3) < v58, turn), v65 = v59 - only_wide(high(3) < v59, turn),
-        v66 = v60 - only_wide(high(3) < v60, turn);
-    const wide_mask v67 = beyond(v63, 3), v68 = beyond(v64, 3), v69 = beyond(v65, 3),
-        v70 = beyond(v66, 3);
-    const wide q3_ppp = pick_wide(v67, v57, v63), q3_pmp = pick_wide(v68, v58, v64),
-        q3_mpp = pick_wide(v69, v59, v65), q3_mmp = pick_wide(v70, v60, v66),
-        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v71 = v67 | v61 | beyond(q2_ppp, 2), v72 = v68 | v61 | beyond(q2_pmp, 2),
-        v73 = v69 | v62 | beyond(q2_mpp, 2), v74 = v70 | v62 | beyond(q2_mmp, 2),
-        doubt1 = (v33 <= m10) | (v32 <= m10) | (v31 <= m10) | (v30 <= m10) | (abs_wide(D3_m) <= m3)
-            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
+        v66 = v60 - only_wide(high(3) < v60, turn), v67 = beyond(v63, 3), v68 = beyond(v64, 3),
+        v69 = beyond(v65, 3), v70 = beyond(v66, 3), q3_ppp = pick_wide(0.0 < v67, v57, v63),
+        q3_pmp = pick_wide(0.0 < v68, v58, v64), q3_mpp = pick_wide(0.0 < v69, v59, v65),
+        q3_mmp = pick_wide(0.0 < v70, v60, v66), q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = q1__m + (w3_m - w3_m),
+        v71 = maximum_wide(v67, maximum_wide(v61, beyond(q2_ppp, 2))),
+        v72 = maximum_wide(v68, maximum_wide(v61, beyond(q2_pmp, 2))),
+        v73 = maximum_wide(v69, maximum_wide(v62, beyond(q2_mpp, 2))),
+        v74 = maximum_wide(v70, maximum_wide(v62, beyond(q2_mmp, 2))),
+        excess_ppp = maximum_wide(v71, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v71, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v72, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v72, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v73, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v73, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v74, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v74, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
-    kind[0] = kind_of(q[0], v71 | exceeds(q5_ppp, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v34; q[10] = q5_ppm;
     q[11] = angle8 - signed_wide(half_turn, v40);
-    kind[1] = kind_of(q[6], v71 | exceeds(q5_ppm, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = angle9;
-    kind[2] = kind_of(q[12], v72 | exceeds(q5_pmp, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v34; q[22] = q5_pmm;
     q[23] = angle9 - signed_wide(half_turn, v41);
-    kind[3] = kind_of(q[18], v72 | exceeds(q5_pmm, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = angle10;
-    kind[4] = kind_of(q[24], v73 | exceeds(q5_mpp, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v35; q[34] = q5_mpm;
     q[35] = angle10 - signed_wide(half_turn, v42);
-    kind[5] = kind_of(q[30], v73 | exceeds(q5_mpm, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = angle11;
-    kind[6] = kind_of(q[36], v74 | exceeds(q5_mmp, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v35; q[46] = q5_mmm;
     q[47] = angle11 - signed_wide(half_turn, v43);
-    kind[7] = kind_of(q[42], v74 | exceeds(q5_mmm, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v33 <= m10) | (v32 <= m10) | (v31 <= m10) | (v30 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3)) | (grazes(excess_mmm) |
+        grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) | grazes(excess_pmm) |
+        grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -535,16 +545,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
     const four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * -Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
@@ -560,16 +568,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v17);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
-    const four v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m10;
-    const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
+    const four v19 = v18 + X4 * X4, v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
     const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
         v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) + X4 * v24);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m3) | (v19 <= m10)) |
+        (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
@@ -585,13 +592,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q4_m = angle3 - v21, q6_m = angle4 - signed_four(half_turn, v26), v27 = angle5 - offset2,
         q2_p = lowered_four(v27), v28 = angle6 - offset5, v29 = offset5 + angle6,
         q5_p = raised_four(v28), q5_m = only_four(-v29 <= -half_turn, turn) - v29,
-        v30 = raised_four(q3_);
-    const four_mask v31 = exceeds_four(q1_, 1);
-    const four v32 = v30 - only_four(high(3) < v30, turn);
-    const four_mask v33 = beyond_four(v32, 3);
-    const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
-    const four_mask v34 = v33 | v31 | beyond_four(q2_p, 2), outside_p = v34 | exceeds_four(q5_p, 5),
-        outside_m = v34 | exceeds_four(q5_m, 5);
+        v30 = raised_four(q3_), v31 = exceeds_four(q1_, 1),
+        v32 = v30 - only_four(high(3) < v30, turn), v33 = beyond_four(v32, 3),
+        q3_p = pick_four(0.0 < v33, v30, v32), q1_p = q1_ + (w3 - w3),
+        v34 = maximum_four(v33, maximum_four(v31, beyond_four(q2_p, 2))),
+        excess_p = maximum_four(v34, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v34, exceeds_four(q5_m, 5));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle4);
@@ -1043,18 +1052,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != ABB_IRB6640_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != ABB_IRB6640_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

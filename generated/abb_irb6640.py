@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 0fd1f78a4c1088cd"
+_KEY = "abb_irb6640 7b6dc64aa2aa1c27"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -185,6 +185,7 @@ high2 = 1.4855000010000001
 low3 = -3.142000001
 high3 = 1.222000001
 high5 = 2.094000001
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.5737089000000004e-07  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.1869630511993603e-09
@@ -1046,20 +1047,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1219,13 +1219,11 @@ def _regular(pose, q, status):
 
     # joint values
     v44 = w3_p * (m4 * v3)
-    doubt1 = (
+
+    if (
         v33 <= m10 or v32 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1341,34 +1339,50 @@ def _regular(pose, q, status):
     v58 = (turn if -v6 <= -half_turn else 0.0) - v6
     v59 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
     v60 = (turn if -v7 <= -half_turn else 0.0) - v7
-    v61 = high1 < abs(angle1)
-    v62 = high1 < abs(q1__m)
+    v61 = abs(angle1) - high1
+    v62 = abs(q1__m) - high1
     v63 = v57 - (turn if high3 < v57 else 0.0)
     v64 = v58 - (turn if high3 < v58 else 0.0)
     v65 = v59 - (turn if high3 < v59 else 0.0)
     v66 = v60 - (turn if high3 < v60 else 0.0)
-    v67 = v63 < low3 or high3 < v63
-    v68 = v64 < low3 or high3 < v64
-    v69 = v65 < low3 or high3 < v65
-    v70 = v66 < low3 or high3 < v66
-    q3_ppp = v57 if v67 else v63
-    q3_pmp = v58 if v68 else v64
-    q3_mpp = v59 if v69 else v65
-    q3_mmp = v60 if v70 else v66
+    v67 = max(low3 - v63, v63 - high3)
+    v68 = max(low3 - v64, v64 - high3)
+    v69 = max(low3 - v65, v65 - high3)
+    v70 = max(low3 - v66, v66 - high3)
+    q3_ppp = v57 if 0.0 < v67 else v63
+    q3_pmp = v58 if 0.0 < v68 else v64
+    q3_mpp = v59 if 0.0 < v69 else v65
+    q3_mmp = v60 if 0.0 < v70 else v66
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v71 = v67 or v61 or q2_ppp < low2 or high2 < q2_ppp
-    v72 = v68 or v61 or q2_pmp < low2 or high2 < q2_pmp
-    v73 = v69 or v62 or q2_mpp < low2 or high2 < q2_mpp
-    v74 = v70 or v62 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v71 or high5 < abs(q5_ppp)
-    outside_ppm = v71 or high5 < abs(q5_ppm)
-    outside_pmp = v72 or high5 < abs(q5_pmp)
-    outside_pmm = v72 or high5 < abs(q5_pmm)
-    outside_mpp = v73 or high5 < abs(q5_mpp)
-    outside_mpm = v73 or high5 < abs(q5_mpm)
-    outside_mmp = v74 or high5 < abs(q5_mmp)
-    outside_mmm = v74 or high5 < abs(q5_mmm)
+    v71 = max(v67, max(v61, max(low2 - q2_ppp, q2_ppp - high2)))
+    v72 = max(v68, max(v61, max(low2 - q2_pmp, q2_pmp - high2)))
+    v73 = max(v69, max(v62, max(low2 - q2_mpp, q2_mpp - high2)))
+    v74 = max(v70, max(v62, max(low2 - q2_mmp, q2_mmp - high2)))
+    excess_ppp = max(v71, abs(q5_ppp) - high5)
+    excess_ppm = max(v71, abs(q5_ppm) - high5)
+    excess_pmp = max(v72, abs(q5_pmp) - high5)
+    excess_pmm = max(v72, abs(q5_pmm) - high5)
+    excess_mpp = max(v73, abs(q5_mpp) - high5)
+    excess_mpm = max(v73, abs(q5_mpm) - high5)
+    excess_mmp = max(v74, abs(q5_mmp) - high5)
+    excess_mmm = max(v74, abs(q5_mmm) - high5)
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1628,16 +1642,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1040, 1056, 1072, 1088, 1104, 1120],
-    [1040, 1056, 1072, 1136, 1152, 1168],
-    [1040, 1184, 1200, 1216, 1232, 1248],
-    [1040, 1184, 1200, 1264, 1280, 1296],
-    [1312, 1328, 1344, 1360, 1376, 1392],
-    [1312, 1328, 1344, 1408, 1424, 1440],
-    [1312, 1456, 1472, 1488, 1504, 1520],
-    [1312, 1456, 1472, 1536, 1552, 1568],
+    [1136, 1152, 1168, 1184, 1200, 1216],
+    [1136, 1152, 1168, 1232, 1248, 1264],
+    [1136, 1280, 1296, 1312, 1328, 1344],
+    [1136, 1280, 1296, 1360, 1376, 1392],
+    [1408, 1424, 1440, 1456, 1472, 1488],
+    [1408, 1424, 1440, 1504, 1520, 1536],
+    [1408, 1552, 1568, 1584, 1600, 1616],
+    [1408, 1552, 1568, 1632, 1648, 1664],
 ])
-_KINDS = np.array([1584, 1600, 1616, 1632, 1648, 1664, 1680, 1696])
+_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
 @intrinsic(prefer_literal=True)
@@ -1664,7 +1678,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1712), 1712)
+    work = carray(_tile(1808), 1808)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1769,90 +1783,98 @@ def _in_tiles(T, q, status):
             v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38
             v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
             v44 = w3_p * (m4 * v3)
-            doubt1 = (
-                v33 <= m10 or v32 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1
-                or abs(D3_p) <= m3
-            )
             work[272 + k] = Y1
-            work[288 + k] = w3_p
-            work[304 + k] = w3_m
-            work[320 + k] = v34
-            work[336 + k] = v35
-            work[352 + k] = v40
-            work[368 + k] = v41
-            work[384 + k] = v42
-            work[400 + k] = v43
-            work[416 + k] = doubt1
-            work[432 + k] = Y1
-            work[448 + k] = w3_p
-            work[464 + k] = w3_m
-            work[480 + k] = Y4
-            work[496 + k] = Y4
-            work[512 + k] = -Y4
-            work[528 + k] = -Y4
-            work[544 + k] = v40
-            work[560 + k] = v41
-            work[576 + k] = v42
-            work[592 + k] = v43
-            work[608 + k] = v8 + v44
-            work[624 + k] = v8 - v44
-            work[640 + k] = v9 + w3_m * (m4 * v4)
-            work[656 + k] = v9 + w3_m * (m4 * -v4)
-            work[672 + k] = math.sqrt(v30)
-            work[688 + k] = math.sqrt(v31)
-            work[704 + k] = math.sqrt(v32)
-            work[720 + k] = math.sqrt(v33)
-            work[736 + k] = -wx
-            work[752 + k] = N3_p - k3
-            work[768 + k] = N3_m - k3
-            work[784 + k] = -X4_pp
-            work[800 + k] = -X4_pm
-            work[816 + k] = -X4_mp
-            work[832 + k] = -X4_mm
-            work[848 + k] = Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36
-            work[864 + k] = Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36
-            work[880 + k] = Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36
-            work[896 + k] = Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36
-            work[912 + k] = -(v10 + w3_p * v12)
-            work[928 + k] = -(v10 + w3_p * v13)
-            work[944 + k] = -(v11 + w3_m * v12)
-            work[960 + k] = -(v11 + w3_m * v13)
-            work[976 + k] = T33 * c23_pp + s23_pp * v28
-            work[992 + k] = T33 * c23_pm + s23_pm * v28
-            work[1008 + k] = T33 * c23_mp - s23_mp * v28
-            work[1024 + k] = T33 * c23_mm - s23_mm * v28
-        for k in range(432, 736):
+            work[288 + k] = v1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = v30
+            work[384 + k] = v31
+            work[400 + k] = v32
+            work[416 + k] = v33
+            work[432 + k] = v34
+            work[448 + k] = v35
+            work[464 + k] = v40
+            work[480 + k] = v41
+            work[496 + k] = v42
+            work[512 + k] = v43
+            work[528 + k] = Y1
+            work[544 + k] = w3_p
+            work[560 + k] = w3_m
+            work[576 + k] = Y4
+            work[592 + k] = Y4
+            work[608 + k] = -Y4
+            work[624 + k] = -Y4
+            work[640 + k] = v40
+            work[656 + k] = v41
+            work[672 + k] = v42
+            work[688 + k] = v43
+            work[704 + k] = v8 + v44
+            work[720 + k] = v8 - v44
+            work[736 + k] = v9 + w3_m * (m4 * v4)
+            work[752 + k] = v9 + w3_m * (m4 * -v4)
+            work[768 + k] = math.sqrt(v30)
+            work[784 + k] = math.sqrt(v31)
+            work[800 + k] = math.sqrt(v32)
+            work[816 + k] = math.sqrt(v33)
+            work[832 + k] = -wx
+            work[848 + k] = N3_p - k3
+            work[864 + k] = N3_m - k3
+            work[880 + k] = -X4_pp
+            work[896 + k] = -X4_pm
+            work[912 + k] = -X4_mp
+            work[928 + k] = -X4_mm
+            work[944 + k] = Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36
+            work[960 + k] = Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36
+            work[976 + k] = Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36
+            work[992 + k] = Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36
+            work[1008 + k] = -(v10 + w3_p * v12)
+            work[1024 + k] = -(v10 + w3_p * v13)
+            work[1040 + k] = -(v11 + w3_m * v12)
+            work[1056 + k] = -(v11 + w3_m * v13)
+            work[1072 + k] = T33 * c23_pp + s23_pp * v28
+            work[1088 + k] = T33 * c23_pm + s23_pm * v28
+            work[1104 + k] = T33 * c23_mp - s23_mp * v28
+            work[1120 + k] = T33 * c23_mm - s23_mm * v28
+        for k in range(528, 832):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            w3_p = work[288 + k]
-            w3_m = work[304 + k]
-            v34 = work[320 + k]
-            v35 = work[336 + k]
-            v40 = work[352 + k]
-            v41 = work[368 + k]
-            v42 = work[384 + k]
-            v43 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
+            v1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            v30 = work[368 + k]
+            v31 = work[384 + k]
+            v32 = work[400 + k]
+            v33 = work[416 + k]
+            v34 = work[432 + k]
+            v35 = work[448 + k]
+            v40 = work[464 + k]
+            v41 = work[480 + k]
+            v42 = work[496 + k]
+            v43 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1)
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
@@ -1894,127 +1916,145 @@ def _in_tiles(T, q, status):
             v58 = (turn if -v6 <= -half_turn else 0.0) - v6
             v59 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
             v60 = (turn if -v7 <= -half_turn else 0.0) - v7
-            v61 = high1 < abs(angle1)
-            v62 = high1 < abs(q1__m)
+            v61 = abs(angle1) - high1
+            v62 = abs(q1__m) - high1
             v63 = v57 - (turn if high3 < v57 else 0.0)
             v64 = v58 - (turn if high3 < v58 else 0.0)
             v65 = v59 - (turn if high3 < v59 else 0.0)
             v66 = v60 - (turn if high3 < v60 else 0.0)
-            v67 = v63 < low3 or high3 < v63
-            v68 = v64 < low3 or high3 < v64
-            v69 = v65 < low3 or high3 < v65
-            v70 = v66 < low3 or high3 < v66
-            q3_ppp = v57 if v67 else v63
-            q3_pmp = v58 if v68 else v64
-            q3_mpp = v59 if v69 else v65
-            q3_mmp = v60 if v70 else v66
+            v67 = max(low3 - v63, v63 - high3)
+            v68 = max(low3 - v64, v64 - high3)
+            v69 = max(low3 - v65, v65 - high3)
+            v70 = max(low3 - v66, v66 - high3)
+            q3_ppp = v57 if 0.0 < v67 else v63
+            q3_pmp = v58 if 0.0 < v68 else v64
+            q3_mpp = v59 if 0.0 < v69 else v65
+            q3_mmp = v60 if 0.0 < v70 else v66
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v71 = v67 or v61 or q2_ppp < low2 or high2 < q2_ppp
-            v72 = v68 or v61 or q2_pmp < low2 or high2 < q2_pmp
-            v73 = v69 or v62 or q2_mpp < low2 or high2 < q2_mpp
-            v74 = v70 or v62 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v71 or high5 < abs(q5_ppp)
-            outside_ppm = v71 or high5 < abs(q5_ppm)
-            outside_pmp = v72 or high5 < abs(q5_pmp)
-            outside_pmm = v72 or high5 < abs(q5_pmm)
-            outside_mpp = v73 or high5 < abs(q5_mpp)
-            outside_mpm = v73 or high5 < abs(q5_mpm)
-            outside_mmp = v74 or high5 < abs(q5_mmp)
-            outside_mmm = v74 or high5 < abs(q5_mmm)
-            _1040 = q1_ppp
-            work[1040 + k] = _1040
-            _1056 = q2_ppp
-            work[1056 + k] = _1056
-            _1072 = q3_ppp
-            work[1072 + k] = _1072
-            _1088 = angle4
-            work[1088 + k] = _1088
-            _1104 = q5_ppp
-            work[1104 + k] = _1104
-            _1120 = angle8
-            work[1120 + k] = _1120
-            _1136 = q4_ppm
+            v71 = max(v67, max(v61, max(low2 - q2_ppp, q2_ppp - high2)))
+            v72 = max(v68, max(v61, max(low2 - q2_pmp, q2_pmp - high2)))
+            v73 = max(v69, max(v62, max(low2 - q2_mpp, q2_mpp - high2)))
+            v74 = max(v70, max(v62, max(low2 - q2_mmp, q2_mmp - high2)))
+            excess_ppp = max(v71, abs(q5_ppp) - high5)
+            excess_ppm = max(v71, abs(q5_ppm) - high5)
+            excess_pmp = max(v72, abs(q5_pmp) - high5)
+            excess_pmm = max(v72, abs(q5_pmm) - high5)
+            excess_mpp = max(v73, abs(q5_mpp) - high5)
+            excess_mpm = max(v73, abs(q5_mpm) - high5)
+            excess_mmp = max(v74, abs(q5_mmp) - high5)
+            excess_mmm = max(v74, abs(q5_mmm) - high5)
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1136 = q1_ppp
             work[1136 + k] = _1136
-            _1152 = q5_ppm
+            _1152 = q2_ppp
             work[1152 + k] = _1152
-            _1168 = q6_ppm
+            _1168 = q3_ppp
             work[1168 + k] = _1168
-            _1184 = q2_pmp
+            _1184 = angle4
             work[1184 + k] = _1184
-            _1200 = q3_pmp
+            _1200 = q5_ppp
             work[1200 + k] = _1200
-            _1216 = angle5
+            _1216 = angle8
             work[1216 + k] = _1216
-            _1232 = q5_pmp
+            _1232 = q4_ppm
             work[1232 + k] = _1232
-            _1248 = angle9
+            _1248 = q5_ppm
             work[1248 + k] = _1248
-            _1264 = q4_pmm
+            _1264 = q6_ppm
             work[1264 + k] = _1264
-            _1280 = q5_pmm
+            _1280 = q2_pmp
             work[1280 + k] = _1280
-            _1296 = q6_pmm
+            _1296 = q3_pmp
             work[1296 + k] = _1296
-            _1312 = q1_mpp
+            _1312 = angle5
             work[1312 + k] = _1312
-            _1328 = q2_mpp
+            _1328 = q5_pmp
             work[1328 + k] = _1328
-            _1344 = q3_mpp
+            _1344 = angle9
             work[1344 + k] = _1344
-            _1360 = angle6
+            _1360 = q4_pmm
             work[1360 + k] = _1360
-            _1376 = q5_mpp
+            _1376 = q5_pmm
             work[1376 + k] = _1376
-            _1392 = angle10
+            _1392 = q6_pmm
             work[1392 + k] = _1392
-            _1408 = q4_mpm
+            _1408 = q1_mpp
             work[1408 + k] = _1408
-            _1424 = q5_mpm
+            _1424 = q2_mpp
             work[1424 + k] = _1424
-            _1440 = q6_mpm
+            _1440 = q3_mpp
             work[1440 + k] = _1440
-            _1456 = q2_mmp
+            _1456 = angle6
             work[1456 + k] = _1456
-            _1472 = q3_mmp
+            _1472 = q5_mpp
             work[1472 + k] = _1472
-            _1488 = angle7
+            _1488 = angle10
             work[1488 + k] = _1488
-            _1504 = q5_mmp
+            _1504 = q4_mpm
             work[1504 + k] = _1504
-            _1520 = angle11
+            _1520 = q5_mpm
             work[1520 + k] = _1520
-            _1536 = q4_mmm
+            _1536 = q6_mpm
             work[1536 + k] = _1536
-            _1552 = q5_mmm
+            _1552 = q2_mmp
             work[1552 + k] = _1552
-            _1568 = q6_mmm
+            _1568 = q3_mmp
             work[1568 + k] = _1568
-            work[1584 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1600 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1616 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1632 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1648 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1664 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
+            _1584 = angle7
+            work[1584 + k] = _1584
+            _1600 = q5_mmp
+            work[1600 + k] = _1600
+            _1616 = angle11
+            work[1616 + k] = _1616
+            _1632 = q4_mmm
+            work[1632 + k] = _1632
+            _1648 = q5_mmm
+            work[1648 + k] = _1648
+            _1664 = q6_mmm
+            work[1664 + k] = _1664
             work[1680 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1696 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[1712 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1728 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[1744 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1760 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[1776 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1792 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[256 + k] = (
+                1.0 if v33 <= m10 or v32 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1
+                <= m1 or abs(D3_p) <= m3 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -374,13 +374,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 
     /* joint values */
     const wide angle2 = atan2_wide(T32, T22), v13 = angle2 - angle1;
-    const wide_mask doubt1 = (m4 < v8 * v8 + v10 * v10 + v11 * v11) | (m5 < v9 * v9 + T12 * T12 +
-        T33 * T33 + T23 * T23 + v12 * v12) | (v6 <= m3);
 
     q[0] = angle1; q[1] = centred_wide(v13); q[2] = q3;
     kind[0] = kind_of(q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((m4 < v8 * v8 + v10 * v10 + v11 * v11) | (m5 < v9 * v9 + T12 * T12 + T33
+        * T33 + T23 * T23 + v12 * v12) | (v6 <= m3));
 }
 
 #if LANES > 1
@@ -407,11 +406,8 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
         v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7)),
         v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7)), v12 = v1 - 1.0;
 
-    /* joint values */
-    const int doubt1 = (m4 < v8 * v8 + v10 * v10 + v11 * v11) | (m5 < v9 * v9 + T12 * T12 + T33 *
-        T33 + T23 * T23 + v12 * v12) | (v6 <= m3);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((m4 < v8 * v8 + v10 * v10 +
+        v11 * v11) | (m5 < v9 * v9 + T12 * T12 + T33 * T33 + T23 * T23 + v12 * v12) | (v6 <= m3)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept 2632f367cdca86be"
+_KEY = "adept ef76fb9e6cc0a826"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -676,14 +676,10 @@ def _regular(pose, q, status):
     v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7))
     v12 = v1 - 1.0
 
-    # joint values
-    doubt1 = (
+    if (
         m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33 + T23 * T23 +
         v12 * v12 or v6 <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -910,9 +906,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [368, 384, 400],
+    [448, 464, 480],
 ])
-_KINDS = np.array([416])
+_KINDS = np.array([496])
 
 
 @intrinsic(prefer_literal=True)
@@ -939,7 +935,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(432), 432)
+    work = carray(_tile(512), 512)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -964,7 +960,6 @@ def _in_tiles(T, q, status):
             exact = miss <= 1e-24
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T22 = work[80 + k]
@@ -990,33 +985,45 @@ def _in_tiles(T, q, status):
             v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7))
             v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7))
             v12 = v1 - 1.0
-            doubt1 = (
-                m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33 + T23 *
-                T23 + v12 * v12 or v6 <= m3
-            )
             work[272 + k] = q3
-            work[288 + k] = doubt1
-            work[304 + k] = v4
-            work[320 + k] = T32
-            work[336 + k] = v5
-            work[352 + k] = T22
-        for k in range(304, 336):
+            work[288 + k] = v6
+            work[304 + k] = v8
+            work[320 + k] = v9
+            work[336 + k] = v10
+            work[352 + k] = v11
+            work[368 + k] = v12
+            work[384 + k] = v4
+            work[400 + k] = T32
+            work[416 + k] = v5
+            work[432 + k] = T22
+        for k in range(384, 416):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 16):
+            T12 = work[16 + k]
+            T23 = work[96 + k]
+            T33 = work[160 + k]
             q3 = work[272 + k]
-            doubt1 = work[288 + k] != 0.0
-            angle1 = work[304 + k]
-            angle2 = work[320 + k]
+            v6 = work[288 + k]
+            v8 = work[304 + k]
+            v9 = work[320 + k]
+            v10 = work[336 + k]
+            v11 = work[352 + k]
+            v12 = work[368 + k]
+            angle1 = work[384 + k]
+            angle2 = work[400 + k]
             v13 = angle2 - angle1
             q2 = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
-            _368 = angle1
-            work[368 + k] = _368
-            _384 = q2
-            work[384 + k] = _384
-            _400 = q3
-            work[400 + k] = _400
-            work[416 + k] = UNREACHABLE if _368 != _368 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _448 = angle1
+            work[448 + k] = _448
+            _464 = q2
+            work[464 + k] = _464
+            _480 = q3
+            work[480 + k] = _480
+            work[496 + k] = UNREACHABLE if _448 != _448 else OK
+            work[256 + k] = (
+                1.0 if m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33
+                + T23 * T23 + v12 * v12 or v6 <= m3 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -366,15 +366,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* joint values */
     const wide v9 = angle2 + angle3 - angle1, v10 = angle4 - angle2 - angle1, q3_p = r3 + (w2 - w2);
-    const wide_mask doubt1 = (m4 < v6 * v6) | (m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8
-        * v8) | (abs_wide(D2) <= m1);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = centred_wide(v9);
     kind[0] = kind_of(q[0], 0);
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = centred_wide(v10);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((m4 < v6 * v6) | (m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 *
+        v8) | (abs_wide(D2) <= m1));
 }
 
 #if LANES > 1
@@ -400,10 +399,9 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* joint values */
     const double q3 = r3 + (w2 - w2);
-    const int doubt1 = (m4 < v4 * v4) | (m5 < v5 * v5 + T31 * T31 + T23 * T23 + T13 * T13 + v6 * v6)
-        | (fabs(D2) <= m1);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((m4 < v4 * v4) | (m5 < v5 *
+        v5 + T31 * T31 + T23 * T23 + T13 * T13 + v6 * v6) | (fabs(D2) <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w2 * (m2 * (e1 * T14)), all_four(T21),

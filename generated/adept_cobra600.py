@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 52f67ef2d39d076b"
+_KEY = "adept_cobra600 27a5dda92b0dacb7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -717,12 +717,8 @@ def _regular(pose, q, status):
 
     # joint values
     q3_p = r3 + (w2 - w2)
-    doubt1 = (
-        m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or abs(D2) <= m1
-    )
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or abs(D2) <= m1:
         return False
 
     # angles, side by side
@@ -963,10 +959,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [432, 448, 464, 480],
-    [496, 512, 464, 528],
+    [480, 496, 512, 528],
+    [544, 560, 512, 576],
 ])
-_KINDS = np.array([544, 560])
+_KINDS = np.array([592, 608])
 
 
 @intrinsic(prefer_literal=True)
@@ -993,7 +989,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(576), 576)
+    work = carray(_tile(624), 624)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1019,12 +1015,9 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             r3 = d1 - T34
@@ -1040,50 +1033,58 @@ def _in_tiles(T, q, status):
             v7 = 1.0 + T33
             v8 = T21 * T21 + T11 * T11 - 1.0
             q3_p = r3 + (w2 - w2)
-            doubt1 = (
-                m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or
-                abs(D2) <= m1
-            )
-            work[272 + k] = q3_p
-            work[288 + k] = doubt1
-            work[304 + k] = T21
-            work[320 + k] = w2
-            work[336 + k] = v2 - v4
-            work[352 + k] = v2 + v4
-            work[368 + k] = T11
-            work[384 + k] = N2 - k1
-            work[400 + k] = v3 + v5
-            work[416 + k] = v3 - v5
-        for k in range(304, 368):
+            work[272 + k] = D2
+            work[288 + k] = v6
+            work[304 + k] = v7
+            work[320 + k] = v8
+            work[336 + k] = q3_p
+            work[352 + k] = T21
+            work[368 + k] = w2
+            work[384 + k] = v2 - v4
+            work[400 + k] = v2 + v4
+            work[416 + k] = T11
+            work[432 + k] = N2 - k1
+            work[448 + k] = v3 + v5
+            work[464 + k] = v3 - v5
+        for k in range(352, 416):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            q3_p = work[272 + k]
-            doubt1 = work[288 + k] != 0.0
-            angle1 = work[304 + k]
-            angle2 = work[320 + k]
-            angle3 = work[336 + k]
-            angle4 = work[352 + k]
+            T13 = work[32 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            D2 = work[272 + k]
+            v6 = work[288 + k]
+            v7 = work[304 + k]
+            v8 = work[320 + k]
+            q3_p = work[336 + k]
+            angle1 = work[352 + k]
+            angle2 = work[368 + k]
+            angle3 = work[384 + k]
+            angle4 = work[400 + k]
             v9 = angle2 + angle3 - angle1
             v10 = angle4 - angle2 - angle1
             q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
             q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-            _432 = angle3
-            work[432 + k] = _432
-            _448 = angle2
-            work[448 + k] = _448
-            _464 = q3_p
-            work[464 + k] = _464
-            _480 = q4_p
+            _480 = angle3
             work[480 + k] = _480
-            _496 = angle4
+            _496 = angle2
             work[496 + k] = _496
-            _512 = -angle2
+            _512 = q3_p
             work[512 + k] = _512
-            _528 = q4_m
+            _528 = q4_p
             work[528 + k] = _528
-            work[544 + k] = UNREACHABLE if _432 != _432 else OK
-            work[560 + k] = UNREACHABLE if _496 != _496 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _544 = angle4
+            work[544 + k] = _544
+            _560 = -angle2
+            work[560 + k] = _560
+            _576 = q4_m
+            work[576 + k] = _576
+            work[592 + k] = UNREACHABLE if _480 != _480 else OK
+            work[608 + k] = UNREACHABLE if _544 != _544 else OK
+            work[256 + k] = (
+                1.0 if m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or
+                abs(D2) <= m1 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

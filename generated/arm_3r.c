@@ -308,8 +308,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q1_pp = angle1 + v2, q1_mp = v2 + (angle1 - signed_wide(half_turn, -T24));
-    const wide_mask doubt1 = (abs_wide(D3) <= m3) | (v1 <= m1) | (v14 + v13 * v13 <= m6) | (v15 +
-        v12 * v12 <= m6) | (v14 + v10 * v10 <= m6) | (v15 + v11 * v11 <= m6);
 
     q[0] = q1_pp; q[1] = atan2_wide(S2_pp, -v10); q[2] = angle2;
     kind[0] = kind_of(q[0], 0);
@@ -320,7 +318,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     q[9] = q1_mp; q[10] = atan2_wide(S2_pp, -v13); q[11] = q3_pm;
     kind[3] = kind_of(q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D3) <= m3) | (v1 <= m1) | (v14 + v13 * v13 <= m6) | (v15 + v12
+        * v12 <= m6) | (v14 + v10 * v10 <= m6) | (v15 + v11 * v11 <= m6));
 }
 
 #if LANES > 1
@@ -346,12 +345,9 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double v5 = m5 + m4 * N3, v6 = Z1_3 * v5;
     const four S2 = w3 * (m4 * (w1 * (e1 * e2))) - v6, v7 = w3 * (m4 * (e2 * Z1_3)),
         v8 = w1 * (e1 * v5), v9 = v7 + v8;
-    const four_mask doubt2 = S2 * S2 + v9 * v9 <= m6;
 
-    /* joint values */
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (S2 * S2 + v9 * v9 <= m6)) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T24, -(k1 * (N3 - k2)), -T24, -T24 }, (four){

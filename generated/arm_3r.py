@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r d69cec5fd0788283"
+_KEY = "arm_3r 81dad209378fc661"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -679,14 +679,10 @@ def _regular(pose, q, status):
     v14 = S2_pp * S2_pp
     v15 = v6 * v6
 
-    # joint values
-    doubt1 = (
+    if (
         abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or v14 + v10 *
         v10 <= m6 or v15 + v11 * v11 <= m6
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -938,12 +934,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [512, 528, 544],
-    [512, 560, 576],
-    [592, 608, 544],
-    [592, 624, 576],
+    [624, 640, 656],
+    [624, 672, 688],
+    [704, 720, 656],
+    [704, 736, 688],
 ])
-_KINDS = np.array([640, 656, 672, 688])
+_KINDS = np.array([752, 768, 784, 800])
 
 
 @intrinsic(prefer_literal=True)
@@ -970,7 +966,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(704), 704)
+    work = carray(_tile(816), 816)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1007,62 +1003,75 @@ def _in_tiles(T, q, status):
             v13 = v8 - v9
             v14 = S2_pp * S2_pp
             v15 = v6 * v6
-            doubt1 = (
-                abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or v14 +
-                v10 * v10 <= m6 or v15 + v11 * v11 <= m6
-            )
-            work[272 + k] = N3
-            work[288 + k] = v2
-            work[304 + k] = doubt1
-            work[320 + k] = -T24
-            work[336 + k] = -(k1 * (N3 - k2))
-            work[352 + k] = S2_pp
-            work[368 + k] = -v6
-            work[384 + k] = -v6
-            work[400 + k] = S2_pp
-            work[416 + k] = -T14
-            work[432 + k] = k1 * w3
-            work[448 + k] = -v10
-            work[464 + k] = -v11
-            work[480 + k] = -v12
-            work[496 + k] = -v13
-        for k in range(320, 416):
+            work[272 + k] = v1
+            work[288 + k] = N3
+            work[304 + k] = D3
+            work[320 + k] = v2
+            work[336 + k] = v10
+            work[352 + k] = v11
+            work[368 + k] = v12
+            work[384 + k] = v13
+            work[400 + k] = v14
+            work[416 + k] = v15
+            work[432 + k] = -T24
+            work[448 + k] = -(k1 * (N3 - k2))
+            work[464 + k] = S2_pp
+            work[480 + k] = -v6
+            work[496 + k] = -v6
+            work[512 + k] = S2_pp
+            work[528 + k] = -T14
+            work[544 + k] = k1 * w3
+            work[560 + k] = -v10
+            work[576 + k] = -v11
+            work[592 + k] = -v12
+            work[608 + k] = -v13
+        for k in range(432, 528):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 16):
             T24 = work[112 + k]
-            N3 = work[272 + k]
-            v2 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
-            angle5 = work[384 + k]
-            angle6 = work[400 + k]
+            v1 = work[272 + k]
+            N3 = work[288 + k]
+            D3 = work[304 + k]
+            v2 = work[320 + k]
+            v10 = work[336 + k]
+            v11 = work[352 + k]
+            v12 = work[368 + k]
+            v13 = work[384 + k]
+            v14 = work[400 + k]
+            v15 = work[416 + k]
+            angle1 = work[432 + k]
+            angle2 = work[448 + k]
+            angle3 = work[464 + k]
+            angle4 = work[480 + k]
+            angle5 = work[496 + k]
+            angle6 = work[512 + k]
             q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) - angle2
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24))
-            _512 = q1_pp
-            work[512 + k] = _512
-            _528 = angle3
-            work[528 + k] = _528
-            _544 = angle2
-            work[544 + k] = _544
-            _560 = angle4
-            work[560 + k] = _560
-            _576 = q3_pm
-            work[576 + k] = _576
-            _592 = q1_mp
-            work[592 + k] = _592
-            _608 = angle5
-            work[608 + k] = _608
-            _624 = angle6
+            _624 = q1_pp
             work[624 + k] = _624
-            work[640 + k] = UNREACHABLE if _512 != _512 else OK
-            work[656 + k] = UNREACHABLE if _512 != _512 else OK
-            work[672 + k] = UNREACHABLE if _592 != _592 else OK
-            work[688 + k] = UNREACHABLE if _592 != _592 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _640 = angle3
+            work[640 + k] = _640
+            _656 = angle2
+            work[656 + k] = _656
+            _672 = angle4
+            work[672 + k] = _672
+            _688 = q3_pm
+            work[688 + k] = _688
+            _704 = q1_mp
+            work[704 + k] = _704
+            _720 = angle5
+            work[720 + k] = _720
+            _736 = angle6
+            work[736 + k] = _736
+            work[752 + k] = UNREACHABLE if _624 != _624 else OK
+            work[768 + k] = UNREACHABLE if _624 != _624 else OK
+            work[784 + k] = UNREACHABLE if _704 != _704 else OK
+            work[800 + k] = UNREACHABLE if _704 != _704 else OK
+            work[256 + k] = (
+                1.0 if abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6
+                or v14 + v10 * v10 <= m6 or v15 + v11 * v11 <= m6 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

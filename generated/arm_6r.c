@@ -422,8 +422,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide q1_ppp = angle1 + v3, q1_mpp = v3 + (angle1 - signed_wide(half_turn, Y1));
-    const wide_mask doubt1 = (v48 <= m7) | (v32 <= m6) | (v47 <= m7) | (v31 <= m6) | (v46 <= m7) |
-        (v30 <= m6) | (v45 <= m7) | (v1 <= m1) | (abs_wide(D3) <= m3) | (v28 <= m6);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -449,7 +447,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle18 - signed_wide(half_turn, v58);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v48 <= m7) | (v32 <= m6) | (v47 <= m7) | (v31 <= m6) | (v46 <= m7) |
+        (v30 <= m6) | (v45 <= m7) | (v1 <= m1) | (abs_wide(D3) <= m3) | (v28 <= m6));
 }
 
 #if LANES > 1
@@ -496,11 +495,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v34 = w1 * (v2 * (wx * T21 + Y1 * T11)), v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
-    /* joint values */
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3);
-    const four_mask doubt2 = (v24 <= m6) | (v29 <= m7);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v24 <= m6) | (v29 <= m7))) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx }),

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r 4981750105c49362"
+_KEY = "arm_6r 0a54404cbe1c5579"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -903,14 +903,10 @@ def _regular(pose, q, status):
     v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
     v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53
 
-    # joint values
-    doubt1 = (
+    if (
         v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45 <= m7 or
         v1 <= m1 or abs(D3) <= m3 or v28 <= m6
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1250,16 +1246,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1008, 1024, 1040, 1056, 1072, 1088],
-    [1008, 1024, 1040, 1104, 1120, 1136],
-    [1008, 1152, 1168, 1184, 1200, 1216],
-    [1008, 1152, 1168, 1232, 1248, 1264],
-    [1280, 1296, 1040, 1312, 1328, 1344],
-    [1280, 1296, 1040, 1360, 1376, 1392],
-    [1280, 1408, 1168, 1424, 1440, 1456],
-    [1280, 1408, 1168, 1472, 1488, 1504],
+    [1152, 1168, 1184, 1200, 1216, 1232],
+    [1152, 1168, 1184, 1248, 1264, 1280],
+    [1152, 1296, 1312, 1328, 1344, 1360],
+    [1152, 1296, 1312, 1376, 1392, 1408],
+    [1424, 1440, 1184, 1456, 1472, 1488],
+    [1424, 1440, 1184, 1504, 1520, 1536],
+    [1424, 1552, 1312, 1568, 1584, 1600],
+    [1424, 1552, 1312, 1616, 1632, 1648],
 ])
-_KINDS = np.array([1520, 1536, 1552, 1568, 1584, 1600, 1616, 1632])
+_KINDS = np.array([1664, 1680, 1696, 1712, 1728, 1744, 1760, 1776])
 
 
 @intrinsic(prefer_literal=True)
@@ -1286,7 +1282,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1648), 1648)
+    work = carray(_tile(1792), 1792)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1405,87 +1401,101 @@ def _in_tiles(T, q, status):
             v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31)
             v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
             v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53
-            doubt1 = (
-                v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45 <=
-                m7 or v1 <= m1 or abs(D3) <= m3 or v28 <= m6
-            )
             work[272 + k] = Y1
-            work[288 + k] = v3
-            work[304 + k] = v4
-            work[320 + k] = v49
-            work[336 + k] = v50
-            work[352 + k] = v55
-            work[368 + k] = v56
-            work[384 + k] = v57
-            work[400 + k] = v58
-            work[416 + k] = doubt1
-            work[432 + k] = Y1
-            work[448 + k] = -v4
-            work[464 + k] = S2_pp
-            work[480 + k] = -v15
-            work[496 + k] = -v15
-            work[512 + k] = S2_pp
-            work[528 + k] = Y4
-            work[544 + k] = Y4
-            work[560 + k] = -Y4
-            work[576 + k] = -Y4
-            work[592 + k] = -math.sqrt(v45)
-            work[608 + k] = -math.sqrt(v46)
-            work[624 + k] = -math.sqrt(v47)
-            work[640 + k] = -math.sqrt(v48)
-            work[656 + k] = v55
-            work[672 + k] = v56
-            work[688 + k] = v57
-            work[704 + k] = v58
-            work[720 + k] = -wx
-            work[736 + k] = v6
-            work[752 + k] = -v23
-            work[768 + k] = -v24
-            work[784 + k] = -v25
-            work[800 + k] = -v26
-            work[816 + k] = -X4_pp
-            work[832 + k] = -X4_pm
-            work[848 + k] = -X4_mp
-            work[864 + k] = -X4_mm
-            work[880 + k] = -(T33 * c23_pp + s23_pp * v43)
-            work[896 + k] = -(T33 * c23_pm + s23_pm * v43)
-            work[912 + k] = T33 * v39 + s23_mp * v43
-            work[928 + k] = -(T33 * c23_mm + v42 * v43)
-            work[944 + k] = -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp * T32)
-            work[960 + k] = -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm * T32)
-            work[976 + k] = Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp * v51
-            work[992 + k] = Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51
-        for k in range(432, 720):
+            work[288 + k] = v1
+            work[304 + k] = D3
+            work[320 + k] = v3
+            work[336 + k] = v4
+            work[352 + k] = v28
+            work[368 + k] = v30
+            work[384 + k] = v31
+            work[400 + k] = v32
+            work[416 + k] = v45
+            work[432 + k] = v46
+            work[448 + k] = v47
+            work[464 + k] = v48
+            work[480 + k] = v49
+            work[496 + k] = v50
+            work[512 + k] = v55
+            work[528 + k] = v56
+            work[544 + k] = v57
+            work[560 + k] = v58
+            work[576 + k] = Y1
+            work[592 + k] = -v4
+            work[608 + k] = S2_pp
+            work[624 + k] = -v15
+            work[640 + k] = -v15
+            work[656 + k] = S2_pp
+            work[672 + k] = Y4
+            work[688 + k] = Y4
+            work[704 + k] = -Y4
+            work[720 + k] = -Y4
+            work[736 + k] = -math.sqrt(v45)
+            work[752 + k] = -math.sqrt(v46)
+            work[768 + k] = -math.sqrt(v47)
+            work[784 + k] = -math.sqrt(v48)
+            work[800 + k] = v55
+            work[816 + k] = v56
+            work[832 + k] = v57
+            work[848 + k] = v58
+            work[864 + k] = -wx
+            work[880 + k] = v6
+            work[896 + k] = -v23
+            work[912 + k] = -v24
+            work[928 + k] = -v25
+            work[944 + k] = -v26
+            work[960 + k] = -X4_pp
+            work[976 + k] = -X4_pm
+            work[992 + k] = -X4_mp
+            work[1008 + k] = -X4_mm
+            work[1024 + k] = -(T33 * c23_pp + s23_pp * v43)
+            work[1040 + k] = -(T33 * c23_pm + s23_pm * v43)
+            work[1056 + k] = T33 * v39 + s23_mp * v43
+            work[1072 + k] = -(T33 * c23_mm + v42 * v43)
+            work[1088 + k] = -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp * T32)
+            work[1104 + k] = -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm * T32)
+            work[1120 + k] = Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp * v51
+            work[1136 + k] = Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51
+        for k in range(576, 864):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            v3 = work[288 + k]
-            v4 = work[304 + k]
-            v49 = work[320 + k]
-            v50 = work[336 + k]
-            v55 = work[352 + k]
-            v56 = work[368 + k]
-            v57 = work[384 + k]
-            v58 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
+            v1 = work[288 + k]
+            D3 = work[304 + k]
+            v3 = work[320 + k]
+            v4 = work[336 + k]
+            v28 = work[352 + k]
+            v30 = work[368 + k]
+            v31 = work[384 + k]
+            v32 = work[400 + k]
+            v45 = work[416 + k]
+            v46 = work[432 + k]
+            v47 = work[448 + k]
+            v48 = work[464 + k]
+            v49 = work[480 + k]
+            v50 = work[496 + k]
+            v55 = work[512 + k]
+            v56 = work[528 + k]
+            v57 = work[544 + k]
+            v58 = work[560 + k]
+            angle1 = work[576 + k]
+            angle2 = work[592 + k]
+            angle3 = work[608 + k]
+            angle4 = work[624 + k]
+            angle5 = work[640 + k]
+            angle6 = work[656 + k]
+            angle7 = work[672 + k]
+            angle8 = work[688 + k]
+            angle9 = work[704 + k]
+            angle10 = work[720 + k]
+            angle11 = work[736 + k]
+            angle12 = work[752 + k]
+            angle13 = work[768 + k]
+            angle14 = work[784 + k]
+            angle15 = work[800 + k]
+            angle16 = work[816 + k]
+            angle17 = work[832 + k]
+            angle18 = work[848 + k]
             q3_pmp = math.copysign(half_turn, -v4) - angle2
             q4_ppm = angle7 - v49
             q4_pmm = angle8 - v49
@@ -1497,79 +1507,82 @@ def _in_tiles(T, q, status):
             q6_mmm = angle18 - math.copysign(half_turn, v58)
             q1_ppp = angle1 + v3
             q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1))
-            _1008 = q1_ppp
-            work[1008 + k] = _1008
-            _1024 = angle3
-            work[1024 + k] = _1024
-            _1040 = angle2
-            work[1040 + k] = _1040
-            _1056 = angle7
-            work[1056 + k] = _1056
-            _1072 = angle11
-            work[1072 + k] = _1072
-            _1088 = angle15
-            work[1088 + k] = _1088
-            _1104 = q4_ppm
-            work[1104 + k] = _1104
-            _1120 = -angle11
-            work[1120 + k] = _1120
-            _1136 = q6_ppm
-            work[1136 + k] = _1136
-            _1152 = angle4
+            _1152 = q1_ppp
             work[1152 + k] = _1152
-            _1168 = q3_pmp
+            _1168 = angle3
             work[1168 + k] = _1168
-            _1184 = angle8
+            _1184 = angle2
             work[1184 + k] = _1184
-            _1200 = angle12
+            _1200 = angle7
             work[1200 + k] = _1200
-            _1216 = angle16
+            _1216 = angle11
             work[1216 + k] = _1216
-            _1232 = q4_pmm
+            _1232 = angle15
             work[1232 + k] = _1232
-            _1248 = -angle12
+            _1248 = q4_ppm
             work[1248 + k] = _1248
-            _1264 = q6_pmm
+            _1264 = -angle11
             work[1264 + k] = _1264
-            _1280 = q1_mpp
+            _1280 = q6_ppm
             work[1280 + k] = _1280
-            _1296 = angle5
+            _1296 = angle4
             work[1296 + k] = _1296
-            _1312 = angle9
+            _1312 = q3_pmp
             work[1312 + k] = _1312
-            _1328 = angle13
+            _1328 = angle8
             work[1328 + k] = _1328
-            _1344 = angle17
+            _1344 = angle12
             work[1344 + k] = _1344
-            _1360 = q4_mpm
+            _1360 = angle16
             work[1360 + k] = _1360
-            _1376 = -angle13
+            _1376 = q4_pmm
             work[1376 + k] = _1376
-            _1392 = q6_mpm
+            _1392 = -angle12
             work[1392 + k] = _1392
-            _1408 = angle6
+            _1408 = q6_pmm
             work[1408 + k] = _1408
-            _1424 = angle10
+            _1424 = q1_mpp
             work[1424 + k] = _1424
-            _1440 = angle14
+            _1440 = angle5
             work[1440 + k] = _1440
-            _1456 = angle18
+            _1456 = angle9
             work[1456 + k] = _1456
-            _1472 = q4_mmm
+            _1472 = angle13
             work[1472 + k] = _1472
-            _1488 = -angle14
+            _1488 = angle17
             work[1488 + k] = _1488
-            _1504 = q6_mmm
+            _1504 = q4_mpm
             work[1504 + k] = _1504
-            work[1520 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1536 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1552 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1568 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1584 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1600 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1616 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1632 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1520 = -angle13
+            work[1520 + k] = _1520
+            _1536 = q6_mpm
+            work[1536 + k] = _1536
+            _1552 = angle6
+            work[1552 + k] = _1552
+            _1568 = angle10
+            work[1568 + k] = _1568
+            _1584 = angle14
+            work[1584 + k] = _1584
+            _1600 = angle18
+            work[1600 + k] = _1600
+            _1616 = q4_mmm
+            work[1616 + k] = _1616
+            _1632 = -angle14
+            work[1632 + k] = _1632
+            _1648 = q6_mmm
+            work[1648 + k] = _1648
+            work[1664 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1680 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1696 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1712 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1728 + k] = UNREACHABLE if _1424 != _1424 else OK
+            work[1744 + k] = UNREACHABLE if _1424 != _1424 else OK
+            work[1760 + k] = UNREACHABLE if _1424 != _1424 else OK
+            work[1776 + k] = UNREACHABLE if _1424 != _1424 else OK
+            work[256 + k] = (
+                1.0 if v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or
+                v45 <= m7 or v1 <= m1 or abs(D3) <= m3 or v28 <= m6 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

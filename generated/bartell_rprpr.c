@@ -356,17 +356,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
         v22 = T21 - (v7 * s5 - c5 * (s1 * v10)), v23 = T14 - (s1 * q2_p - q4_p * v15),
         v24 = T11 - (c5 * (v7 * v10) + s1 * s5), v25 = T13 + v15;
 
-    /* joint values */
-    const wide_mask doubt1 = (v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v18 * v18 + v19 * v19 +
-        v21 * v21 + v22 * v22 + v24 * v24 + v25 * v25) | (m4 < v17 * v17 + v20 * v20 + v23 * v23);
-
     q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
     kind[0] = kind_of(q[0], 0);
     q[5] = angle1 - signed_wide(half_turn, v4); q[6] = -q2_p; q[7] = -angle2; q[8] = q4_p;
     q[9] = angle3 - signed_wide(half_turn, v12);
     kind[1] = kind_of(q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v18 * v18 + v19 * v19 + v21
+        * v21 + v22 * v22 + v24 * v24 + v25 * v25) | (m4 < v17 * v17 + v20 * v20 + v23 * v23));
 }
 
 #if LANES > 1
@@ -411,10 +408,10 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
 
     /* joint values */
     const four q2 = e1 * r2;
-    const int doubt1 = (v10 <= m3) | (v5 <= m1) | (v15 <= m3) | (m5 < v21 * v21 + v22 * v22 + v24 *
-        v24 + v25 * v25 + v27 * v27 + v28 * v28) | (m4 < v20 * v20 + v23 * v23 + v26 * v26);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v10 <= m3) | (v5 <= m1) |
+        (v15 <= m3) | (m5 < v21 * v21 + v22 * v22 + v24 * v24 + v25 * v25 + v27 * v27 + v28 * v28) |
+        (m4 < v20 * v20 + v23 * v23 + v26 * v26)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr a0b230c1ed473eee"
+_KEY = "bartell_rprpr 591e6082a813e3ba"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -739,14 +739,10 @@ def _regular(pose, q, status):
     v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
     v25 = T13 + v15
 
-    # joint values
-    doubt1 = (
+    if (
         v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 + v22 * v22 +
         v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -986,10 +982,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [448, 464, 480, 496, 512],
-    [528, 544, 560, 496, 576],
+    [624, 640, 656, 672, 688],
+    [704, 720, 736, 672, 752],
 ])
-_KINDS = np.array([592, 608])
+_KINDS = np.array([768, 784])
 
 
 @intrinsic(prefer_literal=True)
@@ -1016,7 +1012,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(624), 624)
+    work = carray(_tile(800), 800)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1090,55 +1086,77 @@ def _in_tiles(T, q, status):
             v23 = T14 - (s1 * q2_p - q4_p * v15)
             v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
             v25 = T13 + v15
-            doubt1 = (
-                v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 + v22 *
-                v22 + v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23
-            )
             work[272 + k] = v4
-            work[288 + k] = q2_p
-            work[304 + k] = q4_p
-            work[320 + k] = v12
-            work[336 + k] = doubt1
-            work[352 + k] = v4
-            work[368 + k] = Z2_3
-            work[384 + k] = v12
-            work[400 + k] = -v3
-            work[416 + k] = -T33
-            work[432 + k] = v11
-        for k in range(352, 400):
+            work[288 + k] = v5
+            work[304 + k] = q2_p
+            work[320 + k] = v8
+            work[336 + k] = q4_p
+            work[352 + k] = v12
+            work[368 + k] = v13
+            work[384 + k] = v17
+            work[400 + k] = v18
+            work[416 + k] = v19
+            work[432 + k] = v20
+            work[448 + k] = v21
+            work[464 + k] = v22
+            work[480 + k] = v23
+            work[496 + k] = v24
+            work[512 + k] = v25
+            work[528 + k] = v4
+            work[544 + k] = Z2_3
+            work[560 + k] = v12
+            work[576 + k] = -v3
+            work[592 + k] = -T33
+            work[608 + k] = v11
+        for k in range(528, 576):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
             v4 = work[272 + k]
-            q2_p = work[288 + k]
-            q4_p = work[304 + k]
-            v12 = work[320 + k]
-            doubt1 = work[336 + k] != 0.0
-            angle1 = work[352 + k]
-            angle2 = work[368 + k]
-            angle3 = work[384 + k]
+            v5 = work[288 + k]
+            q2_p = work[304 + k]
+            v8 = work[320 + k]
+            q4_p = work[336 + k]
+            v12 = work[352 + k]
+            v13 = work[368 + k]
+            v17 = work[384 + k]
+            v18 = work[400 + k]
+            v19 = work[416 + k]
+            v20 = work[432 + k]
+            v21 = work[448 + k]
+            v22 = work[464 + k]
+            v23 = work[480 + k]
+            v24 = work[496 + k]
+            v25 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
             q1_m = angle1 - math.copysign(half_turn, v4)
             q5_m = angle3 - math.copysign(half_turn, v12)
-            _448 = angle1
-            work[448 + k] = _448
-            _464 = q2_p
-            work[464 + k] = _464
-            _480 = angle2
-            work[480 + k] = _480
-            _496 = q4_p
-            work[496 + k] = _496
-            _512 = angle3
-            work[512 + k] = _512
-            _528 = q1_m
-            work[528 + k] = _528
-            _544 = -q2_p
-            work[544 + k] = _544
-            _560 = -angle2
-            work[560 + k] = _560
-            _576 = q5_m
-            work[576 + k] = _576
-            work[592 + k] = UNREACHABLE if _448 != _448 else OK
-            work[608 + k] = UNREACHABLE if _528 != _528 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _624 = angle1
+            work[624 + k] = _624
+            _640 = q2_p
+            work[640 + k] = _640
+            _656 = angle2
+            work[656 + k] = _656
+            _672 = q4_p
+            work[672 + k] = _672
+            _688 = angle3
+            work[688 + k] = _688
+            _704 = q1_m
+            work[704 + k] = _704
+            _720 = -q2_p
+            work[720 + k] = _720
+            _736 = -angle2
+            work[736 + k] = _736
+            _752 = q5_m
+            work[752 + k] = _752
+            work[768 + k] = UNREACHABLE if _624 != _624 else OK
+            work[784 + k] = UNREACHABLE if _704 != _704 else OK
+            work[256 + k] = (
+                1.0 if v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 +
+                v22 * v22 + v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23 else
+                work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

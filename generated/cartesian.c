@@ -207,15 +207,17 @@ HELPER void transpose(wide x[LANES])
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & CARTESIAN_UNREACHABLE) \
         | (where_all(((x) == (x)) & (outside)) & CARTESIAN_OUT_OF_LIMITS))
+static const double per_size = 0.8333333333333334;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -270,10 +272,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 {
     ENTRIES(wide);
 
+    /* joint values */
+    const wide excess = maximum_wide(per_size * beyond(T14, 3), maximum_wide(per_size * beyond(T34,
+        1), per_size * beyond(T24, 2)));
+
     q[0] = T34; q[1] = T24; q[2] = T14;
-    kind[0] = kind_of(q[0], beyond(T14, 3) | beyond(T34, 1) | beyond(T24, 2));
+    kind[0] = kind_of(q[0], 0.0 < excess);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0);
+    return (exact == 0) | (grazes(excess));
 }
 
 #if LANES > 1
@@ -285,9 +291,13 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     ENTRIES(double);
 
     /* joint values */
-    const int outside = beyond(T14, 3) | beyond(T34, 1) | beyond(T24, 2);
+    const double excess = maximum_double(per_size * maximum_double(low(3) - T14, T14 - high(3)),
+        maximum_double(per_size * maximum_double(low(1) - T34, T34 - high(1)), per_size *
+        maximum_double(low(2) - T24, T24 - high(2))));
+    const int outside = 0.0 < excess;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(fabs(excess - 5e-07) <=
+        5e-07))
         return -1;
 
 

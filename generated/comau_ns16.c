@@ -244,12 +244,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -508,42 +509,51 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v70 = angle17 - offset6, v71 = angle17 - signed_wide(half_turn, s6_pp) - offset6,
         v72 = angle18 - offset6, v73 = angle18 - signed_wide(half_turn, s6_pm) - offset6,
         v74 = angle19 - offset6, v75 = angle19 - signed_wide(half_turn, s6_mp) - offset6,
-        v76 = angle20 - offset6, v77 = angle20 - signed_wide(half_turn, s6_mm) - offset6;
-    const wide_mask v78 = exceeds(angle1, 1), v79 = exceeds(angle2, 1);
-    const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = angle2 + (w3_m - w3_m);
-    const wide_mask v80 = beyond(q3_ppp, 3) | v78 | beyond(q2_ppp, 2),
-        v81 = beyond(q3_pmp, 3) | v78 | beyond(q2_pmp, 2),
-        v82 = beyond(q3_mpp, 3) | v79 | beyond(q2_mpp, 2),
-        v83 = beyond(q3_mmp, 3) | v79 | beyond(q2_mmp, 2),
-        doubt1 = (abs_wide(D1) <= m1) | (N1 <= doubt_limit_squared2) | (v32 <= m9) | (v31 <= m9) |
-            (v30 <= m9) | (v29 <= m9) | (abs_wide(D3_p * v5) <= m2) | (abs_wide(D3_m * v5) <= m2);
+        v76 = angle20 - offset6, v77 = angle20 - signed_wide(half_turn, s6_mm) - offset6,
+        v78 = exceeds(angle1, 1), v79 = exceeds(angle2, 1), q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = angle2 + (w3_m - w3_m),
+        v80 = maximum_wide(beyond(q3_ppp, 3), maximum_wide(v78, beyond(q2_ppp, 2))),
+        v81 = maximum_wide(beyond(q3_pmp, 3), maximum_wide(v78, beyond(q2_pmp, 2))),
+        v82 = maximum_wide(beyond(q3_mpp, 3), maximum_wide(v79, beyond(q2_mpp, 2))),
+        v83 = maximum_wide(beyond(q3_mmp, 3), maximum_wide(v79, beyond(q2_mmp, 2))),
+        excess_ppp = maximum_wide(v80, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v80, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v81, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v81, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v82, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v82, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v83, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v83, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v54); q[4] = q5_ppp;
     q[5] = raised_wide(v70);
-    kind[0] = kind_of(q[0], v80 | exceeds(q5_ppp, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v55); q[10] = q5_ppm;
     q[11] = raised_wide(v71);
-    kind[1] = kind_of(q[6], v80 | exceeds(q5_ppm, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v56); q[16] = q5_pmp;
     q[17] = raised_wide(v72);
-    kind[2] = kind_of(q[12], v81 | exceeds(q5_pmp, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v57); q[22] = q5_pmm;
     q[23] = raised_wide(v73);
-    kind[3] = kind_of(q[18], v81 | exceeds(q5_pmm, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v58); q[28] = q5_mpp;
     q[29] = raised_wide(v74);
-    kind[4] = kind_of(q[24], v82 | exceeds(q5_mpp, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v59); q[34] = q5_mpm;
     q[35] = raised_wide(v75);
-    kind[5] = kind_of(q[30], v82 | exceeds(q5_mpm, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v60); q[40] = q5_mmp;
     q[41] = raised_wide(v76);
-    kind[6] = kind_of(q[36], v83 | exceeds(q5_mmp, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v61); q[46] = q5_mmm;
     q[47] = raised_wide(v77);
-    kind[7] = kind_of(q[42], v83 | exceeds(q5_mmm, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D1) <= m1) | (N1 <= doubt_limit_squared2) | (v32 <= m9) | (v31
+        <= m9) | (v30 <= m9) | (v29 <= m9) | (abs_wide(D3_p * v5) <= m2) | (abs_wide(D3_m * v5) <=
+        m2)) | (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
+        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -570,7 +580,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3);
     const double v4 = k4 * w1;
     const four w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3 * v4) <= m2;
 
     /* theta2 */
     const four X1_2 = m4 + m3 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m3 * (e2 * Z1_3),
@@ -584,7 +593,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v14 = v13 + m5 * Z2_3, v15 = Z1_3 * v11 + Z2_3 * -v10,
         s2m3 = v15 - w3 * (factor2 * (e2 * v14)), v16 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v16, Y4 = T23 * c1 + T13 * s1, v17 = Y4 * Y4, v18 = v17 + X4 * X4;
-    const four_mask doubt3 = v18 <= m9;
 
     /* theta6 */
     const four v19 = c1 * T22 + s1 * T12, v20 = c1 * T12 - s1 * T22, v21 = c1 * T21 + s1 * T11,
@@ -592,9 +600,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v25 = signed_four(half_turn, Y4);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= m1);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3 * v4) <= m2) | (v18 <= m9))
+        | (unsigned)((N1 <= doubt_limit_squared2) | (fabs(D1) <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, w3, 0, 5, 2, 7), shuffle(c1, N3 - k7, 0, 5, 2,
@@ -611,11 +619,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v28 = angle5 - offset5, v29 = offset5 + angle5, q5_p = raised_four(v28),
         q5_m = only_four(-v29 <= -half_turn, turn) - v29, v30 = angle6 - offset6,
         v31 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = raised_four(v30),
-        q6_m = raised_four(v31);
-    const four_mask v32 = exceeds_four(angle1, 1);
-    const four q1_p = angle1 + (w3 - w3);
-    const four_mask v33 = beyond_four(q3_p, 3) | v32 | beyond_four(q2_p, 2),
-        outside_p = v33 | exceeds_four(q5_p, 5), outside_m = v33 | exceeds_four(q5_m, 5);
+        q6_m = raised_four(v31), v32 = exceeds_four(angle1, 1), q1_p = angle1 + (w3 - w3),
+        v33 = maximum_four(beyond_four(q3_p, 3), maximum_four(v32, beyond_four(q2_p, 2))),
+        excess_p = maximum_four(v33, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v33, exceeds_four(q5_m, 5));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -1074,18 +1084,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != COMAU_NS16_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != COMAU_NS16_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 b250bf81b8744912"
+_KEY = "comau_ns16 3974965a6b83de5e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -193,6 +193,7 @@ high2 = 1.658000001
 low3 = -2.967000001
 high3 = 1.919800001
 high5 = 3.141590001
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 7.540515999999996e-25  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.355568761630017e-10
@@ -1069,20 +1070,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1302,13 +1302,11 @@ def _regular(pose, q, status):
     v45 = w3_m * v10
     v52 = math.copysign(half_turn, Y4_p)
     v53 = math.copysign(half_turn, Y4_m)
-    doubt1 = (
+
+    if (
         abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <= m9 or v29 <=
         m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1442,22 +1440,38 @@ def _regular(pose, q, status):
     q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
     q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
     q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-    v78 = high1 < abs(angle1)
-    v79 = high1 < abs(angle2)
+    v78 = abs(angle1) - high1
+    v79 = abs(angle2) - high1
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle2 + (w3_m - w3_m)
-    v80 = q3_ppp < low3 or high3 < q3_ppp or v78 or q2_ppp < low2 or high2 < q2_ppp
-    v81 = q3_pmp < low3 or high3 < q3_pmp or v78 or q2_pmp < low2 or high2 < q2_pmp
-    v82 = q3_mpp < low3 or high3 < q3_mpp or v79 or q2_mpp < low2 or high2 < q2_mpp
-    v83 = q3_mmp < low3 or high3 < q3_mmp or v79 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v80 or high5 < abs(q5_ppp)
-    outside_ppm = v80 or high5 < abs(q5_ppm)
-    outside_pmp = v81 or high5 < abs(q5_pmp)
-    outside_pmm = v81 or high5 < abs(q5_pmm)
-    outside_mpp = v82 or high5 < abs(q5_mpp)
-    outside_mpm = v82 or high5 < abs(q5_mpm)
-    outside_mmp = v83 or high5 < abs(q5_mmp)
-    outside_mmm = v83 or high5 < abs(q5_mmm)
+    v80 = max(max(low3 - q3_ppp, q3_ppp - high3), max(v78, max(low2 - q2_ppp, q2_ppp - high2)))
+    v81 = max(max(low3 - q3_pmp, q3_pmp - high3), max(v78, max(low2 - q2_pmp, q2_pmp - high2)))
+    v82 = max(max(low3 - q3_mpp, q3_mpp - high3), max(v79, max(low2 - q2_mpp, q2_mpp - high2)))
+    v83 = max(max(low3 - q3_mmp, q3_mmp - high3), max(v79, max(low2 - q2_mmp, q2_mmp - high2)))
+    excess_ppp = max(v80, abs(q5_ppp) - high5)
+    excess_ppm = max(v80, abs(q5_ppm) - high5)
+    excess_pmp = max(v81, abs(q5_pmp) - high5)
+    excess_pmm = max(v81, abs(q5_pmm) - high5)
+    excess_mpp = max(v82, abs(q5_mpp) - high5)
+    excess_mpm = max(v82, abs(q5_mpm) - high5)
+    excess_mmp = max(v83, abs(q5_mmp) - high5)
+    excess_mmm = max(v83, abs(q5_mmm) - high5)
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1717,16 +1731,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1056, 1072, 1088, 1104, 1120, 1136],
-    [1056, 1072, 1088, 1152, 1168, 1184],
-    [1056, 1200, 1216, 1232, 1248, 1264],
-    [1056, 1200, 1216, 1280, 1296, 1312],
-    [1328, 1344, 1360, 1376, 1392, 1408],
-    [1328, 1344, 1360, 1424, 1440, 1456],
-    [1328, 1472, 1488, 1504, 1520, 1536],
-    [1328, 1472, 1488, 1552, 1568, 1584],
+    [1184, 1200, 1216, 1232, 1248, 1264],
+    [1184, 1200, 1216, 1280, 1296, 1312],
+    [1184, 1328, 1344, 1360, 1376, 1392],
+    [1184, 1328, 1344, 1408, 1424, 1440],
+    [1456, 1472, 1488, 1504, 1520, 1536],
+    [1456, 1472, 1488, 1552, 1568, 1584],
+    [1456, 1600, 1616, 1632, 1648, 1664],
+    [1456, 1600, 1616, 1680, 1696, 1712],
 ])
-_KINDS = np.array([1600, 1616, 1632, 1648, 1664, 1680, 1696, 1712])
+_KINDS = np.array([1728, 1744, 1760, 1776, 1792, 1808, 1824, 1840])
 
 
 @intrinsic(prefer_literal=True)
@@ -1753,7 +1767,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1728), 1728)
+    work = carray(_tile(1856), 1856)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1874,91 +1888,103 @@ def _in_tiles(T, q, status):
             v45 = w3_m * v10
             v52 = math.copysign(half_turn, Y4_p)
             v53 = math.copysign(half_turn, Y4_m)
-            doubt1 = (
-                abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <= m9
-                or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2
-            )
-            work[272 + k] = w3_p
-            work[288 + k] = w3_m
-            work[304 + k] = s6_pp
-            work[320 + k] = s6_pm
-            work[336 + k] = s6_mp
-            work[352 + k] = s6_mm
-            work[368 + k] = v52
-            work[384 + k] = v53
-            work[400 + k] = doubt1
-            work[416 + k] = s1_p
-            work[432 + k] = s1_m
-            work[448 + k] = v6 + w3_p * (m3 * Z2_3_p)
-            work[464 + k] = v6 + w3_p * (m3 * -Z2_3_p)
-            work[480 + k] = v7 - v44
-            work[496 + k] = v7 + v44
-            work[512 + k] = w3_p
-            work[528 + k] = w3_m
-            work[544 + k] = Y4_p
-            work[560 + k] = Y4_p
-            work[576 + k] = Y4_m
-            work[592 + k] = Y4_m
-            work[608 + k] = -math.sqrt(v29)
-            work[624 + k] = -math.sqrt(v30)
-            work[640 + k] = -math.sqrt(v31)
-            work[656 + k] = -math.sqrt(v32)
-            work[672 + k] = s6_pp
-            work[688 + k] = s6_pm
-            work[704 + k] = s6_mp
-            work[720 + k] = s6_mm
-            work[736 + k] = c1_p
-            work[752 + k] = c1_m
-            work[768 + k] = v8 - v41
-            work[784 + k] = v8 + v41
-            work[800 + k] = -(v9 + v45)
-            work[816 + k] = v45 - v9
-            work[832 + k] = N3_p - k7
-            work[848 + k] = N3_m - k7
-            work[864 + k] = -X4_pp
-            work[880 + k] = -X4_pm
-            work[896 + k] = -X4_mp
-            work[912 + k] = -X4_mm
-            work[928 + k] = T33 * c2m3_pp + s2m3_pp * v25
-            work[944 + k] = T33 * c2m3_pm + s2m3_pm * v25
-            work[960 + k] = T33 * c2m3_mp + s2m3_mp * v26
-            work[976 + k] = T33 * c2m3_mm + s2m3_mm * v26
-            work[992 + k] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
-            work[1008 + k] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
-            work[1024 + k] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
-            work[1040 + k] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
-        for k in range(416, 736):
+            work[272 + k] = N1
+            work[288 + k] = D1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = v5
+            work[352 + k] = w3_p
+            work[368 + k] = w3_m
+            work[384 + k] = v29
+            work[400 + k] = v30
+            work[416 + k] = v31
+            work[432 + k] = v32
+            work[448 + k] = s6_pp
+            work[464 + k] = s6_pm
+            work[480 + k] = s6_mp
+            work[496 + k] = s6_mm
+            work[512 + k] = v52
+            work[528 + k] = v53
+            work[544 + k] = s1_p
+            work[560 + k] = s1_m
+            work[576 + k] = v6 + w3_p * (m3 * Z2_3_p)
+            work[592 + k] = v6 + w3_p * (m3 * -Z2_3_p)
+            work[608 + k] = v7 - v44
+            work[624 + k] = v7 + v44
+            work[640 + k] = w3_p
+            work[656 + k] = w3_m
+            work[672 + k] = Y4_p
+            work[688 + k] = Y4_p
+            work[704 + k] = Y4_m
+            work[720 + k] = Y4_m
+            work[736 + k] = -math.sqrt(v29)
+            work[752 + k] = -math.sqrt(v30)
+            work[768 + k] = -math.sqrt(v31)
+            work[784 + k] = -math.sqrt(v32)
+            work[800 + k] = s6_pp
+            work[816 + k] = s6_pm
+            work[832 + k] = s6_mp
+            work[848 + k] = s6_mm
+            work[864 + k] = c1_p
+            work[880 + k] = c1_m
+            work[896 + k] = v8 - v41
+            work[912 + k] = v8 + v41
+            work[928 + k] = -(v9 + v45)
+            work[944 + k] = v45 - v9
+            work[960 + k] = N3_p - k7
+            work[976 + k] = N3_m - k7
+            work[992 + k] = -X4_pp
+            work[1008 + k] = -X4_pm
+            work[1024 + k] = -X4_mp
+            work[1040 + k] = -X4_mm
+            work[1056 + k] = T33 * c2m3_pp + s2m3_pp * v25
+            work[1072 + k] = T33 * c2m3_pm + s2m3_pm * v25
+            work[1088 + k] = T33 * c2m3_mp + s2m3_mp * v26
+            work[1104 + k] = T33 * c2m3_mm + s2m3_mm * v26
+            work[1120 + k] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
+            work[1136 + k] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
+            work[1152 + k] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
+            work[1168 + k] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
+        for k in range(544, 864):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
-            w3_p = work[272 + k]
-            w3_m = work[288 + k]
-            s6_pp = work[304 + k]
-            s6_pm = work[320 + k]
-            s6_mp = work[336 + k]
-            s6_mm = work[352 + k]
-            v52 = work[368 + k]
-            v53 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
-            angle10 = work[560 + k]
-            angle11 = work[576 + k]
-            angle12 = work[592 + k]
-            angle13 = work[608 + k]
-            angle14 = work[624 + k]
-            angle15 = work[640 + k]
-            angle16 = work[656 + k]
-            angle17 = work[672 + k]
-            angle18 = work[688 + k]
-            angle19 = work[704 + k]
-            angle20 = work[720 + k]
+            N1 = work[272 + k]
+            D1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            v5 = work[336 + k]
+            w3_p = work[352 + k]
+            w3_m = work[368 + k]
+            v29 = work[384 + k]
+            v30 = work[400 + k]
+            v31 = work[416 + k]
+            v32 = work[432 + k]
+            s6_pp = work[448 + k]
+            s6_pm = work[464 + k]
+            s6_mp = work[480 + k]
+            s6_mm = work[496 + k]
+            v52 = work[512 + k]
+            v53 = work[528 + k]
+            angle1 = work[544 + k]
+            angle2 = work[560 + k]
+            angle3 = work[576 + k]
+            angle4 = work[592 + k]
+            angle5 = work[608 + k]
+            angle6 = work[624 + k]
+            angle7 = work[640 + k]
+            angle8 = work[656 + k]
+            angle9 = work[672 + k]
+            angle10 = work[688 + k]
+            angle11 = work[704 + k]
+            angle12 = work[720 + k]
+            angle13 = work[736 + k]
+            angle14 = work[752 + k]
+            angle15 = work[768 + k]
+            angle16 = work[784 + k]
+            angle17 = work[800 + k]
+            angle18 = work[816 + k]
+            angle19 = work[832 + k]
+            angle20 = work[848 + k]
             v42 = angle3 - offset2
             v43 = angle4 - offset2
             v46 = angle5 - offset2
@@ -2023,115 +2049,146 @@ def _in_tiles(T, q, status):
             q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
             q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
             q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-            v78 = high1 < abs(angle1)
-            v79 = high1 < abs(angle2)
+            v78 = abs(angle1) - high1
+            v79 = abs(angle2) - high1
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle2 + (w3_m - w3_m)
-            v80 = q3_ppp < low3 or high3 < q3_ppp or v78 or q2_ppp < low2 or high2 < q2_ppp
-            v81 = q3_pmp < low3 or high3 < q3_pmp or v78 or q2_pmp < low2 or high2 < q2_pmp
-            v82 = q3_mpp < low3 or high3 < q3_mpp or v79 or q2_mpp < low2 or high2 < q2_mpp
-            v83 = q3_mmp < low3 or high3 < q3_mmp or v79 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v80 or high5 < abs(q5_ppp)
-            outside_ppm = v80 or high5 < abs(q5_ppm)
-            outside_pmp = v81 or high5 < abs(q5_pmp)
-            outside_pmm = v81 or high5 < abs(q5_pmm)
-            outside_mpp = v82 or high5 < abs(q5_mpp)
-            outside_mpm = v82 or high5 < abs(q5_mpm)
-            outside_mmp = v83 or high5 < abs(q5_mmp)
-            outside_mmm = v83 or high5 < abs(q5_mmm)
-            _1056 = q1_ppp
-            work[1056 + k] = _1056
-            _1072 = q2_ppp
-            work[1072 + k] = _1072
-            _1088 = q3_ppp
-            work[1088 + k] = _1088
-            _1104 = q4_ppp
-            work[1104 + k] = _1104
-            _1120 = q5_ppp
-            work[1120 + k] = _1120
-            _1136 = q6_ppp
-            work[1136 + k] = _1136
-            _1152 = q4_ppm
-            work[1152 + k] = _1152
-            _1168 = q5_ppm
-            work[1168 + k] = _1168
-            _1184 = q6_ppm
+            v80 = (
+                max(max(low3 - q3_ppp, q3_ppp - high3), max(v78, max(low2 - q2_ppp, q2_ppp -
+                high2)))
+            )
+            v81 = (
+                max(max(low3 - q3_pmp, q3_pmp - high3), max(v78, max(low2 - q2_pmp, q2_pmp -
+                high2)))
+            )
+            v82 = (
+                max(max(low3 - q3_mpp, q3_mpp - high3), max(v79, max(low2 - q2_mpp, q2_mpp -
+                high2)))
+            )
+            v83 = (
+                max(max(low3 - q3_mmp, q3_mmp - high3), max(v79, max(low2 - q2_mmp, q2_mmp -
+                high2)))
+            )
+            excess_ppp = max(v80, abs(q5_ppp) - high5)
+            excess_ppm = max(v80, abs(q5_ppm) - high5)
+            excess_pmp = max(v81, abs(q5_pmp) - high5)
+            excess_pmm = max(v81, abs(q5_pmm) - high5)
+            excess_mpp = max(v82, abs(q5_mpp) - high5)
+            excess_mpm = max(v82, abs(q5_mpm) - high5)
+            excess_mmp = max(v83, abs(q5_mmp) - high5)
+            excess_mmm = max(v83, abs(q5_mmm) - high5)
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1184 = q1_ppp
             work[1184 + k] = _1184
-            _1200 = q2_pmp
+            _1200 = q2_ppp
             work[1200 + k] = _1200
-            _1216 = q3_pmp
+            _1216 = q3_ppp
             work[1216 + k] = _1216
-            _1232 = q4_pmp
+            _1232 = q4_ppp
             work[1232 + k] = _1232
-            _1248 = q5_pmp
+            _1248 = q5_ppp
             work[1248 + k] = _1248
-            _1264 = q6_pmp
+            _1264 = q6_ppp
             work[1264 + k] = _1264
-            _1280 = q4_pmm
+            _1280 = q4_ppm
             work[1280 + k] = _1280
-            _1296 = q5_pmm
+            _1296 = q5_ppm
             work[1296 + k] = _1296
-            _1312 = q6_pmm
+            _1312 = q6_ppm
             work[1312 + k] = _1312
-            _1328 = q1_mpp
+            _1328 = q2_pmp
             work[1328 + k] = _1328
-            _1344 = q2_mpp
+            _1344 = q3_pmp
             work[1344 + k] = _1344
-            _1360 = q3_mpp
+            _1360 = q4_pmp
             work[1360 + k] = _1360
-            _1376 = q4_mpp
+            _1376 = q5_pmp
             work[1376 + k] = _1376
-            _1392 = q5_mpp
+            _1392 = q6_pmp
             work[1392 + k] = _1392
-            _1408 = q6_mpp
+            _1408 = q4_pmm
             work[1408 + k] = _1408
-            _1424 = q4_mpm
+            _1424 = q5_pmm
             work[1424 + k] = _1424
-            _1440 = q5_mpm
+            _1440 = q6_pmm
             work[1440 + k] = _1440
-            _1456 = q6_mpm
+            _1456 = q1_mpp
             work[1456 + k] = _1456
-            _1472 = q2_mmp
+            _1472 = q2_mpp
             work[1472 + k] = _1472
-            _1488 = q3_mmp
+            _1488 = q3_mpp
             work[1488 + k] = _1488
-            _1504 = q4_mmp
+            _1504 = q4_mpp
             work[1504 + k] = _1504
-            _1520 = q5_mmp
+            _1520 = q5_mpp
             work[1520 + k] = _1520
-            _1536 = q6_mmp
+            _1536 = q6_mpp
             work[1536 + k] = _1536
-            _1552 = q4_mmm
+            _1552 = q4_mpm
             work[1552 + k] = _1552
-            _1568 = q5_mmm
+            _1568 = q5_mpm
             work[1568 + k] = _1568
-            _1584 = q6_mmm
+            _1584 = q6_mpm
             work[1584 + k] = _1584
-            work[1600 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1600 = q2_mmp
+            work[1600 + k] = _1600
+            _1616 = q3_mmp
+            work[1616 + k] = _1616
+            _1632 = q4_mmp
+            work[1632 + k] = _1632
+            _1648 = q5_mmp
+            work[1648 + k] = _1648
+            _1664 = q6_mmp
+            work[1664 + k] = _1664
+            _1680 = q4_mmm
+            work[1680 + k] = _1680
+            _1696 = q5_mmm
+            work[1696 + k] = _1696
+            _1712 = q6_mmm
+            work[1712 + k] = _1712
+            work[1728 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[1616 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1744 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[1632 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1760 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[1648 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1776 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[1664 + k] = (
-                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1792 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[1680 + k] = (
-                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1808 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[1696 + k] = (
-                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1824 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[1712 + k] = (
-                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1840 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = (
+                1.0 if abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30
+                <= m9 or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2 else work[256 +
+                k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

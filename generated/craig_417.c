@@ -413,16 +413,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v78 = only_wide(((v71 <= m7) & (v73 <= m9)) == 0, v77),
         v79 = only_wide(((v72 <= m7) & (v74 <= m9)) == 0, v77), angle6 = atan2_wide(-v7, c1_p),
         angle7 = atan2_wide(-v8, c1_m);
-    const wide_mask doubt1 = (v35 <= m6) | (v23 <= m2) | (v34 <= m6) | (v22 <= m2) | ((m7 < v72) &
-        (v72 <= m8)) | ((m7 < v71) & (v71 <= m8)) | ((m9 < v74) & (v74 <= m10)) | (abs_wide(D1) <=
-        m1) | (v10 <= m2) | ((m9 < v73) & (v73 <= m10));
 
     q[0] = v78 + angle6; q[1] = angle1 + v78; q[2] = angle2 + v78; q[3] = v78 + centred_wide(v75);
     kind[0] = kind_of(q[0], 0);
     q[4] = v79 + angle7; q[5] = v79 - angle1; q[6] = angle3 + v79; q[7] = v79 + centred_wide(v76);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v35 <= m6) | (v23 <= m2) | (v34 <= m6) | (v22 <= m2) | ((m7 < v72) &
+        (v72 <= m8)) | ((m7 < v71) & (v71 <= m8)) | ((m9 < v74) & (v74 <= m10)) | (abs_wide(D1) <=
+        m1) | (v10 <= m2) | ((m9 < v73) & (v73 <= m10)));
 }
 
 #if LANES > 1
@@ -480,11 +479,9 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const double v49 = NAN;
     const four v50 = only_four(((v46 <= m7) & (v47 <= m9)) == 0, v49);
-    const int doubt1 = (fabs(D1) <= m1) | (v7 <= m2);
-    const four_mask doubt2 = (v25 <= m6) | (v17 <= m2) | ((m9 < v47) & (v47 <= m10)) | ((m7 < v46) &
-        (v46 <= m8));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v25 <= m6) | (v17 <= m2) | ((m9 < v47)
+        & (v47 <= m10)) | ((m7 < v46) & (v46 <= m8)))) | (unsigned)((fabs(D1) <= m1) | (v7 <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(-v5, all_four(-S2), 0, 1, 6, 3), shuffle(c1,

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 8b6143bee06b3912"
+_KEY = "craig_417 6eb8752cb85ebfbf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -851,14 +851,12 @@ def _regular(pose, q, status):
     v77 = math.sqrt(-1.0)
     v78 = 0.0 if (v71 <= m7 and v73 <= m9) else v77
     v79 = 0.0 if (v72 <= m7 and v74 <= m9) else v77
-    doubt1 = (
+
+    if (
         v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8) or (m7 < v71
         and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or (m9 < v73 and
         v73 <= m10)
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1112,10 +1110,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [544, 560, 576, 592],
-    [608, 624, 640, 656],
+    [688, 704, 720, 736],
+    [752, 768, 784, 800],
 ])
-_KINDS = np.array([672, 688])
+_KINDS = np.array([816, 832])
 
 
 @intrinsic(prefer_literal=True)
@@ -1142,7 +1140,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(704), 704)
+    work = carray(_tile(848), 848)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1267,41 +1265,54 @@ def _in_tiles(T, q, status):
             v77 = math.sqrt(-1.0)
             v78 = 0.0 if (v71 <= m7 and v73 <= m9) else v77
             v79 = 0.0 if (v72 <= m7 and v74 <= m9) else v77
-            doubt1 = (
-                v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8) or (m7
-                < v71 and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or
-                (m9 < v73 and v73 <= m10)
-            )
-            work[272 + k] = v78
-            work[288 + k] = v79
-            work[304 + k] = doubt1
-            work[320 + k] = -S2
-            work[336 + k] = -v31
-            work[352 + k] = -v32
-            work[368 + k] = v16
-            work[384 + k] = v17
-            work[400 + k] = -v7
-            work[416 + k] = -v8
-            work[432 + k] = v9
-            work[448 + k] = C3_p
-            work[464 + k] = C3_m
-            work[480 + k] = v20
-            work[496 + k] = v21
-            work[512 + k] = c1_p
-            work[528 + k] = c1_m
-        for k in range(320, 432):
+            work[272 + k] = D1
+            work[288 + k] = v10
+            work[304 + k] = v22
+            work[320 + k] = v23
+            work[336 + k] = v34
+            work[352 + k] = v35
+            work[368 + k] = v71
+            work[384 + k] = v72
+            work[400 + k] = v73
+            work[416 + k] = v74
+            work[432 + k] = v78
+            work[448 + k] = v79
+            work[464 + k] = -S2
+            work[480 + k] = -v31
+            work[496 + k] = -v32
+            work[512 + k] = v16
+            work[528 + k] = v17
+            work[544 + k] = -v7
+            work[560 + k] = -v8
+            work[576 + k] = v9
+            work[592 + k] = C3_p
+            work[608 + k] = C3_m
+            work[624 + k] = v20
+            work[640 + k] = v21
+            work[656 + k] = c1_p
+            work[672 + k] = c1_m
+        for k in range(464, 576):
             work[k] = _atan2(work[k], work[k + 112])
         for k in range(0, 16):
-            v78 = work[272 + k]
-            v79 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
-            angle5 = work[384 + k]
-            angle6 = work[400 + k]
-            angle7 = work[416 + k]
+            D1 = work[272 + k]
+            v10 = work[288 + k]
+            v22 = work[304 + k]
+            v23 = work[320 + k]
+            v34 = work[336 + k]
+            v35 = work[352 + k]
+            v71 = work[368 + k]
+            v72 = work[384 + k]
+            v73 = work[400 + k]
+            v74 = work[416 + k]
+            v78 = work[432 + k]
+            v79 = work[448 + k]
+            angle1 = work[464 + k]
+            angle2 = work[480 + k]
+            angle3 = work[496 + k]
+            angle4 = work[512 + k]
+            angle5 = work[528 + k]
+            angle6 = work[544 + k]
+            angle7 = work[560 + k]
             v75 = angle4 - angle2
             v76 = angle5 - angle3
             q1_p = v78 + angle6
@@ -1316,25 +1327,29 @@ def _in_tiles(T, q, status):
             q4_m = (
                 v79 + (v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0)))
             )
-            _544 = q1_p
-            work[544 + k] = _544
-            _560 = q2_p
-            work[560 + k] = _560
-            _576 = q3_p
-            work[576 + k] = _576
-            _592 = q4_p
-            work[592 + k] = _592
-            _608 = q1_m
-            work[608 + k] = _608
-            _624 = q2_m
-            work[624 + k] = _624
-            _640 = q3_m
-            work[640 + k] = _640
-            _656 = q4_m
-            work[656 + k] = _656
-            work[672 + k] = UNREACHABLE if _544 != _544 else OK
-            work[688 + k] = UNREACHABLE if _608 != _608 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _688 = q1_p
+            work[688 + k] = _688
+            _704 = q2_p
+            work[704 + k] = _704
+            _720 = q3_p
+            work[720 + k] = _720
+            _736 = q4_p
+            work[736 + k] = _736
+            _752 = q1_m
+            work[752 + k] = _752
+            _768 = q2_m
+            work[768 + k] = _768
+            _784 = q3_m
+            work[784 + k] = _784
+            _800 = q4_m
+            work[800 + k] = _800
+            work[816 + k] = UNREACHABLE if _688 != _688 else OK
+            work[832 + k] = UNREACHABLE if _752 != _752 else OK
+            work[256 + k] = (
+                1.0 if v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8)
+                or (m7 < v71 and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <=
+                m2 or (m9 < v73 and v73 <= m10) else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -342,14 +342,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T14 + s1 * q3,
         v8 = s1 + T13, v9 = v1 - 1.0;
 
-    /* joint values */
-    const wide_mask doubt1 = (m1 < v4 * v4 + v5 * v5 + v7 * v7) | (m2 < T33 * T33 + T31 * T31 + v6 *
-        v6 + v8 * v8 + v9 * v9);
-
     q[0] = atan2_wide(T21, T11); q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((m1 < v4 * v4 + v5 * v5 + v7 * v7) | (m2 < T33 * T33 + T31 * T31 + v6 *
+        v6 + v8 * v8 + v9 * v9));
 }
 
 #if LANES > 1
@@ -374,11 +371,8 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T14 + s1 * q3,
         v8 = s1 + T13, v9 = v1 - 1.0;
 
-    /* joint values */
-    const int doubt1 = (m1 < v4 * v4 + v5 * v5 + v7 * v7) | (m2 < T33 * T33 + T31 * T31 + v6 * v6 +
-        v8 * v8 + v9 * v9);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((m1 < v4 * v4 + v5 * v5 + v7
+        * v7) | (m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11

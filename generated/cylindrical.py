@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical f6f264a2358c9991"
+_KEY = "cylindrical 4f92e4f29f3a9202"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -632,13 +632,7 @@ def _regular(pose, q, status):
     v8 = s1 + T13
     v9 = v1 - 1.0
 
-    # joint values
-    doubt1 = (
-        m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9:
         return False
     angle1 = _atan2(T21, T11)
 
@@ -850,9 +844,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [352, 368, 384],
+    [432, 448, 464],
 ])
-_KINDS = np.array([400])
+_KINDS = np.array([480])
 
 
 @intrinsic(prefer_literal=True)
@@ -879,7 +873,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(416), 416)
+    work = carray(_tile(496), 496)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -910,8 +904,6 @@ def _in_tiles(T, q, status):
             T21 = work[64 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
-            T33 = work[160 + k]
             T34 = work[176 + k]
             q2 = T34 - d1
             v1 = T21 * T21 + T11 * T11
@@ -927,30 +919,41 @@ def _in_tiles(T, q, status):
             v7 = T14 + s1 * q3
             v8 = s1 + T13
             v9 = v1 - 1.0
-            doubt1 = (
-                m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 +
-                v9 * v9
-            )
             work[272 + k] = q2
             work[288 + k] = q3
-            work[304 + k] = doubt1
-            work[320 + k] = T21
-            work[336 + k] = T11
-        for k in range(320, 336):
+            work[304 + k] = v4
+            work[320 + k] = v5
+            work[336 + k] = v6
+            work[352 + k] = v7
+            work[368 + k] = v8
+            work[384 + k] = v9
+            work[400 + k] = T21
+            work[416 + k] = T11
+        for k in range(400, 416):
             work[k] = _atan2(work[k], work[k + 16])
         for k in range(0, 16):
+            T31 = work[128 + k]
+            T33 = work[160 + k]
             q2 = work[272 + k]
             q3 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            _352 = angle1
-            work[352 + k] = _352
-            _368 = q2
-            work[368 + k] = _368
-            _384 = q3
-            work[384 + k] = _384
-            work[400 + k] = UNREACHABLE if _352 != _352 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            v4 = work[304 + k]
+            v5 = work[320 + k]
+            v6 = work[336 + k]
+            v7 = work[352 + k]
+            v8 = work[368 + k]
+            v9 = work[384 + k]
+            angle1 = work[400 + k]
+            _432 = angle1
+            work[432 + k] = _432
+            _448 = q2
+            work[448 + k] = _448
+            _464 = q3
+            work[464 + k] = _464
+            work[480 + k] = UNREACHABLE if _432 != _432 else OK
+            work[256 + k] = (
+                1.0 if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8
+                * v8 + v9 * v9 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

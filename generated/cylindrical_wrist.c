@@ -359,9 +359,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         angle4 = atan2_wide(v4, X4 * T32 - T33 * (wy * T12 + s1 * T22)),
         q6_pm = angle4 - signed_wide(half_turn, v4);
 
-    /* joint values */
-    const wide_mask doubt1 = (v1 <= m1) | (v3 <= m3);
-
     q[0] = angle1; q[1] = q2_pp; q[2] = q3_pp; q[3] = angle2; q[4] = angle3; q[5] = angle4;
     kind[0] = kind_of(q[0], 0);
     q[6] = angle1; q[7] = q2_pp; q[8] = q3_pp; q[9] = q4_pm; q[10] = -angle3; q[11] = q6_pm;
@@ -371,7 +368,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     q[18] = q1_mp; q[19] = q2_pp; q[20] = -q3_pp; q[21] = -angle2; q[22] = -q5_mp; q[23] = angle4;
     kind[3] = kind_of(q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v1 <= m1) | (v3 <= m3));
 }
 
 #if LANES > 1
@@ -406,9 +403,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 
     /* joint values */
     const four q3 = e1 * w3;
-    const int doubt1 = (v1 <= m1) | (v5 <= m3);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v1 <= m1) | (v5 <= m3)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ s1, T33, -sqrt(v5), v9 }, (four){ wy, -v4, factor1

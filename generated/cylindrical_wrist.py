@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist e6c3aabde88eb2f2"
+_KEY = "cylindrical_wrist c743960fbbabe1d2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -724,11 +724,7 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21)
 
-    # joint values
-    doubt1 = v1 <= m1 or v3 <= m3
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1 or v3 <= m3:
         return False
 
     # angles, side by side
@@ -1072,13 +1068,12 @@ def _in_tiles(T, q, status):
             v2 = factor1 * X4
             v3 = T33 * T33 + factor1 * (X4 * v2)
             v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21)
-            doubt1 = v1 <= m1 or v3 <= m3
             work[272 + k] = q2_pp
             work[288 + k] = s1
-            work[304 + k] = q3_pp
-            work[320 + k] = v3
-            work[336 + k] = v4
-            work[352 + k] = doubt1
+            work[304 + k] = v1
+            work[320 + k] = q3_pp
+            work[336 + k] = v3
+            work[352 + k] = v4
             work[368 + k] = s1
             work[384 + k] = T33
             work[400 + k] = -math.sqrt(v3)
@@ -1093,10 +1088,10 @@ def _in_tiles(T, q, status):
             T33 = work[160 + k]
             q2_pp = work[272 + k]
             s1 = work[288 + k]
-            q3_pp = work[304 + k]
-            v3 = work[320 + k]
-            v4 = work[336 + k]
-            doubt1 = work[352 + k] != 0.0
+            v1 = work[304 + k]
+            q3_pp = work[320 + k]
+            v3 = work[336 + k]
+            v4 = work[352 + k]
             angle1 = work[368 + k]
             angle2 = work[384 + k]
             angle3 = work[400 + k]
@@ -1139,7 +1134,7 @@ def _in_tiles(T, q, status):
             work[752 + k] = UNREACHABLE if _496 != _496 else OK
             work[768 + k] = UNREACHABLE if _640 != _640 else OK
             work[784 + k] = UNREACHABLE if _640 != _640 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 or v3 <= m3 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

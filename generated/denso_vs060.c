@@ -244,12 +244,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -484,37 +485,47 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppm = only_wide(-v43 <= -half_turn, turn) - v43, q5_pmp = raised_wide(v44),
         q5_pmm = only_wide(-v45 <= -half_turn, turn) - v45, q5_mpp = raised_wide(v46),
         q5_mpm = only_wide(-v47 <= -half_turn, turn) - v47, q5_mmp = raised_wide(v48),
-        q5_mmm = only_wide(-v49 <= -half_turn, turn) - v49;
-    const wide_mask v50 = exceeds(q1__p, 1), v51 = exceeds(q1__m, 1), v52 = beyond(q3_ppp, 3),
-        v53 = beyond(q3_pmp, 3);
-    const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
-    const wide_mask v54 = v52 | v50 | exceeds(q2_ppp, 2), v55 = v53 | v50 | exceeds(q2_pmp, 2),
-        v56 = v52 | v51 | exceeds(q2_mpp, 2), v57 = v53 | v51 | exceeds(q2_mmp, 2),
-        doubt1 = (abs_wide(D3) <= m2) | (v1 <= m1) | (v23 <= m9) | (v22 <= m9) | (v20 <= m9) | (v21
-            <= m9);
+        q5_mmm = only_wide(-v49 <= -half_turn, turn) - v49, v50 = exceeds(q1__p, 1),
+        v51 = exceeds(q1__m, 1), v52 = beyond(q3_ppp, 3), v53 = beyond(q3_pmp, 3),
+        q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m,
+        v54 = maximum_wide(exceeds(q2_ppp, 2), maximum_wide(v50, v52)),
+        v55 = maximum_wide(exceeds(q2_pmp, 2), maximum_wide(v50, v53)),
+        v56 = maximum_wide(exceeds(q2_mpp, 2), maximum_wide(v51, v52)),
+        v57 = maximum_wide(exceeds(q2_mmp, 2), maximum_wide(v51, v53)),
+        excess_ppp = maximum_wide(v54, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v54, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v55, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v55, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v56, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v56, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v57, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v57, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = angle5;
-    kind[0] = kind_of(q[0], v54 | exceeds(q5_ppp, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v24; q[10] = q5_ppm;
     q[11] = angle5 - signed_wide(half_turn, v30);
-    kind[1] = kind_of(q[6], v54 | exceeds(q5_ppm, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2; q[16] = q5_pmp; q[17] = angle6;
-    kind[2] = kind_of(q[12], v55 | exceeds(q5_pmp, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v24; q[22] = q5_pmm;
     q[23] = angle6 - signed_wide(half_turn, v31);
-    kind[3] = kind_of(q[18], v55 | exceeds(q5_pmm, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = angle7;
-    kind[4] = kind_of(q[24], v56 | exceeds(q5_mpp, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v25; q[34] = q5_mpm;
     q[35] = angle7 - signed_wide(half_turn, v32);
-    kind[5] = kind_of(q[30], v56 | exceeds(q5_mpm, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = q5_mmp; q[41] = angle8;
-    kind[6] = kind_of(q[36], v57 | exceeds(q5_mmp, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v25; q[46] = q5_mmm;
     q[47] = angle8 - signed_wide(half_turn, v33);
-    kind[7] = kind_of(q[42], v57 | exceeds(q5_mmm, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D3) <= m2) | (v1 <= m1) | (v23 <= m9) | (v22 <= m9) | (v20 <=
+        m9) | (v21 <= m9)) | (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) |
+        grazes(excess_mpp) | grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) |
+        grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -551,9 +562,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v9 = w1 * (v2 * (T23 * wy - T13 * X1));
     const four c4 = T33 * s23 + e1 * (c23 * v9);
     const double v10 = w1 * (v2 * (T13 * wy + X1 * T23)), v11 = v10 * v10;
-    const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m9;
-    const four v14 = signed_four(half_turn, -(e1 * v10));
+    const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12),
+        v14 = signed_four(half_turn, -(e1 * v10));
 
     /* theta6 */
     const double v15 = w1 * (v2 * (X1 * T22 + wy * T12)), v16 = w1 * (v2 * (wy * T22 - X1 * T12)),
@@ -562,9 +572,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v20 = copysign(half_turn, wy);
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v13 <= m9)) | (unsigned)((v1 <= m1) |
+        (fabs(D3) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1
@@ -578,11 +588,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v21 = angle3 + v20 * (m10 * (e1 - 1.0)) - offset1, q1_ = raised_four(v21),
         v22 = angle4 - offset2, q2_p = raised_four(v22), v23 = e2 * angle5 - turn1 - offset3,
         q3_p = lowered_four(v23), v24 = angle6 - offset5, v25 = offset5 + angle6,
-        q5_p = raised_four(v24), q5_m = only_four(-v25 <= -half_turn, turn) - v25;
-    const four_mask v26 = exceeds_four(q1_, 1), v27 = beyond_four(q3_p, 3);
-    const four q1_p = v3 + q1_;
-    const four_mask v28 = v27 | v26 | exceeds_four(q2_p, 2),
-        outside_p = v28 | exceeds_four(q5_p, 5), outside_m = v28 | exceeds_four(q5_m, 5);
+        q5_p = raised_four(v24), q5_m = only_four(-v25 <= -half_turn, turn) - v25,
+        v26 = exceeds_four(q1_, 1), v27 = beyond_four(q3_p, 3), q1_p = v3 + q1_,
+        v28 = maximum_four(exceeds_four(q2_p, 2), maximum_four(v26, v27)),
+        excess_p = maximum_four(v28, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v28, exceeds_four(q5_m, 5));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle2);
@@ -1035,18 +1048,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != DENSO_VS060_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != DENSO_VS060_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

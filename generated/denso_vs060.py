@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 0bc28afc1240da19"
+_KEY = "denso_vs060 301c98895ef5d85b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -185,6 +185,7 @@ high2 = 2.094395001
 low3 = -2.1816620010000003
 high3 = 2.705260001
 high5 = 2.094395001
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.0609000000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 4.573882234000188e-12
@@ -1051,20 +1052,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1218,11 +1218,7 @@ def _regular(pose, q, status):
     v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
     v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
 
-    # joint values
-    doubt1 = abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9:
         return False
 
     # angles, side by side
@@ -1330,24 +1326,40 @@ def _regular(pose, q, status):
     q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
     q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
     q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
-    v50 = high1 < abs(q1__p)
-    v51 = high1 < abs(q1__m)
-    v52 = q3_ppp < low3 or high3 < q3_ppp
-    v53 = q3_pmp < low3 or high3 < q3_pmp
+    v50 = abs(q1__p) - high1
+    v51 = abs(q1__m) - high1
+    v52 = max(low3 - q3_ppp, q3_ppp - high3)
+    v53 = max(low3 - q3_pmp, q3_pmp - high3)
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v54 = v52 or v50 or high2 < abs(q2_ppp)
-    v55 = v53 or v50 or high2 < abs(q2_pmp)
-    v56 = v52 or v51 or high2 < abs(q2_mpp)
-    v57 = v53 or v51 or high2 < abs(q2_mmp)
-    outside_ppp = v54 or high5 < abs(q5_ppp)
-    outside_ppm = v54 or high5 < abs(q5_ppm)
-    outside_pmp = v55 or high5 < abs(q5_pmp)
-    outside_pmm = v55 or high5 < abs(q5_pmm)
-    outside_mpp = v56 or high5 < abs(q5_mpp)
-    outside_mpm = v56 or high5 < abs(q5_mpm)
-    outside_mmp = v57 or high5 < abs(q5_mmp)
-    outside_mmm = v57 or high5 < abs(q5_mmm)
+    v54 = max(abs(q2_ppp) - high2, max(v50, v52))
+    v55 = max(abs(q2_pmp) - high2, max(v50, v53))
+    v56 = max(abs(q2_mpp) - high2, max(v51, v52))
+    v57 = max(abs(q2_mmp) - high2, max(v51, v53))
+    excess_ppp = max(v54, abs(q5_ppp) - high5)
+    excess_ppm = max(v54, abs(q5_ppm) - high5)
+    excess_pmp = max(v55, abs(q5_pmp) - high5)
+    excess_pmm = max(v55, abs(q5_pmm) - high5)
+    excess_mpp = max(v56, abs(q5_mpp) - high5)
+    excess_mpm = max(v56, abs(q5_mpm) - high5)
+    excess_mmp = max(v57, abs(q5_mmp) - high5)
+    excess_mmm = max(v57, abs(q5_mmm) - high5)
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1607,16 +1619,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1008, 1024, 1040, 1056, 1072],
-    [992, 1008, 1024, 1088, 1104, 1120],
-    [992, 1136, 1152, 1168, 1184, 1200],
-    [992, 1136, 1152, 1216, 1232, 1248],
-    [1264, 1280, 1024, 1296, 1312, 1328],
-    [1264, 1280, 1024, 1344, 1360, 1376],
-    [1264, 1392, 1152, 1408, 1424, 1440],
-    [1264, 1392, 1152, 1456, 1472, 1488],
+    [1072, 1088, 1104, 1120, 1136, 1152],
+    [1072, 1088, 1104, 1168, 1184, 1200],
+    [1072, 1216, 1232, 1248, 1264, 1280],
+    [1072, 1216, 1232, 1296, 1312, 1328],
+    [1344, 1360, 1104, 1376, 1392, 1408],
+    [1344, 1360, 1104, 1424, 1440, 1456],
+    [1344, 1472, 1232, 1488, 1504, 1520],
+    [1344, 1472, 1232, 1536, 1552, 1568],
 ])
-_KINDS = np.array([1504, 1520, 1536, 1552, 1568, 1584, 1600, 1616])
+_KINDS = np.array([1584, 1600, 1616, 1632, 1648, 1664, 1680, 1696])
 
 
 @intrinsic(prefer_literal=True)
@@ -1643,7 +1655,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1632), 1632)
+    work = carray(_tile(1712), 1712)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1743,82 +1755,91 @@ def _in_tiles(T, q, status):
             v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
             v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
             v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
-            doubt1 = abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
             work[272 + k] = wy
-            work[288 + k] = v3
-            work[304 + k] = v24
-            work[320 + k] = v25
-            work[336 + k] = v30
-            work[352 + k] = v31
-            work[368 + k] = v32
-            work[384 + k] = v33
-            work[400 + k] = doubt1
-            work[416 + k] = -v14
-            work[432 + k] = -v14
-            work[448 + k] = v14
-            work[464 + k] = v14
-            work[480 + k] = v30
-            work[496 + k] = v31
-            work[512 + k] = v32
-            work[528 + k] = v33
-            work[544 + k] = wy
-            work[560 + k] = S2_pp
-            work[576 + k] = S2_pm
-            work[592 + k] = S2_pm
-            work[608 + k] = S2_pp
-            work[624 + k] = w3
-            work[640 + k] = math.sqrt(v20)
-            work[656 + k] = math.sqrt(v21)
-            work[672 + k] = math.sqrt(v22)
-            work[688 + k] = math.sqrt(v23)
-            work[704 + k] = v16
-            work[720 + k] = v17
-            work[736 + k] = v18
-            work[752 + k] = v19
-            work[768 + k] = c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27)
-            work[784 + k] = c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27)
-            work[800 + k] = v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26
-            work[816 + k] = v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26
-            work[832 + k] = -X1
-            work[848 + k] = C2_pp
-            work[864 + k] = C2_pm
-            work[880 + k] = C2_mp
-            work[896 + k] = C2_mm
-            work[912 + k] = N3 - k3
-            work[928 + k] = factor2 * (s23_pp * v13 - T33 * c23_pp)
-            work[944 + k] = factor2 * (s23_pm * v13 - T33 * c23_pm)
-            work[960 + k] = -(factor2 * (s23_mp * v13 + T33 * c23_mp))
-            work[976 + k] = -(factor2 * (s23_mm * v13 + T33 * c23_mm))
-        for k in range(416, 704):
+            work[288 + k] = v1
+            work[304 + k] = D3
+            work[320 + k] = v3
+            work[336 + k] = v20
+            work[352 + k] = v21
+            work[368 + k] = v22
+            work[384 + k] = v23
+            work[400 + k] = v24
+            work[416 + k] = v25
+            work[432 + k] = v30
+            work[448 + k] = v31
+            work[464 + k] = v32
+            work[480 + k] = v33
+            work[496 + k] = -v14
+            work[512 + k] = -v14
+            work[528 + k] = v14
+            work[544 + k] = v14
+            work[560 + k] = v30
+            work[576 + k] = v31
+            work[592 + k] = v32
+            work[608 + k] = v33
+            work[624 + k] = wy
+            work[640 + k] = S2_pp
+            work[656 + k] = S2_pm
+            work[672 + k] = S2_pm
+            work[688 + k] = S2_pp
+            work[704 + k] = w3
+            work[720 + k] = math.sqrt(v20)
+            work[736 + k] = math.sqrt(v21)
+            work[752 + k] = math.sqrt(v22)
+            work[768 + k] = math.sqrt(v23)
+            work[784 + k] = v16
+            work[800 + k] = v17
+            work[816 + k] = v18
+            work[832 + k] = v19
+            work[848 + k] = c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27)
+            work[864 + k] = c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27)
+            work[880 + k] = v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26
+            work[896 + k] = v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26
+            work[912 + k] = -X1
+            work[928 + k] = C2_pp
+            work[944 + k] = C2_pm
+            work[960 + k] = C2_mp
+            work[976 + k] = C2_mm
+            work[992 + k] = N3 - k3
+            work[1008 + k] = factor2 * (s23_pp * v13 - T33 * c23_pp)
+            work[1024 + k] = factor2 * (s23_pm * v13 - T33 * c23_pm)
+            work[1040 + k] = -(factor2 * (s23_mp * v13 + T33 * c23_mp))
+            work[1056 + k] = -(factor2 * (s23_mm * v13 + T33 * c23_mm))
+        for k in range(496, 784):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 16):
             wy = work[272 + k]
-            v3 = work[288 + k]
-            v24 = work[304 + k]
-            v25 = work[320 + k]
-            v30 = work[336 + k]
-            v31 = work[352 + k]
-            v32 = work[368 + k]
-            v33 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
-            angle10 = work[560 + k]
-            angle11 = work[576 + k]
-            angle12 = work[592 + k]
-            angle13 = work[608 + k]
-            angle14 = work[624 + k]
-            angle15 = work[640 + k]
-            angle16 = work[656 + k]
-            angle17 = work[672 + k]
-            angle18 = work[688 + k]
+            v1 = work[288 + k]
+            D3 = work[304 + k]
+            v3 = work[320 + k]
+            v20 = work[336 + k]
+            v21 = work[352 + k]
+            v22 = work[368 + k]
+            v23 = work[384 + k]
+            v24 = work[400 + k]
+            v25 = work[416 + k]
+            v30 = work[432 + k]
+            v31 = work[448 + k]
+            v32 = work[464 + k]
+            v33 = work[480 + k]
+            angle1 = work[496 + k]
+            angle2 = work[512 + k]
+            angle3 = work[528 + k]
+            angle4 = work[544 + k]
+            angle5 = work[560 + k]
+            angle6 = work[576 + k]
+            angle7 = work[592 + k]
+            angle8 = work[608 + k]
+            angle9 = work[624 + k]
+            angle10 = work[640 + k]
+            angle11 = work[656 + k]
+            angle12 = work[672 + k]
+            angle13 = work[688 + k]
+            angle14 = work[704 + k]
+            angle15 = work[720 + k]
+            angle16 = work[736 + k]
+            angle17 = work[752 + k]
+            angle18 = work[768 + k]
             q4_ppm = angle1 - v24
             q4_pmm = angle2 - v24
             q4_mpm = angle3 - v25
@@ -1859,105 +1880,131 @@ def _in_tiles(T, q, status):
             q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
             q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
             q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
-            v50 = high1 < abs(q1__p)
-            v51 = high1 < abs(q1__m)
-            v52 = q3_ppp < low3 or high3 < q3_ppp
-            v53 = q3_pmp < low3 or high3 < q3_pmp
+            v50 = abs(q1__p) - high1
+            v51 = abs(q1__m) - high1
+            v52 = max(low3 - q3_ppp, q3_ppp - high3)
+            v53 = max(low3 - q3_pmp, q3_pmp - high3)
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v54 = v52 or v50 or high2 < abs(q2_ppp)
-            v55 = v53 or v50 or high2 < abs(q2_pmp)
-            v56 = v52 or v51 or high2 < abs(q2_mpp)
-            v57 = v53 or v51 or high2 < abs(q2_mmp)
-            outside_ppp = v54 or high5 < abs(q5_ppp)
-            outside_ppm = v54 or high5 < abs(q5_ppm)
-            outside_pmp = v55 or high5 < abs(q5_pmp)
-            outside_pmm = v55 or high5 < abs(q5_pmm)
-            outside_mpp = v56 or high5 < abs(q5_mpp)
-            outside_mpm = v56 or high5 < abs(q5_mpm)
-            outside_mmp = v57 or high5 < abs(q5_mmp)
-            outside_mmm = v57 or high5 < abs(q5_mmm)
-            _992 = q1_ppp
-            work[992 + k] = _992
-            _1008 = q2_ppp
-            work[1008 + k] = _1008
-            _1024 = q3_ppp
-            work[1024 + k] = _1024
-            _1040 = angle1
-            work[1040 + k] = _1040
-            _1056 = q5_ppp
-            work[1056 + k] = _1056
-            _1072 = angle5
+            v54 = max(abs(q2_ppp) - high2, max(v50, v52))
+            v55 = max(abs(q2_pmp) - high2, max(v50, v53))
+            v56 = max(abs(q2_mpp) - high2, max(v51, v52))
+            v57 = max(abs(q2_mmp) - high2, max(v51, v53))
+            excess_ppp = max(v54, abs(q5_ppp) - high5)
+            excess_ppm = max(v54, abs(q5_ppm) - high5)
+            excess_pmp = max(v55, abs(q5_pmp) - high5)
+            excess_pmm = max(v55, abs(q5_pmm) - high5)
+            excess_mpp = max(v56, abs(q5_mpp) - high5)
+            excess_mpm = max(v56, abs(q5_mpm) - high5)
+            excess_mmp = max(v57, abs(q5_mmp) - high5)
+            excess_mmm = max(v57, abs(q5_mmm) - high5)
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1072 = q1_ppp
             work[1072 + k] = _1072
-            _1088 = q4_ppm
+            _1088 = q2_ppp
             work[1088 + k] = _1088
-            _1104 = q5_ppm
+            _1104 = q3_ppp
             work[1104 + k] = _1104
-            _1120 = q6_ppm
+            _1120 = angle1
             work[1120 + k] = _1120
-            _1136 = q2_pmp
+            _1136 = q5_ppp
             work[1136 + k] = _1136
-            _1152 = q3_pmp
+            _1152 = angle5
             work[1152 + k] = _1152
-            _1168 = angle2
+            _1168 = q4_ppm
             work[1168 + k] = _1168
-            _1184 = q5_pmp
+            _1184 = q5_ppm
             work[1184 + k] = _1184
-            _1200 = angle6
+            _1200 = q6_ppm
             work[1200 + k] = _1200
-            _1216 = q4_pmm
+            _1216 = q2_pmp
             work[1216 + k] = _1216
-            _1232 = q5_pmm
+            _1232 = q3_pmp
             work[1232 + k] = _1232
-            _1248 = q6_pmm
+            _1248 = angle2
             work[1248 + k] = _1248
-            _1264 = q1_mpp
+            _1264 = q5_pmp
             work[1264 + k] = _1264
-            _1280 = q2_mpp
+            _1280 = angle6
             work[1280 + k] = _1280
-            _1296 = angle3
+            _1296 = q4_pmm
             work[1296 + k] = _1296
-            _1312 = q5_mpp
+            _1312 = q5_pmm
             work[1312 + k] = _1312
-            _1328 = angle7
+            _1328 = q6_pmm
             work[1328 + k] = _1328
-            _1344 = q4_mpm
+            _1344 = q1_mpp
             work[1344 + k] = _1344
-            _1360 = q5_mpm
+            _1360 = q2_mpp
             work[1360 + k] = _1360
-            _1376 = q6_mpm
+            _1376 = angle3
             work[1376 + k] = _1376
-            _1392 = q2_mmp
+            _1392 = q5_mpp
             work[1392 + k] = _1392
-            _1408 = angle4
+            _1408 = angle7
             work[1408 + k] = _1408
-            _1424 = q5_mmp
+            _1424 = q4_mpm
             work[1424 + k] = _1424
-            _1440 = angle8
+            _1440 = q5_mpm
             work[1440 + k] = _1440
-            _1456 = q4_mmm
+            _1456 = q6_mpm
             work[1456 + k] = _1456
-            _1472 = q5_mmm
+            _1472 = q2_mmp
             work[1472 + k] = _1472
-            _1488 = q6_mmm
+            _1488 = angle4
             work[1488 + k] = _1488
-            work[1504 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_ppp else OK)
-            work[1520 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_ppm else OK)
-            work[1536 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_pmp else OK)
-            work[1552 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_pmm else OK)
-            work[1568 + k] = (
-                UNREACHABLE if _1264 != _1264 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
+            _1504 = q5_mmp
+            work[1504 + k] = _1504
+            _1520 = angle8
+            work[1520 + k] = _1520
+            _1536 = q4_mmm
+            work[1536 + k] = _1536
+            _1552 = q5_mmm
+            work[1552 + k] = _1552
+            _1568 = q6_mmm
+            work[1568 + k] = _1568
             work[1584 + k] = (
-                UNREACHABLE if _1264 != _1264 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _1072 != _1072 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1600 + k] = (
-                UNREACHABLE if _1264 != _1264 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1072 != _1072 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[1616 + k] = (
-                UNREACHABLE if _1264 != _1264 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1072 != _1072 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[1632 + k] = (
+                UNREACHABLE if _1072 != _1072 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[1648 + k] = (
+                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1664 + k] = (
+                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[1680 + k] = (
+                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1696 + k] = (
+                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[256 + k] = (
+                1.0 if abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
+                else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

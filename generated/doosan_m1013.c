@@ -461,9 +461,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19, q3_ppp = v1 + raised_wide(v62),
         q3_pmp = v1 + raised_wide(v63);
-    const wide_mask doubt1 = (v49 <= m6) | (v29 <= m5) | (v48 <= m6) | (v28 <= m5) | (v47 <= m6) |
-        (v27 <= m5) | (v46 <= m6) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2) | (v25
-        <= m5);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v66); q[4] = raised_wide(v74);
     q[5] = angle1;
@@ -494,7 +491,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle4 - signed_wide(half_turn, s6_mm);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v49 <= m6) | (v29 <= m5) | (v48 <= m6) | (v28 <= m5) | (v47 <= m6) |
+        (v27 <= m5) | (v46 <= m6) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2) | (v25
+        <= m5));
 }
 
 #if LANES > 1
@@ -543,10 +542,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v34 = copysign(half_turn, v6);
     const four v36 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
-    const four_mask doubt2 = (v22 <= m5) | (v28 <= m6);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v22 <= m5) | (v28 <= m6))) |
+        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(v6), 0, 5, 2, 3), shuffle(-v3,

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 ec71d315cb33223a"
+_KEY = "doosan_m1013 de740cb6187df2ec"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1004,13 +1004,11 @@ def _regular(pose, q, status):
     # joint values
     v64 = math.copysign(half_turn, Y4_p)
     v65 = math.copysign(half_turn, Y4_m)
-    doubt1 = (
+
+    if (
         v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46 <= m6 or
         abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1388,16 +1386,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1040, 1056, 1072, 1088, 1104, 1120],
-    [1040, 1056, 1072, 1136, 1152, 1168],
-    [1040, 1184, 1200, 1216, 1232, 1248],
-    [1040, 1184, 1200, 1264, 1280, 1296],
-    [1312, 1328, 1072, 1344, 1360, 1376],
-    [1312, 1328, 1072, 1392, 1408, 1424],
-    [1312, 1440, 1200, 1456, 1472, 1488],
-    [1312, 1440, 1200, 1504, 1520, 1536],
+    [1200, 1216, 1232, 1248, 1264, 1280],
+    [1200, 1216, 1232, 1296, 1312, 1328],
+    [1200, 1344, 1360, 1376, 1392, 1408],
+    [1200, 1344, 1360, 1424, 1440, 1456],
+    [1472, 1488, 1232, 1504, 1520, 1536],
+    [1472, 1488, 1232, 1552, 1568, 1584],
+    [1472, 1600, 1360, 1616, 1632, 1648],
+    [1472, 1600, 1360, 1664, 1680, 1696],
 ])
-_KINDS = np.array([1552, 1568, 1584, 1600, 1616, 1632, 1648, 1664])
+_KINDS = np.array([1712, 1728, 1744, 1760, 1776, 1792, 1808, 1824])
 
 
 @intrinsic(prefer_literal=True)
@@ -1424,7 +1422,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1680), 1680)
+    work = carray(_tile(1840), 1840)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1558,90 +1556,106 @@ def _in_tiles(T, q, status):
             s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
             v64 = math.copysign(half_turn, Y4_p)
             v65 = math.copysign(half_turn, Y4_m)
-            doubt1 = (
-                v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46 <=
-                m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5
-            )
-            work[272 + k] = v1
-            work[288 + k] = v6
-            work[304 + k] = v7
-            work[320 + k] = s6_pp
-            work[336 + k] = s6_pm
-            work[352 + k] = s6_mp
-            work[368 + k] = s6_mm
-            work[384 + k] = v64
-            work[400 + k] = v65
-            work[416 + k] = doubt1
-            work[432 + k] = s6_pp
-            work[448 + k] = s6_pm
-            work[464 + k] = s6_mp
-            work[480 + k] = s6_mm
-            work[496 + k] = S2_pp
-            work[512 + k] = S2_pm
-            work[528 + k] = S2_pm
-            work[544 + k] = S2_pp
-            work[560 + k] = v7
-            work[576 + k] = Y4_p
-            work[592 + k] = Y4_p
-            work[608 + k] = Y4_m
-            work[624 + k] = Y4_m
-            work[640 + k] = math.sqrt(v46)
-            work[656 + k] = math.sqrt(v47)
-            work[672 + k] = math.sqrt(v48)
-            work[688 + k] = math.sqrt(v49)
-            work[704 + k] = s1_p
-            work[720 + k] = s1_m
-            work[736 + k] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
-            work[752 + k] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
-            work[768 + k] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
-            work[784 + k] = Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm
-            work[800 + k] = C2_pp
-            work[816 + k] = C2_pm
-            work[832 + k] = C2_mp
-            work[848 + k] = C2_mm
-            work[864 + k] = -v8
-            work[880 + k] = -X4_pp
-            work[896 + k] = -X4_pm
-            work[912 + k] = -X4_mp
-            work[928 + k] = -X4_mm
-            work[944 + k] = -(T33 * v35 + s23_pp * v42)
-            work[960 + k] = -(T33 * v37 + s23_pm * v42)
-            work[976 + k] = -(T33 * v38 + s23_mp * v43)
-            work[992 + k] = -(T33 * v39 + s23_mm * v43)
-            work[1008 + k] = -v3
-            work[1024 + k] = -v4
-        for k in range(432, 736):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v1
+            work[320 + k] = D3
+            work[336 + k] = v6
+            work[352 + k] = v7
+            work[368 + k] = v25
+            work[384 + k] = v27
+            work[400 + k] = v28
+            work[416 + k] = v29
+            work[432 + k] = v46
+            work[448 + k] = v47
+            work[464 + k] = v48
+            work[480 + k] = v49
+            work[496 + k] = s6_pp
+            work[512 + k] = s6_pm
+            work[528 + k] = s6_mp
+            work[544 + k] = s6_mm
+            work[560 + k] = v64
+            work[576 + k] = v65
+            work[592 + k] = s6_pp
+            work[608 + k] = s6_pm
+            work[624 + k] = s6_mp
+            work[640 + k] = s6_mm
+            work[656 + k] = S2_pp
+            work[672 + k] = S2_pm
+            work[688 + k] = S2_pm
+            work[704 + k] = S2_pp
+            work[720 + k] = v7
+            work[736 + k] = Y4_p
+            work[752 + k] = Y4_p
+            work[768 + k] = Y4_m
+            work[784 + k] = Y4_m
+            work[800 + k] = math.sqrt(v46)
+            work[816 + k] = math.sqrt(v47)
+            work[832 + k] = math.sqrt(v48)
+            work[848 + k] = math.sqrt(v49)
+            work[864 + k] = s1_p
+            work[880 + k] = s1_m
+            work[896 + k] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
+            work[912 + k] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
+            work[928 + k] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
+            work[944 + k] = Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm
+            work[960 + k] = C2_pp
+            work[976 + k] = C2_pm
+            work[992 + k] = C2_mp
+            work[1008 + k] = C2_mm
+            work[1024 + k] = -v8
+            work[1040 + k] = -X4_pp
+            work[1056 + k] = -X4_pm
+            work[1072 + k] = -X4_mp
+            work[1088 + k] = -X4_mm
+            work[1104 + k] = -(T33 * v35 + s23_pp * v42)
+            work[1120 + k] = -(T33 * v37 + s23_pm * v42)
+            work[1136 + k] = -(T33 * v38 + s23_mp * v43)
+            work[1152 + k] = -(T33 * v39 + s23_mm * v43)
+            work[1168 + k] = -v3
+            work[1184 + k] = -v4
+        for k in range(592, 896):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v1 = work[272 + k]
-            v6 = work[288 + k]
-            v7 = work[304 + k]
-            s6_pp = work[320 + k]
-            s6_pm = work[336 + k]
-            s6_mp = work[352 + k]
-            s6_mm = work[368 + k]
-            v64 = work[384 + k]
-            v65 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v1 = work[304 + k]
+            D3 = work[320 + k]
+            v6 = work[336 + k]
+            v7 = work[352 + k]
+            v25 = work[368 + k]
+            v27 = work[384 + k]
+            v28 = work[400 + k]
+            v29 = work[416 + k]
+            v46 = work[432 + k]
+            v47 = work[448 + k]
+            v48 = work[464 + k]
+            v49 = work[480 + k]
+            s6_pp = work[496 + k]
+            s6_pm = work[512 + k]
+            s6_mp = work[528 + k]
+            s6_mm = work[544 + k]
+            v64 = work[560 + k]
+            v65 = work[576 + k]
+            angle1 = work[592 + k]
+            angle2 = work[608 + k]
+            angle3 = work[624 + k]
+            angle4 = work[640 + k]
+            angle5 = work[656 + k]
+            angle6 = work[672 + k]
+            angle7 = work[688 + k]
+            angle8 = work[704 + k]
+            angle9 = work[720 + k]
+            angle10 = work[736 + k]
+            angle11 = work[752 + k]
+            angle12 = work[768 + k]
+            angle13 = work[784 + k]
+            angle14 = work[800 + k]
+            angle15 = work[816 + k]
+            angle16 = work[832 + k]
+            angle17 = work[848 + k]
+            angle18 = work[864 + k]
+            angle19 = work[880 + k]
             q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
             q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
             q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
@@ -1692,79 +1706,83 @@ def _in_tiles(T, q, status):
             q1_mpp = v6 + angle19
             q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
             q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
-            _1040 = q1_ppp
-            work[1040 + k] = _1040
-            _1056 = q2_ppp
-            work[1056 + k] = _1056
-            _1072 = q3_ppp
-            work[1072 + k] = _1072
-            _1088 = q4_ppp
-            work[1088 + k] = _1088
-            _1104 = q5_ppp
-            work[1104 + k] = _1104
-            _1120 = angle1
-            work[1120 + k] = _1120
-            _1136 = q4_ppm
-            work[1136 + k] = _1136
-            _1152 = q5_ppm
-            work[1152 + k] = _1152
-            _1168 = q6_ppm
-            work[1168 + k] = _1168
-            _1184 = q2_pmp
-            work[1184 + k] = _1184
-            _1200 = q3_pmp
+            _1200 = q1_ppp
             work[1200 + k] = _1200
-            _1216 = q4_pmp
+            _1216 = q2_ppp
             work[1216 + k] = _1216
-            _1232 = q5_pmp
+            _1232 = q3_ppp
             work[1232 + k] = _1232
-            _1248 = angle2
+            _1248 = q4_ppp
             work[1248 + k] = _1248
-            _1264 = q4_pmm
+            _1264 = q5_ppp
             work[1264 + k] = _1264
-            _1280 = q5_pmm
+            _1280 = angle1
             work[1280 + k] = _1280
-            _1296 = q6_pmm
+            _1296 = q4_ppm
             work[1296 + k] = _1296
-            _1312 = q1_mpp
+            _1312 = q5_ppm
             work[1312 + k] = _1312
-            _1328 = q2_mpp
+            _1328 = q6_ppm
             work[1328 + k] = _1328
-            _1344 = q4_mpp
+            _1344 = q2_pmp
             work[1344 + k] = _1344
-            _1360 = q5_mpp
+            _1360 = q3_pmp
             work[1360 + k] = _1360
-            _1376 = angle3
+            _1376 = q4_pmp
             work[1376 + k] = _1376
-            _1392 = q4_mpm
+            _1392 = q5_pmp
             work[1392 + k] = _1392
-            _1408 = q5_mpm
+            _1408 = angle2
             work[1408 + k] = _1408
-            _1424 = q6_mpm
+            _1424 = q4_pmm
             work[1424 + k] = _1424
-            _1440 = q2_mmp
+            _1440 = q5_pmm
             work[1440 + k] = _1440
-            _1456 = q4_mmp
+            _1456 = q6_pmm
             work[1456 + k] = _1456
-            _1472 = q5_mmp
+            _1472 = q1_mpp
             work[1472 + k] = _1472
-            _1488 = angle4
+            _1488 = q2_mpp
             work[1488 + k] = _1488
-            _1504 = q4_mmm
+            _1504 = q4_mpp
             work[1504 + k] = _1504
-            _1520 = q5_mmm
+            _1520 = q5_mpp
             work[1520 + k] = _1520
-            _1536 = q6_mmm
+            _1536 = angle3
             work[1536 + k] = _1536
-            work[1552 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1568 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1584 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1600 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1616 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1632 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1648 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1664 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1552 = q4_mpm
+            work[1552 + k] = _1552
+            _1568 = q5_mpm
+            work[1568 + k] = _1568
+            _1584 = q6_mpm
+            work[1584 + k] = _1584
+            _1600 = q2_mmp
+            work[1600 + k] = _1600
+            _1616 = q4_mmp
+            work[1616 + k] = _1616
+            _1632 = q5_mmp
+            work[1632 + k] = _1632
+            _1648 = angle4
+            work[1648 + k] = _1648
+            _1664 = q4_mmm
+            work[1664 + k] = _1664
+            _1680 = q5_mmm
+            work[1680 + k] = _1680
+            _1696 = q6_mmm
+            work[1696 + k] = _1696
+            work[1712 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1728 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1744 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1760 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1776 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[1792 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[1808 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[1824 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[256 + k] = (
+                1.0 if v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or
+                v46 <= m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5 else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 5ebd9c78c982b633"
+_KEY = "epson_t3 03546f581659f3e5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -166,6 +166,8 @@ high1 = 2.303834613632515
 high2 = 2.460914246312005
 low3 = -0.1500000004
 high3 = 4e-10
+per_size = 2.5
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 5.0709436649753e-13  # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m2 = 2.2222222222222223  # a coefficient of S1
 m3 = 0.04444444444444444  # a coefficient of S1
@@ -892,20 +894,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(4), np.empty(4)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1002,12 +1003,9 @@ def _regular(pose, q, status):
     v7 = T21 * T21 + T11 * T11 - 1.0
 
     # joint values
-    v11 = T34 < low3 or high3 < T34
-    q3_p = T34 + (w2 - w2)
-    doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
+    q3_p = w2 - w2 + T34
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7:
         return False
 
     # angles, side by side
@@ -1033,9 +1031,14 @@ def _regular(pose, q, status):
     v9 = angle4 - angle2 - angle1
     q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
     q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-    v10 = high2 < abs(angle2)
-    outside_p = v11 or v10 or high1 < abs(angle3)
-    outside_m = v11 or v10 or high1 < abs(angle4)
+    v10 = max(abs(angle2) - high2, per_size * max(low3 - T34, T34 - high3))
+    excess_p = max(v10, abs(angle3) - high1)
+    excess_m = max(v10, abs(angle4) - high1)
+    outside_p = 0.0 < excess_p
+    outside_m = 0.0 < excess_m
+
+    if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze:
+        return False
 
     q[0, 0] = angle3
     q[0, 1] = angle2
@@ -1251,10 +1254,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [448, 464, 480, 496],
-    [512, 528, 480, 544],
+    [464, 480, 496, 512],
+    [528, 544, 496, 560],
 ])
-_KINDS = np.array([560, 576])
+_KINDS = np.array([576, 592])
 
 
 @intrinsic(prefer_literal=True)
@@ -1281,7 +1284,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(592), 592)
+    work = carray(_tile(608), 608)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1307,12 +1310,9 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             N2 = T14 * T14 + T24 * T24
@@ -1325,54 +1325,67 @@ def _in_tiles(T, q, status):
             v5 = w2 * (m2 * T24)
             v6 = 1.0 + T33
             v7 = T21 * T21 + T11 * T11 - 1.0
-            v11 = T34 < low3 or high3 < T34
-            q3_p = T34 + (w2 - w2)
-            doubt1 = abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
-            work[272 + k] = v11
-            work[288 + k] = q3_p
-            work[304 + k] = doubt1
-            work[320 + k] = T21
-            work[336 + k] = w2
-            work[352 + k] = v2 - v4
-            work[368 + k] = v2 + v4
-            work[384 + k] = T11
-            work[400 + k] = N2 - k1
-            work[416 + k] = v3 + v5
-            work[432 + k] = v3 - v5
-        for k in range(320, 384):
+            q3_p = w2 - w2 + T34
+            work[272 + k] = D2
+            work[288 + k] = v6
+            work[304 + k] = v7
+            work[320 + k] = q3_p
+            work[336 + k] = T21
+            work[352 + k] = w2
+            work[368 + k] = v2 - v4
+            work[384 + k] = v2 + v4
+            work[400 + k] = T11
+            work[416 + k] = N2 - k1
+            work[432 + k] = v3 + v5
+            work[448 + k] = v3 - v5
+        for k in range(336, 400):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v11 = work[272 + k] != 0.0
-            q3_p = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
+            T13 = work[32 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            T34 = work[176 + k]
+            D2 = work[272 + k]
+            v6 = work[288 + k]
+            v7 = work[304 + k]
+            q3_p = work[320 + k]
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
+            angle3 = work[368 + k]
+            angle4 = work[384 + k]
             v8 = angle2 + angle3 - angle1
             v9 = angle4 - angle2 - angle1
             q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
             q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-            v10 = high2 < abs(angle2)
-            outside_p = v11 or v10 or high1 < abs(angle3)
-            outside_m = v11 or v10 or high1 < abs(angle4)
-            _448 = angle3
-            work[448 + k] = _448
-            _464 = angle2
+            v10 = max(abs(angle2) - high2, per_size * max(low3 - T34, T34 - high3))
+            excess_p = max(v10, abs(angle3) - high1)
+            excess_m = max(v10, abs(angle4) - high1)
+            outside_p = 0.0 < excess_p
+            outside_m = 0.0 < excess_m
+            _464 = angle3
             work[464 + k] = _464
-            _480 = q3_p
+            _480 = angle2
             work[480 + k] = _480
-            _496 = q4_p
+            _496 = q3_p
             work[496 + k] = _496
-            _512 = angle4
+            _512 = q4_p
             work[512 + k] = _512
-            _528 = -angle2
+            _528 = angle4
             work[528 + k] = _528
-            _544 = q4_m
+            _544 = -angle2
             work[544 + k] = _544
-            work[560 + k] = UNREACHABLE if _448 != _448 else (OUT_OF_LIMITS if outside_p else OK)
-            work[576 + k] = UNREACHABLE if _512 != _512 else (OUT_OF_LIMITS if outside_m else OK)
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _560 = q4_m
+            work[560 + k] = _560
+            work[576 + k] = UNREACHABLE if _464 != _464 else (OUT_OF_LIMITS if outside_p else OK)
+            work[592 + k] = UNREACHABLE if _528 != _528 else (OUT_OF_LIMITS if outside_m else OK)
+            work[256 + k] = (
+                1.0 if abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
+                else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else
+                work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id edcdbead71f74735"
+_KEY = "fanuc_lrmate200id 99db07acd9ad6c47"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,6 +186,7 @@ high2 = 2.530727416391778
 low3 = -1.2217304773960307
 high3 = 3.5779249675883755
 high5 = 2.181661565992912
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.3456000000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 6.836537250918941e-12
@@ -1047,20 +1048,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1220,13 +1220,11 @@ def _regular(pose, q, status):
 
     # joint values
     v46 = w3_p * (m4 * v3)
-    doubt1 = (
+
+    if (
         v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1342,34 +1340,50 @@ def _regular(pose, q, status):
     v60 = (-turn if half_turn < -v6 else 0.0) - v6
     v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
     v62 = (-turn if half_turn < -v7 else 0.0) - v7
-    v63 = high1 < abs(angle1)
-    v64 = high1 < abs(q1__m)
+    v63 = abs(angle1) - high1
+    v64 = abs(q1__m) - high1
     v65 = v59 + (turn if v59 < low3 else 0.0)
     v66 = v60 + (turn if v60 < low3 else 0.0)
     v67 = v61 + (turn if v61 < low3 else 0.0)
     v68 = v62 + (turn if v62 < low3 else 0.0)
-    v69 = v65 < low3 or high3 < v65
-    v70 = v66 < low3 or high3 < v66
-    v71 = v67 < low3 or high3 < v67
-    v72 = v68 < low3 or high3 < v68
-    q3_ppp = v59 if v69 else v65
-    q3_pmp = v60 if v70 else v66
-    q3_mpp = v61 if v71 else v67
-    q3_mmp = v62 if v72 else v68
+    v69 = max(low3 - v65, v65 - high3)
+    v70 = max(low3 - v66, v66 - high3)
+    v71 = max(low3 - v67, v67 - high3)
+    v72 = max(low3 - v68, v68 - high3)
+    q3_ppp = v59 if 0.0 < v69 else v65
+    q3_pmp = v60 if 0.0 < v70 else v66
+    q3_mpp = v61 if 0.0 < v71 else v67
+    q3_mmp = v62 if 0.0 < v72 else v68
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v73 = v69 or v63 or q2_ppp < low2 or high2 < q2_ppp
-    v74 = v70 or v63 or q2_pmp < low2 or high2 < q2_pmp
-    v75 = v71 or v64 or q2_mpp < low2 or high2 < q2_mpp
-    v76 = v72 or v64 or q2_mmp < low2 or high2 < q2_mmp
-    outside_ppp = v73 or high5 < abs(q5_ppp)
-    outside_ppm = v73 or high5 < abs(q5_ppm)
-    outside_pmp = v74 or high5 < abs(q5_pmp)
-    outside_pmm = v74 or high5 < abs(q5_pmm)
-    outside_mpp = v75 or high5 < abs(q5_mpp)
-    outside_mpm = v75 or high5 < abs(q5_mpm)
-    outside_mmp = v76 or high5 < abs(q5_mmp)
-    outside_mmm = v76 or high5 < abs(q5_mmm)
+    v73 = max(v69, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
+    v74 = max(v70, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
+    v75 = max(v71, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
+    v76 = max(v72, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
+    excess_ppp = max(v73, abs(q5_ppp) - high5)
+    excess_ppm = max(v73, abs(q5_ppm) - high5)
+    excess_pmp = max(v74, abs(q5_pmp) - high5)
+    excess_pmm = max(v74, abs(q5_pmm) - high5)
+    excess_mpp = max(v75, abs(q5_mpp) - high5)
+    excess_mpm = max(v75, abs(q5_mpm) - high5)
+    excess_mmp = max(v76, abs(q5_mmp) - high5)
+    excess_mmm = max(v76, abs(q5_mmm) - high5)
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1629,16 +1643,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1040, 1056, 1072, 1088, 1104, 1120],
-    [1040, 1056, 1072, 1136, 1152, 1168],
-    [1040, 1184, 1200, 1216, 1232, 1248],
-    [1040, 1184, 1200, 1264, 1280, 1296],
-    [1312, 1328, 1344, 1360, 1376, 1392],
-    [1312, 1328, 1344, 1408, 1424, 1440],
-    [1312, 1456, 1472, 1488, 1504, 1520],
-    [1312, 1456, 1472, 1536, 1552, 1568],
+    [1136, 1152, 1168, 1184, 1200, 1216],
+    [1136, 1152, 1168, 1232, 1248, 1264],
+    [1136, 1280, 1296, 1312, 1328, 1344],
+    [1136, 1280, 1296, 1360, 1376, 1392],
+    [1408, 1424, 1440, 1456, 1472, 1488],
+    [1408, 1424, 1440, 1504, 1520, 1536],
+    [1408, 1552, 1568, 1584, 1600, 1616],
+    [1408, 1552, 1568, 1632, 1648, 1664],
 ])
-_KINDS = np.array([1584, 1600, 1616, 1632, 1648, 1664, 1680, 1696])
+_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
 @intrinsic(prefer_literal=True)
@@ -1665,7 +1679,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1712), 1712)
+    work = carray(_tile(1808), 1808)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1770,90 +1784,98 @@ def _in_tiles(T, q, status):
             v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41)
             v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41)
             v46 = w3_p * (m4 * v3)
-            doubt1 = (
-                v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1
-                or abs(D3_p) <= m3
-            )
             work[272 + k] = Y1
-            work[288 + k] = w3_p
-            work[304 + k] = w3_m
-            work[320 + k] = v36
-            work[336 + k] = v37
-            work[352 + k] = v42
-            work[368 + k] = v43
-            work[384 + k] = v44
-            work[400 + k] = v45
-            work[416 + k] = doubt1
-            work[432 + k] = Y1
-            work[448 + k] = w3_p
-            work[464 + k] = w3_m
-            work[480 + k] = Y4
-            work[496 + k] = Y4
-            work[512 + k] = -Y4
-            work[528 + k] = -Y4
-            work[544 + k] = v42
-            work[560 + k] = v43
-            work[576 + k] = v44
-            work[592 + k] = v45
-            work[608 + k] = -(v8 + v46)
-            work[624 + k] = v46 - v8
-            work[640 + k] = -(v9 + w3_m * (m4 * v4))
-            work[656 + k] = -(v9 + w3_m * (m4 * -v4))
-            work[672 + k] = math.sqrt(v32)
-            work[688 + k] = math.sqrt(v33)
-            work[704 + k] = math.sqrt(v34)
-            work[720 + k] = math.sqrt(v35)
-            work[736 + k] = -t14
-            work[752 + k] = N3_p - k3
-            work[768 + k] = N3_m - k3
-            work[784 + k] = -X4_pp
-            work[800 + k] = -X4_pm
-            work[816 + k] = v29
-            work[832 + k] = v30
-            work[848 + k] = Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38
-            work[864 + k] = Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38
-            work[880 + k] = v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)
-            work[896 + k] = v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39)
-            work[912 + k] = v12 + w3_p * v10
-            work[928 + k] = v12 + w3_p * v11
-            work[944 + k] = v13 + w3_m * v10
-            work[960 + k] = v13 + w3_m * v11
-            work[976 + k] = T31 * c2m3_pp + s2m3_pp * v28
-            work[992 + k] = T31 * c2m3_pm + s2m3_pm * v28
-            work[1008 + k] = T31 * c2m3_mp - s2m3_mp * v28
-            work[1024 + k] = T31 * c2m3_mm - s2m3_mm * v28
-        for k in range(432, 736):
+            work[288 + k] = v1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = v32
+            work[384 + k] = v33
+            work[400 + k] = v34
+            work[416 + k] = v35
+            work[432 + k] = v36
+            work[448 + k] = v37
+            work[464 + k] = v42
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = v45
+            work[528 + k] = Y1
+            work[544 + k] = w3_p
+            work[560 + k] = w3_m
+            work[576 + k] = Y4
+            work[592 + k] = Y4
+            work[608 + k] = -Y4
+            work[624 + k] = -Y4
+            work[640 + k] = v42
+            work[656 + k] = v43
+            work[672 + k] = v44
+            work[688 + k] = v45
+            work[704 + k] = -(v8 + v46)
+            work[720 + k] = v46 - v8
+            work[736 + k] = -(v9 + w3_m * (m4 * v4))
+            work[752 + k] = -(v9 + w3_m * (m4 * -v4))
+            work[768 + k] = math.sqrt(v32)
+            work[784 + k] = math.sqrt(v33)
+            work[800 + k] = math.sqrt(v34)
+            work[816 + k] = math.sqrt(v35)
+            work[832 + k] = -t14
+            work[848 + k] = N3_p - k3
+            work[864 + k] = N3_m - k3
+            work[880 + k] = -X4_pp
+            work[896 + k] = -X4_pm
+            work[912 + k] = v29
+            work[928 + k] = v30
+            work[944 + k] = Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38
+            work[960 + k] = Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38
+            work[976 + k] = v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)
+            work[992 + k] = v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39)
+            work[1008 + k] = v12 + w3_p * v10
+            work[1024 + k] = v12 + w3_p * v11
+            work[1040 + k] = v13 + w3_m * v10
+            work[1056 + k] = v13 + w3_m * v11
+            work[1072 + k] = T31 * c2m3_pp + s2m3_pp * v28
+            work[1088 + k] = T31 * c2m3_pm + s2m3_pm * v28
+            work[1104 + k] = T31 * c2m3_mp - s2m3_mp * v28
+            work[1120 + k] = T31 * c2m3_mm - s2m3_mm * v28
+        for k in range(528, 832):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            w3_p = work[288 + k]
-            w3_m = work[304 + k]
-            v36 = work[320 + k]
-            v37 = work[336 + k]
-            v42 = work[352 + k]
-            v43 = work[368 + k]
-            v44 = work[384 + k]
-            v45 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
+            v1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            v32 = work[368 + k]
+            v33 = work[384 + k]
+            v34 = work[400 + k]
+            v35 = work[416 + k]
+            v36 = work[432 + k]
+            v37 = work[448 + k]
+            v42 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            v45 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1)
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
@@ -1895,127 +1917,145 @@ def _in_tiles(T, q, status):
             v60 = (-turn if half_turn < -v6 else 0.0) - v6
             v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
             v62 = (-turn if half_turn < -v7 else 0.0) - v7
-            v63 = high1 < abs(angle1)
-            v64 = high1 < abs(q1__m)
+            v63 = abs(angle1) - high1
+            v64 = abs(q1__m) - high1
             v65 = v59 + (turn if v59 < low3 else 0.0)
             v66 = v60 + (turn if v60 < low3 else 0.0)
             v67 = v61 + (turn if v61 < low3 else 0.0)
             v68 = v62 + (turn if v62 < low3 else 0.0)
-            v69 = v65 < low3 or high3 < v65
-            v70 = v66 < low3 or high3 < v66
-            v71 = v67 < low3 or high3 < v67
-            v72 = v68 < low3 or high3 < v68
-            q3_ppp = v59 if v69 else v65
-            q3_pmp = v60 if v70 else v66
-            q3_mpp = v61 if v71 else v67
-            q3_mmp = v62 if v72 else v68
+            v69 = max(low3 - v65, v65 - high3)
+            v70 = max(low3 - v66, v66 - high3)
+            v71 = max(low3 - v67, v67 - high3)
+            v72 = max(low3 - v68, v68 - high3)
+            q3_ppp = v59 if 0.0 < v69 else v65
+            q3_pmp = v60 if 0.0 < v70 else v66
+            q3_mpp = v61 if 0.0 < v71 else v67
+            q3_mmp = v62 if 0.0 < v72 else v68
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v73 = v69 or v63 or q2_ppp < low2 or high2 < q2_ppp
-            v74 = v70 or v63 or q2_pmp < low2 or high2 < q2_pmp
-            v75 = v71 or v64 or q2_mpp < low2 or high2 < q2_mpp
-            v76 = v72 or v64 or q2_mmp < low2 or high2 < q2_mmp
-            outside_ppp = v73 or high5 < abs(q5_ppp)
-            outside_ppm = v73 or high5 < abs(q5_ppm)
-            outside_pmp = v74 or high5 < abs(q5_pmp)
-            outside_pmm = v74 or high5 < abs(q5_pmm)
-            outside_mpp = v75 or high5 < abs(q5_mpp)
-            outside_mpm = v75 or high5 < abs(q5_mpm)
-            outside_mmp = v76 or high5 < abs(q5_mmp)
-            outside_mmm = v76 or high5 < abs(q5_mmm)
-            _1040 = q1_ppp
-            work[1040 + k] = _1040
-            _1056 = q2_ppp
-            work[1056 + k] = _1056
-            _1072 = q3_ppp
-            work[1072 + k] = _1072
-            _1088 = angle4
-            work[1088 + k] = _1088
-            _1104 = q5_ppp
-            work[1104 + k] = _1104
-            _1120 = angle8
-            work[1120 + k] = _1120
-            _1136 = q4_ppm
+            v73 = max(v69, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
+            v74 = max(v70, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
+            v75 = max(v71, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
+            v76 = max(v72, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
+            excess_ppp = max(v73, abs(q5_ppp) - high5)
+            excess_ppm = max(v73, abs(q5_ppm) - high5)
+            excess_pmp = max(v74, abs(q5_pmp) - high5)
+            excess_pmm = max(v74, abs(q5_pmm) - high5)
+            excess_mpp = max(v75, abs(q5_mpp) - high5)
+            excess_mpm = max(v75, abs(q5_mpm) - high5)
+            excess_mmp = max(v76, abs(q5_mmp) - high5)
+            excess_mmm = max(v76, abs(q5_mmm) - high5)
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1136 = q1_ppp
             work[1136 + k] = _1136
-            _1152 = q5_ppm
+            _1152 = q2_ppp
             work[1152 + k] = _1152
-            _1168 = q6_ppm
+            _1168 = q3_ppp
             work[1168 + k] = _1168
-            _1184 = q2_pmp
+            _1184 = angle4
             work[1184 + k] = _1184
-            _1200 = q3_pmp
+            _1200 = q5_ppp
             work[1200 + k] = _1200
-            _1216 = angle5
+            _1216 = angle8
             work[1216 + k] = _1216
-            _1232 = q5_pmp
+            _1232 = q4_ppm
             work[1232 + k] = _1232
-            _1248 = angle9
+            _1248 = q5_ppm
             work[1248 + k] = _1248
-            _1264 = q4_pmm
+            _1264 = q6_ppm
             work[1264 + k] = _1264
-            _1280 = q5_pmm
+            _1280 = q2_pmp
             work[1280 + k] = _1280
-            _1296 = q6_pmm
+            _1296 = q3_pmp
             work[1296 + k] = _1296
-            _1312 = q1_mpp
+            _1312 = angle5
             work[1312 + k] = _1312
-            _1328 = q2_mpp
+            _1328 = q5_pmp
             work[1328 + k] = _1328
-            _1344 = q3_mpp
+            _1344 = angle9
             work[1344 + k] = _1344
-            _1360 = angle6
+            _1360 = q4_pmm
             work[1360 + k] = _1360
-            _1376 = q5_mpp
+            _1376 = q5_pmm
             work[1376 + k] = _1376
-            _1392 = angle10
+            _1392 = q6_pmm
             work[1392 + k] = _1392
-            _1408 = q4_mpm
+            _1408 = q1_mpp
             work[1408 + k] = _1408
-            _1424 = q5_mpm
+            _1424 = q2_mpp
             work[1424 + k] = _1424
-            _1440 = q6_mpm
+            _1440 = q3_mpp
             work[1440 + k] = _1440
-            _1456 = q2_mmp
+            _1456 = angle6
             work[1456 + k] = _1456
-            _1472 = q3_mmp
+            _1472 = q5_mpp
             work[1472 + k] = _1472
-            _1488 = angle7
+            _1488 = angle10
             work[1488 + k] = _1488
-            _1504 = q5_mmp
+            _1504 = q4_mpm
             work[1504 + k] = _1504
-            _1520 = angle11
+            _1520 = q5_mpm
             work[1520 + k] = _1520
-            _1536 = q4_mmm
+            _1536 = q6_mpm
             work[1536 + k] = _1536
-            _1552 = q5_mmm
+            _1552 = q2_mmp
             work[1552 + k] = _1552
-            _1568 = q6_mmm
+            _1568 = q3_mmp
             work[1568 + k] = _1568
-            work[1584 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1600 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1616 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1632 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1648 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1664 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
+            _1584 = angle7
+            work[1584 + k] = _1584
+            _1600 = q5_mmp
+            work[1600 + k] = _1600
+            _1616 = angle11
+            work[1616 + k] = _1616
+            _1632 = q4_mmm
+            work[1632 + k] = _1632
+            _1648 = q5_mmm
+            work[1648 + k] = _1648
+            _1664 = q6_mmm
+            work[1664 + k] = _1664
             work[1680 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1696 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[1712 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1728 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[1744 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1760 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[1776 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1792 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[256 + k] = (
+                1.0 if v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1
+                <= m1 or abs(D3_p) <= m3 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

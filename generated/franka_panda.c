@@ -35,6 +35,13 @@ MISFIT(one, double)
 #define HELPER static inline
 #define APART static
 #endif
+#if defined(__clang__)
+#define UNROLLED _Pragma("unroll")
+#elif defined(__GNUC__) && __GNUC__ >= 8
+#define UNROLLED _Pragma("GCC unroll 2")
+#else
+#define UNROLLED
+#endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
 #define minimum_double(a, b) ((a) < (b) ? (a) : (b))
@@ -237,12 +244,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -273,6 +281,7 @@ static const double
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     m1 = 1.940449e-11, /* 1000 * merge_slack2 [m^2] */
     m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
+    m8 = 0.5, /* 1 / 2 */
     m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
     m11 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
@@ -295,23 +304,25 @@ static const double lowest[7] = { -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -
 static const double highest[7] = { 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973 };
 #define slack(joint) 1e-09 /* of limits */
 
+/* What follows from joint values: what the pose and the Jacobian are made of. */
+#define MOTION \
+    const double c1 = cos(q[0]), s1 = sin(q[0]), c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, \
+        x2_y = s1 * c2, z3_x = c1 * s2, z3_y = s1 * s2, c3 = cos(q[2]), s3 = sin(q[2]), \
+        x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3, \
+        z4_x = s1 * c3 + x2_x * s3, y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3, c4 = cos(q[3]), \
+        s4 = sin(q[3]), x4_x = x3_x * c4 + z3_x * s4, x4_y = x3_y * c4 + z3_y * s4, \
+        x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4, y4_y = z3_y * c4 - x3_y * s4, \
+        y4_z = c2 * c4 + v1 * s4, c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - z4_x * s5, \
+        x5_y = x4_y * c5 + y3_y * s5, x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5, \
+        z6_y = x4_y * s5 - y3_y * c5, z6_z = x4_z * s5 - y3_z * c5, c6 = cos(q[5]), \
+        s6 = sin(q[5]), z7_x = x5_x * s6 - y4_x * c6, z7_y = x5_y * s6 - y4_y * c6, \
+        z7_z = x5_z * s6 - y4_z * c6
+
 void franka_panda_fk(const double q[7], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
-        z3_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
-        x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3, z4_x = s1 * c3 + x2_x * s3,
-        y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z3_x * s4,
-        x4_y = x3_y * c4 + z3_y * s4, x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4,
-        y4_y = z3_y * c4 - x3_y * s4, y4_z = c2 * c4 + v1 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - z4_x * s5,
-        x5_y = x4_y * c5 + y3_y * s5, x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5,
-        z6_y = x4_y * s5 - y3_y * c5, z6_z = x4_z * s5 - y3_z * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + y4_x * s6,
-        x6_y = x5_y * c6 + y4_y * s6, x6_z = x5_z * c6 + y4_z * s6, z7_x = x5_x * s6 - y4_x * c6,
-        z7_y = x5_y * s6 - y4_y * c6, z7_z = x5_z * s6 - y4_z * c6;
+    MOTION;
+    const double x6_x = x5_x * c6 + y4_x * s6, x6_y = x5_y * c6 + y4_y * s6,
+        x6_z = x5_z * c6 + y4_z * s6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
     T[0] = x6_x * c7 + z6_x * s7; T[1] = z6_x * c7 - x6_x * s7; T[2] = z7_x;
     T[3] = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + z7_x * d7;
@@ -325,27 +336,15 @@ void franka_panda_fk(const double q[7], double T[16])
 
 void franka_panda_jacobian(const double q[7], double J[42])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
-        z3_y = s1 * s2, p3_x = z3_x * d3, p3_y = z3_y * d3, p3_z = d1 + c2 * d3;
-    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
-        x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3, z4_x = s1 * c3 + x2_x * s3,
-        y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3, p4_x = p3_x + x3_x * a3,
-        p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z3_x * s4,
-        x4_y = x3_y * c4 + z3_y * s4, x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4,
-        y4_y = z3_y * c4 - x3_y * s4, y4_z = c2 * c4 + v1 * s4, p5_x = p4_x - x4_x * a4 + y4_x * d5,
-        p5_y = p4_y - x4_y * a4 + y4_y * d5, p5_z = p4_z - x4_z * a4 + y4_z * d5;
-    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - z4_x * s5,
-        x5_y = x4_y * c5 + y3_y * s5, x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5,
-        z6_y = x4_y * s5 - y3_y * c5, z6_z = x4_z * s5 - y3_z * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]), p7_x = p5_x + (x5_x * c6 + y4_x * s6) * a6,
-        p7_y = p5_y + (x5_y * c6 + y4_y * s6) * a6, p7_z = p5_z + (x5_z * c6 + y4_z * s6) * a6,
-        z7_x = x5_x * s6 - y4_x * c6, z7_y = x5_y * s6 - y4_y * c6, z7_z = x5_z * s6 - y4_z * c6,
-        J21 = p7_x + z7_x * d7, v2 = p7_y + z7_y * d7, v3 = p7_z + z7_z * d7, v4 = v3 - d1,
-        v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z, v8 = J21 - p4_x, v9 = v2 - p4_y,
-        v10 = v3 - p4_z, v11 = J21 - p5_x, v12 = v2 - p5_y, v13 = v3 - p5_z, v14 = J21 - p7_x,
-        v15 = v2 - p7_y, v16 = v3 - p7_z;
+    MOTION;
+    const double p3_x = z3_x * d3, p3_y = z3_y * d3, p3_z = d1 + c2 * d3, p4_x = p3_x + x3_x * a3,
+        p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3, p5_x = p4_x - x4_x * a4 + y4_x * d5,
+        p5_y = p4_y - x4_y * a4 + y4_y * d5, p5_z = p4_z - x4_z * a4 + y4_z * d5,
+        p7_x = p5_x + (x5_x * c6 + y4_x * s6) * a6, p7_y = p5_y + (x5_y * c6 + y4_y * s6) * a6,
+        p7_z = p5_z + (x5_z * c6 + y4_z * s6) * a6, J21 = p7_x + z7_x * d7, v2 = p7_y + z7_y * d7,
+        v3 = p7_z + z7_z * d7, v4 = v3 - d1, v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z,
+        v8 = J21 - p4_x, v9 = v2 - p4_y, v10 = v3 - p4_z, v11 = J21 - p5_x, v12 = v2 - p5_y,
+        v13 = v3 - p5_z, v14 = J21 - p7_x, v15 = v2 - p7_y, v16 = v3 - p7_z;
     J[0] = -v2; J[1] = c1 * v4; J[2] = z3_y * v7 - c2 * v6; J[3] = -y3_y * v10 + y3_z * v9;
     J[4] = y4_y * v13 - y4_z * v12; J[5] = z6_y * v13 - z6_z * v12; J[6] = z7_y * v16 - z7_z * v15;
     J[7] = J21; J[8] = s1 * v4; J[9] = c2 * v5 - z3_x * v7; J[10] = -(y3_z * v8 + z4_x * v10);
@@ -415,168 +414,145 @@ static double beyond_limits(const double values[7])
     return sum;
 }
 
+#define sqrt_double sqrt
+#define abs_double fabs
+#define sin_double sin
+#define cos_double cos
+
+/* What one pose and many compute alike: values without signs of branches, with the first, with
+ * all that are in lanes. */
+#define KNOWN(number) \
+    const number c7 = cos_##number(free_joints[0]), s7 = sin_##number(free_joints[0]); \
+    /* theta4 */ \
+    const number v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33), \
+        w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32, \
+        w2z = T13 * v1 + T23 * v2 + T33 * v3, \
+        Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z * \
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_##number(D4), v4 = k5 * w4, v5 = m3 * Z4, \
+        v6 = m2 * Z4; \
+    /* theta5 */ \
+    const number v8 = m5 + m6 * Z4, Z5 = c7 * w2y + s7 * w2x, v10 = Z5 * Z5, \
+        v12 = m7 * (merge_slack1 + 2.0 * abs_##number(Z5)); \
+    /* theta6 */ \
+    const number v18 = m9 + m4 * Z4, Z2_6 = a6 + (c7 * w2x - s7 * w2y); \
+    /* theta3 */ \
+    const number v25 = c7 * T31 - s7 * T32, v30 = c7 * T32 + s7 * T31; \
+    /* theta1 */ \
+    const number v42 = c7 * T11 - s7 * T12, v45 = c7 * T12 + s7 * T11, v52 = c7 * T21 - s7 * T22, \
+        v55 = c7 * T22 + s7 * T21; \
+    /* joint values */ \
+    const number v66 = free_joints[0] + (w4 - w4)
+#define SIGNED(number, signs) \
+    /* theta4 */ \
+    const number c4 = v5 + w4 * (m2 * e1), s4 = w4 * (m3 * e1) - v6; \
+    /* theta5 */ \
+    const number v7 = a3 * c4 + d3 * s4 - a4, v9 = v8 - w4 * (m4 * e1), N5 = v9 * v9, \
+        D5 = N5 - v10, w5 = sqrt_##number(D5), v11 = w5 - w5, inverse5 = 1.0 / N5, v13 = v9 * w5, \
+        v14 = inverse5 * v13, v15 = v9 * Z5, s5 = inverse5 * v15, \
+        v16 = signed_##number(half_turn, v15); \
+    /* theta6 */ \
+    const number Y1_6 = v18 + w4 * (m6 * e1), v19 = Y1_6 * Z2_6, v22 = w2z * Y1_6; \
+    /* theta3 */ \
+    const number v26 = c4 * v25, v27 = T33 * s4, v28 = T33 * c4, v29 = s4 * v25, \
+        v31 = s5 * (c4 * v30), v32 = v14 * v26, v33 = v14 * v28, v34 = s5 * v25, v35 = T33 * s5, \
+        v36 = v14 * v30; \
+    /* theta2 */ \
+    const number v39 = s5 * (s4 * v30), v40 = v14 * v29, v41 = v14 * v27; \
+    /* theta1 */ \
+    const number v43 = s5 * v42, v44 = T13 * s5, v46 = v14 * v45, v47 = T13 * s4, v48 = s4 * v42, \
+        v49 = s5 * (c4 * v45), v50 = v14 * (c4 * v42), v51 = v14 * (T13 * c4), v53 = s5 * v52, \
+        v54 = T23 * s5, v56 = v14 * v55, v57 = T23 * s4, v58 = s4 * v52, v59 = s5 * (c4 * v55), \
+        v60 = v14 * (c4 * v52), v61 = v14 * (T23 * c4); \
+    /* joint values */ \
+    const number q7_p = v11 + v66
+#define SIGNED_TWICE(number, signs) \
+    /* theta5 */ \
+    const signs v17 = m8 * (1.0 - e2); \
+    /* theta6 */ \
+    const number v20 = e2 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))), v23 = e2 * Z2_6, \
+        C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))), v24 = v21 * v21 + C6 * C6, \
+        factor6 = sqrt_##number(v24) * (1.0 / v24); \
+    /* theta3 */ \
+    const number c3 = v31 + factor6 * (C6 * (v27 - e2 * v32) + v21 * (v29 + e2 * v33)), \
+        v37 = e2 * v36 + factor6 * (C6 * v34 - v21 * v35), v38 = c3 * c3 + v37 * v37; \
+    /* theta1 */ \
+    const number s1 = v37 * (v49 + factor6 * (C6 * (v47 - e2 * v50) + v21 * (v48 + e2 * v51))) - \
+        c3 * (e2 * v46 + factor6 * (C6 * v43 - v21 * v44))
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(
     const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
 {
     ENTRIES(wide);
-    const wide c7 = cos_wide(free_joints[0]), s7 = sin_wide(free_joints[0]);
+    wide_mask left = (irregularity_wide(T, free_joints) <= 1e-24) == 0;
+    KNOWN(wide);
 
     /* theta4 */
-    const wide v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33),
-        w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
-        w2z = T13 * v1 + T23 * v2 + T33 * v3,
-        Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_wide(D4), v4 = k5 * w4, v5 = m3 * Z4,
-        v6 = m2 * w4, c4_p = v5 + v6, c4_m = v5 - v6, v7 = m2 * Z4, v8 = m3 * w4, s4_p = v8 - v7,
-        v9 = v7 + v8, angle1 = atan2_wide(w4, Z4), q4__p = angle1 - turn1, v10 = turn1 + angle1;
+    const wide angle1 = atan2_wide(w4, Z4);
+    left |= (abs_wide(D4) <= m1 * (merge_slack2 + 2.0 * abs_wide(Z4))) | (high(7) <
+        abs_wide(free_joints[0]));
 
-    /* theta5 */
-    const wide v11 = a3 * c4_p + d3 * s4_p - a4, v12 = a3 * c4_m - d3 * v9 - a4, v13 = m5 + m6 * Z4,
-        v14 = m4 * w4, v15 = v13 - v14, v16 = v13 + v14, N5_p = v15 * v15, N5_m = v16 * v16,
-        Z5 = c7 * w2y + s7 * w2x, v17 = Z5 * Z5, D5_p = N5_p - v17, D5_m = N5_m - v17,
-        w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v18 = w5_p - w5_p, v19 = w5_m - w5_m,
-        v20 = m7 * (merge_slack1 + 2.0 * abs_wide(Z5)), inverse5_p = 1.0 / N5_p,
-        inverse5_m = 1.0 / N5_m, v21 = v15 * w5_p, v22 = v16 * w5_m, v23 = inverse5_p * v21,
-        v24 = inverse5_m * v22, v25 = v15 * Z5, v26 = v16 * Z5, s5_p = inverse5_p * v25,
-        s5_m = inverse5_m * v26, angle2 = atan2_wide(v25, -v21), angle3 = atan2_wide(v26, -v22),
-        q5_pmp = signed_wide(half_turn, v25) - angle2,
-        q5_mmp = signed_wide(half_turn, v26) - angle3;
+    UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        SIGNED(wide, double);
 
-    /* theta6 */
-    const wide v27 = m9 + m4 * Z4, v28 = m6 * w4, Y1_6_p = v27 + v28, Y1_6_m = v27 - v28,
-        Z2_6 = a6 + (c7 * w2x - s7 * w2y), v29 = Y1_6_p * Z2_6, v30 = Y1_6_m * Z2_6,
-        v31 = w5_p * (inverse5_p * (v11 * (w2z * v15))), v32 = v29 - v31, v33 = v29 + v31,
-        v34 = w5_m * (inverse5_m * (v12 * (w2z * v16))), v35 = v30 - v34, v36 = v30 + v34,
-        v37 = w2z * Y1_6_p, v38 = w2z * Y1_6_m, v39 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6))),
-        C6_pp = v37 + v39, C6_pm = v37 - v39, v40 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6))),
-        C6_mp = v38 + v40, C6_mm = v38 - v40, v41 = v32 * v32 + C6_pp * C6_pp,
-        v42 = v33 * v33 + C6_pm * C6_pm, v43 = v35 * v35 + C6_mp * C6_mp,
-        v44 = v36 * v36 + C6_mm * C6_mm, factor6_pp = sqrt_wide(v41) * (1.0 / v41),
-        factor6_pm = sqrt_wide(v42) * (1.0 / v42), factor6_mp = sqrt_wide(v43) * (1.0 / v43),
-        factor6_mm = sqrt_wide(v44) * (1.0 / v44), angle4 = atan2_wide(-v32, C6_pp),
-        angle5 = atan2_wide(-v33, C6_pm), angle6 = atan2_wide(-v35, C6_mp),
-        angle7 = atan2_wide(-v36, C6_mm);
+        /* theta4 */
+        const wide q4_ = e1 * angle1 - turn1;
 
-    /* theta3 */
-    const wide v45 = c7 * T31 - s7 * T32, v46 = c4_p * v45, v47 = c4_m * v45, v48 = T33 * s4_p,
-        v49 = T33 * v9, v50 = T33 * c4_p, v51 = T33 * c4_m, v52 = s4_p * v45, v53 = v9 * v45,
-        v54 = c7 * T32 + s7 * T31, v55 = s5_p * (c4_p * v54), v56 = s5_m * (c4_m * v54),
-        v57 = v23 * v46, v58 = v24 * v47, v59 = v23 * v50, v60 = v24 * v51,
-        c3_pp = v55 + factor6_pp * (C6_pp * (v48 - v57) + v32 * (v52 + v59)),
-        c3_pm = v55 + factor6_pm * (C6_pm * (v48 + v57) + v33 * (v52 - v59)),
-        c3_mp = v56 - factor6_mp * (C6_mp * (v49 + v58) - v35 * (v60 - v53)),
-        c3_mm = v56 + factor6_mm * (C6_mm * (v58 - v49) - v36 * (v53 + v60)), v61 = s5_p * v45,
-        v62 = s5_m * v45, v63 = T33 * s5_p, v64 = T33 * s5_m, v65 = v23 * v54, v66 = v24 * v54,
-        v67 = v65 + factor6_pp * (C6_pp * v61 - v32 * v63),
-        v68 = factor6_pm * (C6_pm * v61 - v33 * v63) - v65,
-        v69 = v66 + factor6_mp * (C6_mp * v62 - v35 * v64),
-        v70 = factor6_mm * (C6_mm * v62 - v36 * v64) - v66, v71 = c3_pp * c3_pp + v67 * v67,
-        v72 = c3_pm * c3_pm + v68 * v68, v73 = c3_mp * c3_mp + v69 * v69,
-        v74 = c3_mm * c3_mm + v70 * v70, angle8 = atan2_wide(-v67, c3_pp),
-        angle9 = atan2_wide(-v68, c3_pm), angle10 = atan2_wide(-v69, c3_mp),
-        angle11 = atan2_wide(-v70, c3_mm), q3_ppm = angle8 - signed_wide(half_turn, -v67),
-        q3_pmm = angle9 - signed_wide(half_turn, -v68),
-        q3_mpm = angle10 - signed_wide(half_turn, -v69),
-        q3_mmm = angle11 - signed_wide(half_turn, -v70);
+        /* theta5 */
+        const wide angle2 = atan2_wide(v15, -v13);
 
-    /* theta2 */
-    const wide v75 = s5_p * (s4_p * v54), v76 = s5_m * (v9 * v54), v77 = v23 * v52, v78 = v24 * v53,
-        v79 = v23 * v48, v80 = v24 * v49,
-        angle12 = atan2_wide(-sqrt_wide(v71), v75 + factor6_pp * (-v32 * (v46 - v79) - C6_pp * (v50
-            + v77))),
-        angle13 = atan2_wide(-sqrt_wide(v72), v75 - factor6_pm * (v33 * (v46 + v79) + C6_pm * (v50 -
-            v77))),
-        angle14 = atan2_wide(-sqrt_wide(v73), factor6_mp * (-v35 * (v47 + v80) - C6_mp * (v51 -
-            v78)) - v76),
-        angle15 = atan2_wide(-sqrt_wide(v74), -(v76 + factor6_mm * (v36 * (v47 - v80) + C6_mm * (v51
-            + v78))));
+        /* joint values */
+        const wide v62 = raised_wide(q4_), v63 = beyond(v62, 4), q4_p = v11 + v62;
+        left |= (N5 <= doubt_limit_squared2) | (abs_wide(v4 * D5) <= v12);
 
-    /* theta1 */
-    const wide v81 = c7 * T11 - s7 * T12, v82 = s5_p * v81, v83 = s5_m * v81, v84 = T13 * s5_p,
-        v85 = T13 * s5_m, v86 = c7 * T12 + s7 * T11, v87 = v23 * v86, v88 = v24 * v86,
-        v89 = T13 * s4_p, v90 = T13 * v9, v91 = s4_p * v81, v92 = v9 * v81,
-        v93 = s5_p * (c4_p * v86), v94 = s5_m * (c4_m * v86), v95 = v23 * (c4_p * v81),
-        v96 = v24 * (c4_m * v81), v97 = v23 * (T13 * c4_p), v98 = v24 * (T13 * c4_m),
-        s1_pp = v67 * (v93 + factor6_pp * (C6_pp * (v89 - v95) + v32 * (v91 + v97))) - c3_pp * (v87
-            + factor6_pp * (C6_pp * v82 - v32 * v84)),
-        s1_pm = v68 * (v93 + factor6_pm * (C6_pm * (v89 + v95) + v33 * (v91 - v97))) - c3_pm *
-            (factor6_pm * (C6_pm * v82 - v33 * v84) - v87),
-        s1_mp = v69 * (v94 - factor6_mp * (C6_mp * (v90 + v96) - v35 * (v98 - v92))) - c3_mp * (v88
-            + factor6_mp * (C6_mp * v83 - v35 * v85)),
-        s1_mm = v70 * (v94 + factor6_mm * (C6_mm * (v96 - v90) - v36 * (v92 + v98))) - c3_mm *
-            (factor6_mm * (C6_mm * v83 - v36 * v85) - v88), v99 = c7 * T21 - s7 * T22,
-        v100 = s5_p * v99, v101 = s5_m * v99, v102 = T23 * s5_p, v103 = T23 * s5_m,
-        v104 = c7 * T22 + s7 * T21, v105 = v23 * v104, v106 = v24 * v104, v107 = T23 * s4_p,
-        v108 = T23 * v9, v109 = s4_p * v99, v110 = v9 * v99, v111 = s5_p * (c4_p * v104),
-        v112 = s5_m * (c4_m * v104), v113 = v23 * (c4_p * v99), v114 = v24 * (c4_m * v99),
-        v115 = v23 * (T23 * c4_p), v116 = v24 * (T23 * c4_m),
-        angle16 = atan2_wide(s1_pp, c3_pp * (v105 + factor6_pp * (C6_pp * v100 - v32 * v102)) - v67
-            * (v111 + factor6_pp * (C6_pp * (v107 - v113) + v32 * (v109 + v115)))),
-        angle17 = atan2_wide(s1_pm, c3_pm * (factor6_pm * (C6_pm * v100 - v33 * v102) - v105) - v68
-            * (v111 + factor6_pm * (C6_pm * (v107 + v113) + v33 * (v109 - v115)))),
-        angle18 = atan2_wide(s1_mp, c3_mp * (v106 + factor6_mp * (C6_mp * v101 - v35 * v103)) - v69
-            * (v112 - factor6_mp * (C6_mp * (v108 + v114) - v35 * (v116 - v110)))),
-        angle19 = atan2_wide(s1_mm, c3_mm * (factor6_mm * (C6_mm * v101 - v36 * v103) - v106) - v70
-            * (v112 + factor6_mm * (C6_mm * (v114 - v108) - v36 * (v110 + v116)))),
-        q1_ppm = angle16 - signed_wide(half_turn, s1_pp),
-        q1_pmm = angle17 - signed_wide(half_turn, s1_pm),
-        q1_mpm = angle18 - signed_wide(half_turn, s1_mp),
-        q1_mmm = angle19 - signed_wide(half_turn, s1_mm);
+        UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            SIGNED_TWICE(wide, double);
 
-    /* joint values */
-    const wide v117 = raised_wide(q4__p), v118 = only_wide(-v10 <= -half_turn, turn) - v10;
-    const wide_mask v119 = exceeds(angle12, 2), v120 = exceeds(angle13, 2),
-        v121 = exceeds(angle14, 2), v122 = exceeds(angle15, 2), v123 = beyond(v117, 4),
-        v124 = beyond(v118, 4), v125 = exceeds(angle2, 5), v126 = exceeds(q5_pmp, 5),
-        v127 = exceeds(angle3, 5), v128 = exceeds(q5_mmp, 5);
-    const wide v129 = angle4 + only_wide(angle4 < low(6), turn),
-        v130 = angle5 + only_wide(angle5 < low(6), turn),
-        v131 = angle6 + only_wide(angle6 < low(6), turn),
-        v132 = angle7 + only_wide(angle7 < low(6), turn);
-    const wide_mask v133 = beyond(v129, 6), v134 = beyond(v130, 6), v135 = beyond(v131, 6),
-        v136 = beyond(v132, 6);
-    const wide q6_ppp = pick_wide(v133, angle4, v129), q6_pmp = pick_wide(v134, angle5, v130),
-        q6_mpp = pick_wide(v135, angle6, v131), q6_mmp = pick_wide(v136, angle7, v132),
-        q4_ppp = v18 + v117, q4_mpp = v19 + v118, v137 = free_joints[0] + (w4 - w4),
-        q7_ppp = v18 + v137, q7_mpp = v19 + v137;
-    const wide_mask doubt1 = (v74 <= m11) | (v44 <= m10) | (v73 <= m11) | (v43 <= m10) | (v72 <=
-        m11) | (v42 <= m10) | (v71 <= m11) | (v41 <= m10) | (abs_wide(v4 * D5_m) <= v20) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(v4 * D5_p) <= v20) | (abs_wide(D4) <= m1 * (merge_slack2 +
-        2.0 * abs_wide(Z4))) | exceeds(free_joints[0], 7) | (N5_p <= doubt_limit_squared2);
+            /* theta5 */
+            const wide q5_p = e2 * angle2 + v16 * v17;
 
-    q[0] = angle16; q[1] = angle12; q[2] = angle8; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
-    q[6] = q7_ppp;
-    kind[0] = kind_of(q[0], v133 | v125 | v123 | exceeds(angle8, 3) | v119 | exceeds(angle16, 1));
-    q[7] = q1_ppm; q[8] = -angle12; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
-    q[13] = q7_ppp;
-    kind[1] = kind_of(q[7], v133 | v125 | v123 | exceeds(q3_ppm, 3) | v119 | exceeds(q1_ppm, 1));
-    q[14] = angle17; q[15] = angle13; q[16] = angle9; q[17] = q4_ppp; q[18] = q5_pmp;
-    q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14], v134 | v126 | v123 | exceeds(angle9, 3) | v120 | exceeds(angle17, 1));
-    q[21] = q1_pmm; q[22] = -angle13; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
-    q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21], v134 | v126 | v123 | exceeds(q3_pmm, 3) | v120 | exceeds(q1_pmm, 1));
-    q[28] = angle18; q[29] = angle14; q[30] = angle10; q[31] = q4_mpp; q[32] = angle3;
-    q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28], v135 | v127 | v124 | exceeds(angle10, 3) | v121 | exceeds(angle18, 1));
-    q[35] = q1_mpm; q[36] = -angle14; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
-    q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35], v135 | v127 | v124 | exceeds(q3_mpm, 3) | v121 | exceeds(q1_mpm, 1));
-    q[42] = angle19; q[43] = angle15; q[44] = angle11; q[45] = q4_mpp; q[46] = q5_mmp;
-    q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42], v136 | v128 | v124 | exceeds(angle11, 3) | v122 | exceeds(angle19, 1));
-    q[49] = q1_mmm; q[50] = -angle15; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
-    q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49], v136 | v128 | v124 | exceeds(q3_mmm, 3) | v122 | exceeds(q1_mmm, 1));
-    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt1);
+            /* theta6 */
+            const wide angle3 = atan2_wide(-v21, C6);
+
+            /* theta3 */
+            const wide angle4 = atan2_wide(-v37, c3), q3_m = angle4 - signed_wide(half_turn, -v37);
+
+            /* theta2 */
+            const wide angle5 = atan2_wide(-sqrt_wide(v38), v39 + factor6 * (-v21 * (v26 - e2 * v41)
+                - C6 * (v28 + e2 * v40)));
+
+            /* theta1 */
+            const wide angle6 = atan2_wide(s1, c3 * (e2 * v56 + factor6 * (C6 * v53 - v21 * v54)) -
+                v37 * (v59 + factor6 * (C6 * (v57 - e2 * v60) + v21 * (v58 + e2 * v61)))),
+                q1_m = angle6 - signed_wide(half_turn, s1);
+
+            /* joint values */
+            const wide v64 = angle3 + only_wide(angle3 < low(6), turn), v65 = beyond(v64, 6),
+                q6_p = pick_wide(0.0 < v65, angle3, v64),
+                v67 = maximum_wide(v65, maximum_wide(exceeds(q5_p, 5), maximum_wide(v63,
+                    exceeds(angle5, 2)))),
+                excess_p = maximum_wide(exceeds(angle4, 3), maximum_wide(v67, exceeds(angle6, 1))),
+                excess_m = maximum_wide(exceeds(q3_m, 3), maximum_wide(v67, exceeds(q1_m, 1)));
+            const int row = 4 * i1 + 2 * i2;
+            q[7 * row] = angle6; q[7 * row + 1] = angle5; q[7 * row + 2] = angle4;
+            q[7 * row + 3] = q4_p; q[7 * row + 4] = q5_p; q[7 * row + 5] = q6_p;
+            q[7 * row + 6] = q7_p;
+            kind[row] = kind_of(q[7 * row], 0.0 < excess_p);
+            q[7 * row + 7] = q1_m; q[7 * row + 8] = -angle5; q[7 * row + 9] = q3_m;
+            q[7 * row + 10] = q4_p; q[7 * row + 11] = q5_p; q[7 * row + 12] = q6_p;
+            q[7 * row + 13] = q7_p;
+            kind[row + 1] = kind_of(q[7 * row + 7], 0.0 < excess_m);
+            left |= (v24 <= m10) | (v38 <= m11);
+            left |= grazes(excess_p) | grazes(excess_m);
+        }
+    }
+    return left;
 }
 
 #if LANES > 1
-static const double
-    m8 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -586,72 +562,14 @@ HELPER int solve_regular(
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
-    const double c7 = cos(free_joints[0]), s7 = sin(free_joints[0]);
+    KNOWN(double);
+    SIGNED(four, four);
+    SIGNED_TWICE(four, four);
 
-    /* theta4 */
-    const double v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33),
-        w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
-        w2z = T13 * v1 + T23 * v2 + T33 * v3,
-        Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4), v4 = k5 * w4, v5 = m3 * Z4;
-    const four c4 = v5 + w4 * (m2 * e1);
-    const double v6 = m2 * Z4;
-    const four s4 = w4 * (m3 * e1) - v6;
-
-    /* theta5 */
-    const four v7 = a3 * c4 + d3 * s4 - a4;
-    const double v8 = m5 + m6 * Z4;
-    const four v9 = v8 - w4 * (m4 * e1), N5 = v9 * v9;
-    const double Z5 = c7 * w2y + s7 * w2x, v10 = Z5 * Z5;
-    const four D5 = N5 - v10, w5 = sqrt_four(D5), v11 = w5 - w5;
-    const double v12 = m7 * (merge_slack1 + 2.0 * fabs(Z5));
-    const four inverse5 = 1.0 / N5, v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5,
-        s5 = inverse5 * v15, v16 = signed_four(half_turn, v15), v17 = m8 * (1.0 - e2);
-
-    /* theta6 */
-    const double v18 = m9 + m4 * Z4;
-    const four Y1_6 = v18 + w4 * (m6 * e1);
-    const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const four v19 = Y1_6 * Z2_6, v20 = e2 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))),
-        v22 = w2z * Y1_6, v23 = e2 * Z2_6, C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))),
-        v24 = v21 * v21 + C6 * C6, factor6 = sqrt_four(v24) * (1.0 / v24);
-
-    /* theta3 */
-    const double v25 = c7 * T31 - s7 * T32;
-    const four v26 = c4 * v25, v27 = T33 * s4, v28 = T33 * c4, v29 = s4 * v25;
-    const double v30 = c7 * T32 + s7 * T31;
-    const four v31 = s5 * (c4 * v30), v32 = v14 * v26, v33 = v14 * v28,
-        c3 = v31 + factor6 * (C6 * (v27 - e2 * v32) + v21 * (v29 + e2 * v33)), v34 = s5 * v25,
-        v35 = T33 * s5, v36 = v14 * v30, v37 = e2 * v36 + factor6 * (C6 * v34 - v21 * v35),
-        v38 = c3 * c3 + v37 * v37;
-
-    /* theta2 */
-    const four v39 = s5 * (s4 * v30), v40 = v14 * v29, v41 = v14 * v27;
-
-    /* theta1 */
-    const double v42 = c7 * T11 - s7 * T12;
-    const four v43 = s5 * v42, v44 = T13 * s5;
-    const double v45 = c7 * T12 + s7 * T11;
-    const four v46 = v14 * v45, v47 = T13 * s4, v48 = s4 * v42, v49 = s5 * (c4 * v45),
-        v50 = v14 * (c4 * v42), v51 = v14 * (T13 * c4),
-        s1 = v37 * (v49 + factor6 * (C6 * (v47 - e2 * v50) + v21 * (v48 + e2 * v51))) - c3 * (e2 *
-            v46 + factor6 * (C6 * v43 - v21 * v44));
-    const double v52 = c7 * T21 - s7 * T22;
-    const four v53 = s5 * v52, v54 = T23 * s5;
-    const double v55 = c7 * T22 + s7 * T21;
-    const four v56 = v14 * v55, v57 = T23 * s4, v58 = s4 * v52, v59 = s5 * (c4 * v55),
-        v60 = v14 * (c4 * v52), v61 = v14 * (T23 * c4);
-
-    /* joint values */
-    const double v68 = free_joints[0] + (w4 - w4);
-    const four q7_p = v11 + v68;
-    const int doubt1 = (fabs(D4) <= m1 * (merge_slack2 + 2.0 * fabs(Z4))) | (high(7) <
-        fabs(free_joints[0]));
-    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(v4 * D5) <= v12),
-        doubt3 = (v24 <= m10) | (v38 <= m11);
-
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
-        (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | ((N5 <=
+        doubt_limit_squared2) | (abs_four(v4 * D5) <= v12)) | ((v24 <= m10) | (v38 <= m11))) |
+        (unsigned)((fabs(D4) <= m1 * (merge_slack2 + 2.0 * fabs(Z4))) | (high(7) <
+        fabs(free_joints[0]))))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v15, all_four(w4), 0, 5, 2, 3), shuffle(-v13,
@@ -665,15 +583,17 @@ HELPER int solve_regular(
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v16 * v17,
         q3_m = angle4 - signed_four(half_turn, -v37), q1_m = angle6 - signed_four(half_turn, s1),
-        v62 = raised_four(q4_);
-    const four_mask v63 = exceeds_four(angle5, 2), v64 = beyond_four(v62, 4),
-        v65 = exceeds_four(q5_p, 5);
-    const four v66 = angle3 + only_four(angle3 < low(6), turn);
-    const four_mask v67 = beyond_four(v66, 6);
-    const four q6_p = pick_four(v67, angle3, v66), q4_p = v11 + v62;
-    const four_mask outside_p = v67 | v65 | v64 | exceeds_four(angle4, 3) | v63 |
-        exceeds_four(angle6, 1),
-        outside_m = v67 | v65 | v64 | exceeds_four(q3_m, 3) | v63 | exceeds_four(q1_m, 1);
+        v62 = raised_four(q4_), v63 = beyond_four(v62, 4),
+        v64 = angle3 + only_four(angle3 < low(6), turn), v65 = beyond_four(v64, 6),
+        q6_p = pick_four(0.0 < v65, angle3, v64), q4_p = v11 + v62,
+        v67 = maximum_four(v65, maximum_four(exceeds_four(q5_p, 5), maximum_four(v63,
+            exceeds_four(angle5, 2)))),
+        excess_p = maximum_four(exceeds_four(angle4, 3), maximum_four(v67, exceeds_four(angle6,
+            1))),
+        excess_m = maximum_four(exceeds_four(q3_m, 3), maximum_four(v67, exceeds_four(q1_m, 1)));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle6, angle5, angle4, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, q5_p, q6_p, q7_p);
@@ -1102,18 +1022,19 @@ static int settle(const double T[16], double enough, double most, double q[7])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
-    double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[7], half[7], to[7], *q = rows[row];
+    const double beyond = beyond_limits(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!settle(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != FRANKA_PANDA_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
+        if (status[k] != FRANKA_PANDA_UNREACHABLE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

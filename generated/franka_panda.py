@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 44a29d221069760d"
+_KEY = "franka_panda 0c19175982df7a32"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -190,6 +190,7 @@ high5 = 2.897300001
 low6 = -0.017500001
 high6 = 3.752500001
 high7 = 2.897300001
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.940449e-11  # 1000 * merge_slack2 [m^2]
 m2 = 1.754896834873102  # a coefficient of c4
 m3 = 3.4805529861209807  # a coefficient of c4
@@ -1062,20 +1063,19 @@ def _settle(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _beyond_limits(q)
-    if not 0.0 < off < 0.01:
+    beyond = _beyond_limits(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(7), np.empty(7)
-    most = max(10.0 * off, 0.001)
-    if not _settle(pose, math.nan, most, x):
+    if not _settle(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1379,18 +1379,16 @@ def _regular(pose, q_free, q, status):
     v116 = v24 * (T23 * c4_m)
 
     # joint values
-    v137 = q_free[0] + (w4 - w4)
-    q7_ppp = v18 + v137
-    q7_mpp = v19 + v137
-    doubt1 = (
+    v129 = q_free[0] + (w4 - w4)
+    q7_ppp = v18 + v129
+    q7_mpp = v19 + v129
+
+    if (
         v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10 or v71 <=
         m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 * D5_p)
         <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or N5_p
         <= doubt_limit_squared2
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1491,38 +1489,50 @@ def _regular(pose, q_free, q, status):
     # joint values
     v117 = q4__p + (turn if q4__p <= -half_turn else 0.0)
     v118 = (turn if -v10 <= -half_turn else 0.0) - v10
-    v119 = high2 < abs(angle12)
-    v120 = high2 < abs(angle13)
-    v121 = high2 < abs(angle14)
-    v122 = high2 < abs(angle15)
-    v123 = v117 < low4 or high4 < v117
-    v124 = v118 < low4 or high4 < v118
-    v125 = high5 < abs(angle2)
-    v126 = high5 < abs(q5_pmp)
-    v127 = high5 < abs(angle3)
-    v128 = high5 < abs(q5_mmp)
-    v129 = angle4 + (turn if angle4 < low6 else 0.0)
-    v130 = angle5 + (turn if angle5 < low6 else 0.0)
-    v131 = angle6 + (turn if angle6 < low6 else 0.0)
-    v132 = angle7 + (turn if angle7 < low6 else 0.0)
-    v133 = v129 < low6 or high6 < v129
-    v134 = v130 < low6 or high6 < v130
-    v135 = v131 < low6 or high6 < v131
-    v136 = v132 < low6 or high6 < v132
-    q6_ppp = angle4 if v133 else v129
-    q6_pmp = angle5 if v134 else v130
-    q6_mpp = angle6 if v135 else v131
-    q6_mmp = angle7 if v136 else v132
+    v119 = max(low4 - v117, v117 - high4)
+    v120 = max(low4 - v118, v118 - high4)
+    v121 = angle4 + (turn if angle4 < low6 else 0.0)
+    v122 = angle5 + (turn if angle5 < low6 else 0.0)
+    v123 = angle6 + (turn if angle6 < low6 else 0.0)
+    v124 = angle7 + (turn if angle7 < low6 else 0.0)
+    v125 = max(low6 - v121, v121 - high6)
+    v126 = max(low6 - v122, v122 - high6)
+    v127 = max(low6 - v123, v123 - high6)
+    v128 = max(low6 - v124, v124 - high6)
+    q6_ppp = angle4 if 0.0 < v125 else v121
+    q6_pmp = angle5 if 0.0 < v126 else v122
+    q6_mpp = angle6 if 0.0 < v127 else v123
+    q6_mmp = angle7 if 0.0 < v128 else v124
     q4_ppp = v18 + v117
     q4_mpp = v19 + v118
-    outside_ppp = v133 or v125 or v123 or high3 < abs(angle8) or v119 or high1 < abs(angle16)
-    outside_ppm = v133 or v125 or v123 or high3 < abs(q3_ppm) or v119 or high1 < abs(q1_ppm)
-    outside_pmp = v134 or v126 or v123 or high3 < abs(angle9) or v120 or high1 < abs(angle17)
-    outside_pmm = v134 or v126 or v123 or high3 < abs(q3_pmm) or v120 or high1 < abs(q1_pmm)
-    outside_mpp = v135 or v127 or v124 or high3 < abs(angle10) or v121 or high1 < abs(angle18)
-    outside_mpm = v135 or v127 or v124 or high3 < abs(q3_mpm) or v121 or high1 < abs(q1_mpm)
-    outside_mmp = v136 or v128 or v124 or high3 < abs(angle11) or v122 or high1 < abs(angle19)
-    outside_mmm = v136 or v128 or v124 or high3 < abs(q3_mmm) or v122 or high1 < abs(q1_mmm)
+    v130 = max(v125, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
+    v131 = max(v126, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
+    v132 = max(v127, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
+    v133 = max(v128, max(abs(q5_mmp) - high5, max(v120, abs(angle15) - high2)))
+    excess_ppp = max(abs(angle8) - high3, max(v130, abs(angle16) - high1))
+    excess_ppm = max(abs(q3_ppm) - high3, max(v130, abs(q1_ppm) - high1))
+    excess_pmp = max(abs(angle9) - high3, max(v131, abs(angle17) - high1))
+    excess_pmm = max(abs(q3_pmm) - high3, max(v131, abs(q1_pmm) - high1))
+    excess_mpp = max(abs(angle10) - high3, max(v132, abs(angle18) - high1))
+    excess_mpm = max(abs(q3_mpm) - high3, max(v132, abs(q1_mpm) - high1))
+    excess_mmp = max(abs(angle11) - high3, max(v133, abs(angle19) - high1))
+    excess_mmm = max(abs(q3_mmm) - high3, max(v133, abs(q1_mmm) - high1))
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = angle16
     q[0, 1] = angle12
@@ -1798,16 +1808,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1216, 1232, 1248, 1264, 1280, 1296, 1312],
-    [1328, 1344, 1360, 1264, 1280, 1296, 1312],
-    [1376, 1392, 1408, 1264, 1424, 1440, 1312],
-    [1456, 1472, 1488, 1264, 1424, 1440, 1312],
-    [1504, 1520, 1536, 1552, 1568, 1584, 1600],
-    [1616, 1632, 1648, 1552, 1568, 1584, 1600],
-    [1664, 1680, 1696, 1552, 1712, 1728, 1600],
-    [1744, 1760, 1776, 1552, 1712, 1728, 1600],
+    [1456, 1472, 1488, 1504, 1520, 1536, 1552],
+    [1568, 1584, 1600, 1504, 1520, 1536, 1552],
+    [1616, 1632, 1648, 1504, 1664, 1680, 1552],
+    [1696, 1712, 1728, 1504, 1664, 1680, 1552],
+    [1744, 1760, 1776, 1792, 1808, 1824, 1840],
+    [1856, 1872, 1888, 1792, 1808, 1824, 1840],
+    [1904, 1920, 1936, 1792, 1952, 1968, 1840],
+    [1984, 2000, 2016, 1792, 1952, 1968, 1840],
 ])
-_KINDS = np.array([1792, 1808, 1824, 1840, 1856, 1872, 1888, 1904])
+_KINDS = np.array([2032, 2048, 2064, 2080, 2096, 2112, 2128, 2144])
 
 
 @intrinsic(prefer_literal=True)
@@ -1834,7 +1844,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1920), 1920)
+    work = carray(_tile(2160), 2160)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -2067,117 +2077,142 @@ def _in_tiles(T, q_free, q, status):
             v114 = v24 * (c4_m * v99)
             v115 = v23 * (T23 * c4_p)
             v116 = v24 * (T23 * c4_m)
-            v137 = given1 + (w4 - w4)
-            q7_ppp = v18 + v137
-            q7_mpp = v19 + v137
-            doubt1 = (
-                v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10 or
-                v71 <= m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or
-                abs(v4 * D5_p) <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or high7 <
-                abs(given1) or N5_p <= doubt_limit_squared2
-            )
-            work[368 + k] = v18
-            work[384 + k] = v19
-            work[400 + k] = v25
-            work[416 + k] = v26
-            work[432 + k] = v67
-            work[448 + k] = v68
-            work[464 + k] = v69
-            work[480 + k] = v70
-            work[496 + k] = s1_pp
-            work[512 + k] = s1_pm
-            work[528 + k] = s1_mp
-            work[544 + k] = s1_mm
-            work[560 + k] = q7_ppp
-            work[576 + k] = q7_mpp
-            work[592 + k] = doubt1
-            work[608 + k] = w4
-            work[624 + k] = v25
-            work[640 + k] = v26
-            work[656 + k] = -v32
-            work[672 + k] = -v33
-            work[688 + k] = -v35
-            work[704 + k] = -v36
-            work[720 + k] = -v67
-            work[736 + k] = -v68
-            work[752 + k] = -v69
-            work[768 + k] = -v70
-            work[784 + k] = -math.sqrt(v71)
-            work[800 + k] = -math.sqrt(v72)
-            work[816 + k] = -math.sqrt(v73)
-            work[832 + k] = -math.sqrt(v74)
-            work[848 + k] = s1_pp
-            work[864 + k] = s1_pm
-            work[880 + k] = s1_mp
-            work[896 + k] = s1_mm
-            work[912 + k] = Z4
-            work[928 + k] = -v21
-            work[944 + k] = -v22
-            work[960 + k] = C6_pp
-            work[976 + k] = C6_pm
-            work[992 + k] = C6_mp
-            work[1008 + k] = C6_mm
-            work[1024 + k] = c3_pp
-            work[1040 + k] = c3_pm
-            work[1056 + k] = c3_mp
-            work[1072 + k] = c3_mm
-            work[1088 + k] = v75 + factor6_pp * (-v32 * (v46 - v79) - C6_pp * (v50 + v77))
-            work[1104 + k] = v75 - factor6_pm * (v33 * (v46 + v79) + C6_pm * (v50 - v77))
-            work[1120 + k] = factor6_mp * (-v35 * (v47 + v80) - C6_mp * (v51 - v78)) - v76
-            work[1136 + k] = -(v76 + factor6_mm * (v36 * (v47 - v80) + C6_mm * (v51 + v78)))
-            work[1152 + k] = (
+            v129 = given1 + (w4 - w4)
+            q7_ppp = v18 + v129
+            q7_mpp = v19 + v129
+            work[368 + k] = Z4
+            work[384 + k] = D4
+            work[400 + k] = v4
+            work[416 + k] = N5_p
+            work[432 + k] = N5_m
+            work[448 + k] = D5_p
+            work[464 + k] = D5_m
+            work[480 + k] = v18
+            work[496 + k] = v19
+            work[512 + k] = v20
+            work[528 + k] = v25
+            work[544 + k] = v26
+            work[560 + k] = v41
+            work[576 + k] = v42
+            work[592 + k] = v43
+            work[608 + k] = v44
+            work[624 + k] = v67
+            work[640 + k] = v68
+            work[656 + k] = v69
+            work[672 + k] = v70
+            work[688 + k] = v71
+            work[704 + k] = v72
+            work[720 + k] = v73
+            work[736 + k] = v74
+            work[752 + k] = s1_pp
+            work[768 + k] = s1_pm
+            work[784 + k] = s1_mp
+            work[800 + k] = s1_mm
+            work[816 + k] = q7_ppp
+            work[832 + k] = q7_mpp
+            work[848 + k] = w4
+            work[864 + k] = v25
+            work[880 + k] = v26
+            work[896 + k] = -v32
+            work[912 + k] = -v33
+            work[928 + k] = -v35
+            work[944 + k] = -v36
+            work[960 + k] = -v67
+            work[976 + k] = -v68
+            work[992 + k] = -v69
+            work[1008 + k] = -v70
+            work[1024 + k] = -math.sqrt(v71)
+            work[1040 + k] = -math.sqrt(v72)
+            work[1056 + k] = -math.sqrt(v73)
+            work[1072 + k] = -math.sqrt(v74)
+            work[1088 + k] = s1_pp
+            work[1104 + k] = s1_pm
+            work[1120 + k] = s1_mp
+            work[1136 + k] = s1_mm
+            work[1152 + k] = Z4
+            work[1168 + k] = -v21
+            work[1184 + k] = -v22
+            work[1200 + k] = C6_pp
+            work[1216 + k] = C6_pm
+            work[1232 + k] = C6_mp
+            work[1248 + k] = C6_mm
+            work[1264 + k] = c3_pp
+            work[1280 + k] = c3_pm
+            work[1296 + k] = c3_mp
+            work[1312 + k] = c3_mm
+            work[1328 + k] = v75 + factor6_pp * (-v32 * (v46 - v79) - C6_pp * (v50 + v77))
+            work[1344 + k] = v75 - factor6_pm * (v33 * (v46 + v79) + C6_pm * (v50 - v77))
+            work[1360 + k] = factor6_mp * (-v35 * (v47 + v80) - C6_mp * (v51 - v78)) - v76
+            work[1376 + k] = -(v76 + factor6_mm * (v36 * (v47 - v80) + C6_mm * (v51 + v78)))
+            work[1392 + k] = (
                 c3_pp * (v105 + factor6_pp * (C6_pp * v100 + -v32 * v102)) - v67 * (v111 +
                 factor6_pp * (C6_pp * (v107 - v113) - -v32 * (v109 + v115)))
             )
-            work[1168 + k] = (
+            work[1408 + k] = (
                 c3_pm * (factor6_pm * (C6_pm * v100 - v33 * v102) - v105) - v68 * (v111 + factor6_pm
                 * (C6_pm * (v107 + v113) + v33 * (v109 - v115)))
             )
-            work[1184 + k] = (
+            work[1424 + k] = (
                 c3_mp * (v106 + factor6_mp * (C6_mp * v101 + -v35 * v103)) - v69 * (v112 -
                 factor6_mp * (C6_mp * (v108 + v114) + -v35 * (v116 - v110)))
             )
-            work[1200 + k] = (
+            work[1440 + k] = (
                 c3_mm * (factor6_mm * (C6_mm * v101 - v36 * v103) - v106) - v70 * (v112 + factor6_mm
                 * (C6_mm * (v114 - v108) - v36 * (v110 + v116)))
             )
-        for k in range(608, 912):
+        for k in range(848, 1152):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v18 = work[368 + k]
-            v19 = work[384 + k]
-            v25 = work[400 + k]
-            v26 = work[416 + k]
-            v67 = work[432 + k]
-            v68 = work[448 + k]
-            v69 = work[464 + k]
-            v70 = work[480 + k]
-            s1_pp = work[496 + k]
-            s1_pm = work[512 + k]
-            s1_mp = work[528 + k]
-            s1_mm = work[544 + k]
-            q7_ppp = work[560 + k]
-            q7_mpp = work[576 + k]
-            doubt1 = work[592 + k] != 0.0
-            angle1 = work[608 + k]
-            angle2 = work[624 + k]
-            angle3 = work[640 + k]
-            angle4 = work[656 + k]
-            angle5 = work[672 + k]
-            angle6 = work[688 + k]
-            angle7 = work[704 + k]
-            angle8 = work[720 + k]
-            angle9 = work[736 + k]
-            angle10 = work[752 + k]
-            angle11 = work[768 + k]
-            angle12 = work[784 + k]
-            angle13 = work[800 + k]
-            angle14 = work[816 + k]
-            angle15 = work[832 + k]
-            angle16 = work[848 + k]
-            angle17 = work[864 + k]
-            angle18 = work[880 + k]
-            angle19 = work[896 + k]
+            given1 = work[256 + k]
+            Z4 = work[368 + k]
+            D4 = work[384 + k]
+            v4 = work[400 + k]
+            N5_p = work[416 + k]
+            N5_m = work[432 + k]
+            D5_p = work[448 + k]
+            D5_m = work[464 + k]
+            v18 = work[480 + k]
+            v19 = work[496 + k]
+            v20 = work[512 + k]
+            v25 = work[528 + k]
+            v26 = work[544 + k]
+            v41 = work[560 + k]
+            v42 = work[576 + k]
+            v43 = work[592 + k]
+            v44 = work[608 + k]
+            v67 = work[624 + k]
+            v68 = work[640 + k]
+            v69 = work[656 + k]
+            v70 = work[672 + k]
+            v71 = work[688 + k]
+            v72 = work[704 + k]
+            v73 = work[720 + k]
+            v74 = work[736 + k]
+            s1_pp = work[752 + k]
+            s1_pm = work[768 + k]
+            s1_mp = work[784 + k]
+            s1_mm = work[800 + k]
+            q7_ppp = work[816 + k]
+            q7_mpp = work[832 + k]
+            angle1 = work[848 + k]
+            angle2 = work[864 + k]
+            angle3 = work[880 + k]
+            angle4 = work[896 + k]
+            angle5 = work[912 + k]
+            angle6 = work[928 + k]
+            angle7 = work[944 + k]
+            angle8 = work[960 + k]
+            angle9 = work[976 + k]
+            angle10 = work[992 + k]
+            angle11 = work[1008 + k]
+            angle12 = work[1024 + k]
+            angle13 = work[1040 + k]
+            angle14 = work[1056 + k]
+            angle15 = work[1072 + k]
+            angle16 = work[1088 + k]
+            angle17 = work[1104 + k]
+            angle18 = work[1120 + k]
+            angle19 = work[1136 + k]
             q4__p = angle1 - turn1
             v10 = turn1 + angle1
             q5_pmp = math.copysign(half_turn, v25) - angle2
@@ -2192,143 +2227,151 @@ def _in_tiles(T, q_free, q, status):
             q1_mmm = angle19 - math.copysign(half_turn, s1_mm)
             v117 = q4__p + (turn if q4__p <= -half_turn else 0.0)
             v118 = (turn if -v10 <= -half_turn else 0.0) - v10
-            v119 = high2 < abs(angle12)
-            v120 = high2 < abs(angle13)
-            v121 = high2 < abs(angle14)
-            v122 = high2 < abs(angle15)
-            v123 = v117 < low4 or high4 < v117
-            v124 = v118 < low4 or high4 < v118
-            v125 = high5 < abs(angle2)
-            v126 = high5 < abs(q5_pmp)
-            v127 = high5 < abs(angle3)
-            v128 = high5 < abs(q5_mmp)
-            v129 = angle4 + (turn if angle4 < low6 else 0.0)
-            v130 = angle5 + (turn if angle5 < low6 else 0.0)
-            v131 = angle6 + (turn if angle6 < low6 else 0.0)
-            v132 = angle7 + (turn if angle7 < low6 else 0.0)
-            v133 = v129 < low6 or high6 < v129
-            v134 = v130 < low6 or high6 < v130
-            v135 = v131 < low6 or high6 < v131
-            v136 = v132 < low6 or high6 < v132
-            q6_ppp = angle4 if v133 else v129
-            q6_pmp = angle5 if v134 else v130
-            q6_mpp = angle6 if v135 else v131
-            q6_mmp = angle7 if v136 else v132
+            v119 = max(low4 - v117, v117 - high4)
+            v120 = max(low4 - v118, v118 - high4)
+            v121 = angle4 + (turn if angle4 < low6 else 0.0)
+            v122 = angle5 + (turn if angle5 < low6 else 0.0)
+            v123 = angle6 + (turn if angle6 < low6 else 0.0)
+            v124 = angle7 + (turn if angle7 < low6 else 0.0)
+            v125 = max(low6 - v121, v121 - high6)
+            v126 = max(low6 - v122, v122 - high6)
+            v127 = max(low6 - v123, v123 - high6)
+            v128 = max(low6 - v124, v124 - high6)
+            q6_ppp = angle4 if 0.0 < v125 else v121
+            q6_pmp = angle5 if 0.0 < v126 else v122
+            q6_mpp = angle6 if 0.0 < v127 else v123
+            q6_mmp = angle7 if 0.0 < v128 else v124
             q4_ppp = v18 + v117
             q4_mpp = v19 + v118
-            outside_ppp = (
-                v133 or v125 or v123 or high3 < abs(angle8) or v119 or high1 < abs(angle16)
-            )
-            outside_ppm = v133 or v125 or v123 or high3 < abs(q3_ppm) or v119 or high1 < abs(q1_ppm)
-            outside_pmp = (
-                v134 or v126 or v123 or high3 < abs(angle9) or v120 or high1 < abs(angle17)
-            )
-            outside_pmm = v134 or v126 or v123 or high3 < abs(q3_pmm) or v120 or high1 < abs(q1_pmm)
-            outside_mpp = (
-                v135 or v127 or v124 or high3 < abs(angle10) or v121 or high1 < abs(angle18)
-            )
-            outside_mpm = v135 or v127 or v124 or high3 < abs(q3_mpm) or v121 or high1 < abs(q1_mpm)
-            outside_mmp = (
-                v136 or v128 or v124 or high3 < abs(angle11) or v122 or high1 < abs(angle19)
-            )
-            outside_mmm = v136 or v128 or v124 or high3 < abs(q3_mmm) or v122 or high1 < abs(q1_mmm)
-            _1216 = angle16
-            work[1216 + k] = _1216
-            _1232 = angle12
-            work[1232 + k] = _1232
-            _1248 = angle8
-            work[1248 + k] = _1248
-            _1264 = q4_ppp
-            work[1264 + k] = _1264
-            _1280 = angle2
-            work[1280 + k] = _1280
-            _1296 = q6_ppp
-            work[1296 + k] = _1296
-            _1312 = q7_ppp
-            work[1312 + k] = _1312
-            _1328 = q1_ppm
-            work[1328 + k] = _1328
-            _1344 = -angle12
-            work[1344 + k] = _1344
-            _1360 = q3_ppm
-            work[1360 + k] = _1360
-            _1376 = angle17
-            work[1376 + k] = _1376
-            _1392 = angle13
-            work[1392 + k] = _1392
-            _1408 = angle9
-            work[1408 + k] = _1408
-            _1424 = q5_pmp
-            work[1424 + k] = _1424
-            _1440 = q6_pmp
-            work[1440 + k] = _1440
-            _1456 = q1_pmm
+            v130 = max(v125, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
+            v131 = max(v126, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
+            v132 = max(v127, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
+            v133 = max(v128, max(abs(q5_mmp) - high5, max(v120, abs(angle15) - high2)))
+            excess_ppp = max(abs(angle8) - high3, max(v130, abs(angle16) - high1))
+            excess_ppm = max(abs(q3_ppm) - high3, max(v130, abs(q1_ppm) - high1))
+            excess_pmp = max(abs(angle9) - high3, max(v131, abs(angle17) - high1))
+            excess_pmm = max(abs(q3_pmm) - high3, max(v131, abs(q1_pmm) - high1))
+            excess_mpp = max(abs(angle10) - high3, max(v132, abs(angle18) - high1))
+            excess_mpm = max(abs(q3_mpm) - high3, max(v132, abs(q1_mpm) - high1))
+            excess_mmp = max(abs(angle11) - high3, max(v133, abs(angle19) - high1))
+            excess_mmm = max(abs(q3_mmm) - high3, max(v133, abs(q1_mmm) - high1))
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1456 = angle16
             work[1456 + k] = _1456
-            _1472 = -angle13
+            _1472 = angle12
             work[1472 + k] = _1472
-            _1488 = q3_pmm
+            _1488 = angle8
             work[1488 + k] = _1488
-            _1504 = angle18
+            _1504 = q4_ppp
             work[1504 + k] = _1504
-            _1520 = angle14
+            _1520 = angle2
             work[1520 + k] = _1520
-            _1536 = angle10
+            _1536 = q6_ppp
             work[1536 + k] = _1536
-            _1552 = q4_mpp
+            _1552 = q7_ppp
             work[1552 + k] = _1552
-            _1568 = angle3
+            _1568 = q1_ppm
             work[1568 + k] = _1568
-            _1584 = q6_mpp
+            _1584 = -angle12
             work[1584 + k] = _1584
-            _1600 = q7_mpp
+            _1600 = q3_ppm
             work[1600 + k] = _1600
-            _1616 = q1_mpm
+            _1616 = angle17
             work[1616 + k] = _1616
-            _1632 = -angle14
+            _1632 = angle13
             work[1632 + k] = _1632
-            _1648 = q3_mpm
+            _1648 = angle9
             work[1648 + k] = _1648
-            _1664 = angle19
+            _1664 = q5_pmp
             work[1664 + k] = _1664
-            _1680 = angle15
+            _1680 = q6_pmp
             work[1680 + k] = _1680
-            _1696 = angle11
+            _1696 = q1_pmm
             work[1696 + k] = _1696
-            _1712 = q5_mmp
+            _1712 = -angle13
             work[1712 + k] = _1712
-            _1728 = q6_mmp
+            _1728 = q3_pmm
             work[1728 + k] = _1728
-            _1744 = q1_mmm
+            _1744 = angle18
             work[1744 + k] = _1744
-            _1760 = -angle15
+            _1760 = angle14
             work[1760 + k] = _1760
-            _1776 = q3_mmm
+            _1776 = angle10
             work[1776 + k] = _1776
-            work[1792 + k] = (
-                UNREACHABLE if _1216 != _1216 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1792 = q4_mpp
+            work[1792 + k] = _1792
+            _1808 = angle3
+            work[1808 + k] = _1808
+            _1824 = q6_mpp
+            work[1824 + k] = _1824
+            _1840 = q7_mpp
+            work[1840 + k] = _1840
+            _1856 = q1_mpm
+            work[1856 + k] = _1856
+            _1872 = -angle14
+            work[1872 + k] = _1872
+            _1888 = q3_mpm
+            work[1888 + k] = _1888
+            _1904 = angle19
+            work[1904 + k] = _1904
+            _1920 = angle15
+            work[1920 + k] = _1920
+            _1936 = angle11
+            work[1936 + k] = _1936
+            _1952 = q5_mmp
+            work[1952 + k] = _1952
+            _1968 = q6_mmp
+            work[1968 + k] = _1968
+            _1984 = q1_mmm
+            work[1984 + k] = _1984
+            _2000 = -angle15
+            work[2000 + k] = _2000
+            _2016 = q3_mmm
+            work[2016 + k] = _2016
+            work[2032 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[1808 + k] = (
-                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[2048 + k] = (
+                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[1824 + k] = (
-                UNREACHABLE if _1376 != _1376 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[2064 + k] = (
+                UNREACHABLE if _1616 != _1616 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[1840 + k] = (
-                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[2080 + k] = (
+                UNREACHABLE if _1696 != _1696 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[1856 + k] = (
-                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[2096 + k] = (
+                UNREACHABLE if _1744 != _1744 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[1872 + k] = (
-                UNREACHABLE if _1616 != _1616 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[2112 + k] = (
+                UNREACHABLE if _1856 != _1856 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[1888 + k] = (
-                UNREACHABLE if _1664 != _1664 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[2128 + k] = (
+                UNREACHABLE if _1904 != _1904 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[1904 + k] = (
-                UNREACHABLE if _1744 != _1744 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[2144 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[272 + k] = 1.0 if doubt1 else work[272 + k]
+            work[272 + k] = (
+                1.0 if v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <=
+                m10 or v71 <= m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <=
+                doubt_limit_squared2 or abs(v4 * D5_p) <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0
+                * abs(Z4)) or high7 < abs(given1) or N5_p <= doubt_limit_squared2 else work[272 + k]
+            )
+            work[272 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[272 +
+                k]
+            )
         for k in range(first, first + count):
             if work[272 + k - first] != 0.0:
                 _unseeded(T[k], q_free[k], q[k], status[k])

@@ -339,9 +339,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[2])
     const wide q3_p = T14 - d6 * T13 - d4;
 
     /* theta4 */
-    const wide v1 = T33 * T33 + T23 * T23;
-    const wide_mask doubt1 = v1 <= m1;
-    const wide angle1 = atan2_wide(T23, -T33);
+    const wide v1 = T33 * T33 + T23 * T23, angle1 = atan2_wide(T23, -T33);
 
     /* theta5 */
     const wide angle2 = atan2_wide(-sqrt_wide(v1), T13);
@@ -355,7 +353,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[2])
     q[10] = -angle2; q[11] = angle3 - signed_wide(half_turn, v2);
     kind[1] = kind_of(q[6], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (v1 <= m1);
 }
 
 #if LANES > 1
@@ -379,15 +377,13 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
     const double q3 = T14 - d6 * T13 - d4;
 
     /* theta4 */
-    const double v1 = T33 * T33 + T23 * T23;
-    const int doubt1 = v1 <= m1;
-    const double v2 = copysign(half_turn, T23);
+    const double v1 = T33 * T33 + T23 * T23, v2 = copysign(half_turn, T23);
     const four v3 = m2 * (e1 - 1.0);
 
     /* theta6 */
     const double v4 = T33 * T21 - T23 * T31, v5 = copysign(half_turn, v4);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ T23, -sqrt(v1), v4, T23 }, (four){ -T33, T13, T33 *

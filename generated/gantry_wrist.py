@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "gantry_wrist 1025828d4db5d925"
+_KEY = "gantry_wrist 50848512b1743873"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -666,13 +666,11 @@ def _regular(pose, q, status):
 
     # theta4, type 2: U4[3, 3]
     v1 = T33 * T33 + T23 * T23
-    doubt1 = v1 <= m1
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v2 = T33 * T21 - T23 * T31
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1:
         return False
 
     # angles, side by side
@@ -983,12 +981,11 @@ def _in_tiles(T, q, status):
             q1_p = T34 - d6 * T33
             q3_p = T14 - d6 * T13 - d4
             v1 = T33 * T33 + T23 * T23
-            doubt1 = v1 <= m1
             v2 = T33 * T21 - T23 * T31
             work[272 + k] = q2_p
             work[288 + k] = q1_p
             work[304 + k] = q3_p
-            work[320 + k] = doubt1
+            work[320 + k] = v1
             work[336 + k] = v2
             work[352 + k] = T23
             work[368 + k] = -math.sqrt(v1)
@@ -1003,7 +1000,7 @@ def _in_tiles(T, q, status):
             q2_p = work[272 + k]
             q1_p = work[288 + k]
             q3_p = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
+            v1 = work[320 + k]
             v2 = work[336 + k]
             angle1 = work[352 + k]
             angle2 = work[368 + k]
@@ -1030,7 +1027,7 @@ def _in_tiles(T, q, status):
             work[576 + k] = _576
             work[592 + k] = UNREACHABLE if _448 != _448 else OK
             work[608 + k] = UNREACHABLE if _448 != _448 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -4014,18 +4014,19 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[16][6], const unsigned char status[16])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = beyond_limits(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!settle(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != GENERAL_5R1P_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
+        if (status[k] != GENERAL_5R1P_UNREACHABLE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -457,8 +457,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v55 = angle18 - offset5, v56 = offset5 + angle18, v57 = angle19 - offset5,
         v58 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask doubt1 = (v31 <= m10) | (v30 <= m10) | (v29 <= m10) | (v28 <= m10) |
-        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2; q[4] = raised_wide(v51);
     q[5] = angle6;
@@ -485,7 +483,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[46] = only_wide(-v58 <= -half_turn, turn) - v58; q[47] = angle9 - signed_wide(half_turn, v41);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v31 <= m10) | (v30 <= m10) | (v29 <= m10) | (v28 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3));
 }
 
 #if LANES > 1
@@ -501,16 +500,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
     const four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
@@ -526,16 +523,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v17);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
-    const four v19 = v18 + X4 * X4;
-    const four_mask doubt3 = v19 <= m10;
-    const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
+    const four v19 = v18 + X4 * X4, v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
     const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
         v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) + X4 * v24);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m3) | (v19 <= m10)) |
+        (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,

@@ -447,10 +447,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v80 = only_wide((v67 <= m11) == 0, v77), v81 = only_wide((v68 <= m11) == 0, v77),
         v82 = angle1 + v13, v83 = v13 + (angle1 - signed_wide(half_turn, v3)), v84 = angle3 + v13,
         v85 = v13 + (angle3 - signed_wide(half_turn, -Z2_5));
-    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v7 <= m3) | (abs_wide(D3) <= m4) | ((m11 <
-        v68) & (v68 <= m12)) | (v32 <= m7) | ((m11 < v67) & (v67 <= m12)) | (v31 <= m7) | ((m11 <
-        v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v45 * v45 + v46 *
-        v46 + v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50) | (v28 <= m7);
 
     q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78; q[3] = v78 + lowered_wide(v73);
     q[4] = v78 + v84;
@@ -465,7 +461,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     q[19] = v81 + v85;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v6 <= m3) | (v4 <= m1) | (v7 <= m3) | (abs_wide(D3) <= m4) | ((m11 <
+        v68) & (v68 <= m12)) | (v32 <= m7) | ((m11 < v67) & (v67 <= m12)) | (v31 <= m7) | ((m11 <
+        v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v45 * v45 + v46 *
+        v46 + v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50) | (v28 <= m7));
 }
 
 #if LANES > 1
@@ -527,11 +526,10 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* joint values */
     const double v51 = NAN;
     const four v52 = only_four((v46 <= m11) == 0, v51);
-    const four_mask doubt2 = (v30 <= m7) | ((m11 < v46) & (v46 <= m12));
-    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m10 < v37 * v37 + v38 * v38 + v39 *
-        v39 + v40 * v40 + v41 * v41 + v42 * v42) | (fabs(D3) <= m4);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v30 <= m7) | ((m11 < v46) & (v46 <=
+        m12)))) | (unsigned)((v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m10 < v37 * v37 + v38 * v38 +
+        v39 * v39 + v40 * v40 + v41 * v41 + v42 * v42) | (fabs(D3) <= m4)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5,

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 cbbaca3535e9fc6e"
+_KEY = "katana_400 1e16bce0dc46b006"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1155,15 +1155,13 @@ def _regular(pose, q, status):
     v79 = 0.0 if v66 <= m11 else v77
     v80 = 0.0 if v67 <= m11 else v77
     v81 = 0.0 if v68 <= m11 else v77
-    doubt1 = (
+
+    if (
         v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or v32 <= m7
         or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12) or v30 <= m7 or
         (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 + v47 * v47 + v48 * v48 + v49 *
         v49 + v50 * v50 or v28 <= m7
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1454,12 +1452,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [656, 672, 688, 704, 720],
-    [736, 752, 768, 784, 800],
-    [816, 832, 848, 864, 880],
-    [896, 912, 928, 944, 960],
+    [928, 944, 960, 976, 992],
+    [1008, 1024, 1040, 1056, 1072],
+    [1088, 1104, 1120, 1136, 1152],
+    [1168, 1184, 1200, 1216, 1232],
 ])
-_KINDS = np.array([976, 992, 1008, 1024])
+_KINDS = np.array([1248, 1264, 1280, 1296])
 
 
 @intrinsic(prefer_literal=True)
@@ -1486,7 +1484,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1040), 1040)
+    work = carray(_tile(1312), 1312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1628,55 +1626,83 @@ def _in_tiles(T, q, status):
             v79 = 0.0 if v66 <= m11 else v77
             v80 = 0.0 if v67 <= m11 else v77
             v81 = 0.0 if v68 <= m11 else v77
-            doubt1 = (
-                v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or
-                v32 <= m7 or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12)
-                or v30 <= m7 or (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 + v47 *
-                v47 + v48 * v48 + v49 * v49 + v50 * v50 or v28 <= m7
-            )
             work[272 + k] = v3
-            work[288 + k] = Z2_5
-            work[304 + k] = v13
-            work[320 + k] = v78
-            work[336 + k] = v79
-            work[352 + k] = v80
-            work[368 + k] = v81
-            work[384 + k] = doubt1
-            work[400 + k] = v3
-            work[416 + k] = -Z2_234
-            work[432 + k] = -Z2_5
-            work[448 + k] = w3
-            work[464 + k] = S2_pp
-            work[480 + k] = S2_pm
-            work[496 + k] = S2_pm
-            work[512 + k] = S2_pp
-            work[528 + k] = v2
-            work[544 + k] = T33
-            work[560 + k] = -Z1_5
-            work[576 + k] = K3
-            work[592 + k] = C2_pp
-            work[608 + k] = C2_pm
-            work[624 + k] = C2_mp
-            work[640 + k] = C2_mm
-        for k in range(400, 528):
+            work[288 + k] = v4
+            work[304 + k] = v6
+            work[320 + k] = Z2_5
+            work[336 + k] = v7
+            work[352 + k] = D3
+            work[368 + k] = v13
+            work[384 + k] = v28
+            work[400 + k] = v30
+            work[416 + k] = v31
+            work[432 + k] = v32
+            work[448 + k] = v45
+            work[464 + k] = v46
+            work[480 + k] = v47
+            work[496 + k] = v48
+            work[512 + k] = v49
+            work[528 + k] = v50
+            work[544 + k] = v65
+            work[560 + k] = v66
+            work[576 + k] = v67
+            work[592 + k] = v68
+            work[608 + k] = v78
+            work[624 + k] = v79
+            work[640 + k] = v80
+            work[656 + k] = v81
+            work[672 + k] = v3
+            work[688 + k] = -Z2_234
+            work[704 + k] = -Z2_5
+            work[720 + k] = w3
+            work[736 + k] = S2_pp
+            work[752 + k] = S2_pm
+            work[768 + k] = S2_pm
+            work[784 + k] = S2_pp
+            work[800 + k] = v2
+            work[816 + k] = T33
+            work[832 + k] = -Z1_5
+            work[848 + k] = K3
+            work[864 + k] = C2_pp
+            work[880 + k] = C2_pm
+            work[896 + k] = C2_mp
+            work[912 + k] = C2_mm
+        for k in range(672, 800):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 16):
             v3 = work[272 + k]
-            Z2_5 = work[288 + k]
-            v13 = work[304 + k]
-            v78 = work[320 + k]
-            v79 = work[336 + k]
-            v80 = work[352 + k]
-            v81 = work[368 + k]
-            doubt1 = work[384 + k] != 0.0
-            angle1 = work[400 + k]
-            angle2 = work[416 + k]
-            angle3 = work[432 + k]
-            angle4 = work[448 + k]
-            angle5 = work[464 + k]
-            angle6 = work[480 + k]
-            angle7 = work[496 + k]
-            angle8 = work[512 + k]
+            v4 = work[288 + k]
+            v6 = work[304 + k]
+            Z2_5 = work[320 + k]
+            v7 = work[336 + k]
+            D3 = work[352 + k]
+            v13 = work[368 + k]
+            v28 = work[384 + k]
+            v30 = work[400 + k]
+            v31 = work[416 + k]
+            v32 = work[432 + k]
+            v45 = work[448 + k]
+            v46 = work[464 + k]
+            v47 = work[480 + k]
+            v48 = work[496 + k]
+            v49 = work[512 + k]
+            v50 = work[528 + k]
+            v65 = work[544 + k]
+            v66 = work[560 + k]
+            v67 = work[576 + k]
+            v68 = work[592 + k]
+            v78 = work[608 + k]
+            v79 = work[624 + k]
+            v80 = work[640 + k]
+            v81 = work[656 + k]
+            angle1 = work[672 + k]
+            angle2 = work[688 + k]
+            angle3 = work[704 + k]
+            angle4 = work[720 + k]
+            angle5 = work[736 + k]
+            angle6 = work[752 + k]
+            angle7 = work[768 + k]
+            angle8 = work[784 + k]
             v69 = angle2 - (angle4 + angle5) - offset4
             v70 = angle2 - (angle6 - angle4) - offset4
             v71 = offset4 + (angle2 + (angle4 + angle7))
@@ -1709,51 +1735,56 @@ def _in_tiles(T, q, status):
             q5_pm = v79 + v84
             q5_mp = v80 + v85
             q5_mm = v81 + v85
-            _656 = q1_pp
-            work[656 + k] = _656
-            _672 = q2_pp
-            work[672 + k] = _672
-            _688 = q3_pp
-            work[688 + k] = _688
-            _704 = q4_pp
-            work[704 + k] = _704
-            _720 = q5_pp
-            work[720 + k] = _720
-            _736 = q1_pm
-            work[736 + k] = _736
-            _752 = q2_pm
-            work[752 + k] = _752
-            _768 = q3_pm
-            work[768 + k] = _768
-            _784 = q4_pm
-            work[784 + k] = _784
-            _800 = q5_pm
-            work[800 + k] = _800
-            _816 = q1_mp
-            work[816 + k] = _816
-            _832 = q2_mp
-            work[832 + k] = _832
-            _848 = q3_mp
-            work[848 + k] = _848
-            _864 = q4_mp
-            work[864 + k] = _864
-            _880 = q5_mp
-            work[880 + k] = _880
-            _896 = q1_mm
-            work[896 + k] = _896
-            _912 = q2_mm
-            work[912 + k] = _912
-            _928 = q3_mm
+            _928 = q1_pp
             work[928 + k] = _928
-            _944 = q4_mm
+            _944 = q2_pp
             work[944 + k] = _944
-            _960 = q5_mm
+            _960 = q3_pp
             work[960 + k] = _960
-            work[976 + k] = UNREACHABLE if _656 != _656 else OK
-            work[992 + k] = UNREACHABLE if _736 != _736 else OK
-            work[1008 + k] = UNREACHABLE if _816 != _816 else OK
-            work[1024 + k] = UNREACHABLE if _896 != _896 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _976 = q4_pp
+            work[976 + k] = _976
+            _992 = q5_pp
+            work[992 + k] = _992
+            _1008 = q1_pm
+            work[1008 + k] = _1008
+            _1024 = q2_pm
+            work[1024 + k] = _1024
+            _1040 = q3_pm
+            work[1040 + k] = _1040
+            _1056 = q4_pm
+            work[1056 + k] = _1056
+            _1072 = q5_pm
+            work[1072 + k] = _1072
+            _1088 = q1_mp
+            work[1088 + k] = _1088
+            _1104 = q2_mp
+            work[1104 + k] = _1104
+            _1120 = q3_mp
+            work[1120 + k] = _1120
+            _1136 = q4_mp
+            work[1136 + k] = _1136
+            _1152 = q5_mp
+            work[1152 + k] = _1152
+            _1168 = q1_mm
+            work[1168 + k] = _1168
+            _1184 = q2_mm
+            work[1184 + k] = _1184
+            _1200 = q3_mm
+            work[1200 + k] = _1200
+            _1216 = q4_mm
+            work[1216 + k] = _1216
+            _1232 = q5_mm
+            work[1232 + k] = _1232
+            work[1248 + k] = UNREACHABLE if _928 != _928 else OK
+            work[1264 + k] = UNREACHABLE if _1008 != _1008 else OK
+            work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
+            work[1296 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[256 + k] = (
+                1.0 if v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <=
+                m12) or v32 <= m7 or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66
+                <= m12) or v30 <= m7 or (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 +
+                v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50 or v28 <= m7 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

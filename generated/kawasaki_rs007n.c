@@ -243,11 +243,12 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -498,40 +499,48 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v93 = angle17 - signed_wide(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
             v59)))) - offset6, v94 = angle18 - offset6,
         v95 = angle18 - signed_wide(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
-            v59)))) - offset6;
-    const wide_mask v96 = exceeds(q3_ppp, 3), v97 = exceeds(q3_pmp, 3);
-    const wide q1_ppp = v4 + lowered_wide(v60), q1_mpp = v4 + lowered_wide(v61);
-    const wide_mask v98 = v96 | exceeds(q2_ppp, 2), v99 = v97 | exceeds(q2_pmp, 2),
-        v100 = v96 | exceeds(q2_mpp, 2), v101 = v97 | exceeds(q2_mmp, 2),
-        doubt1 = (v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) | (v25 <= m5) |
-            (v48 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m2) | (v23 <= m5);
+            v59)))) - offset6, v96 = exceeds(q3_ppp, 3), v97 = exceeds(q3_pmp, 3),
+        q1_ppp = v4 + lowered_wide(v60), q1_mpp = v4 + lowered_wide(v61),
+        v98 = maximum_wide(v96, exceeds(q2_ppp, 2)), v99 = maximum_wide(v97, exceeds(q2_pmp, 2)),
+        v100 = maximum_wide(v96, exceeds(q2_mpp, 2)), v101 = maximum_wide(v97, exceeds(q2_mmp, 2)),
+        excess_ppp = maximum_wide(v98, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v98, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v99, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v99, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v100, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v100, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v101, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v101, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v70); q[4] = q5_ppp;
     q[5] = raised_wide(v88);
-    kind[0] = kind_of(q[0], v98 | exceeds(q5_ppp, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v71); q[10] = q5_ppm;
     q[11] = raised_wide(v89);
-    kind[1] = kind_of(q[6], v98 | exceeds(q5_ppm, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v72); q[16] = q5_pmp;
     q[17] = raised_wide(v90);
-    kind[2] = kind_of(q[12], v99 | exceeds(q5_pmp, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v73); q[22] = q5_pmm;
     q[23] = raised_wide(v91);
-    kind[3] = kind_of(q[18], v99 | exceeds(q5_pmm, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = raised_wide(v74); q[28] = q5_mpp;
     q[29] = raised_wide(v92);
-    kind[4] = kind_of(q[24], v100 | exceeds(q5_mpp, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = raised_wide(v75); q[34] = q5_mpm;
     q[35] = raised_wide(v93);
-    kind[5] = kind_of(q[30], v100 | exceeds(q5_mpm, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = raised_wide(v76); q[40] = q5_mmp;
     q[41] = raised_wide(v94);
-    kind[6] = kind_of(q[36], v101 | exceeds(q5_mmp, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = raised_wide(v77); q[46] = q5_mmm;
     q[47] = raised_wide(v95);
-    kind[7] = kind_of(q[42], v101 | exceeds(q5_mmm, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) |
+        (v25 <= m5) | (v48 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m2) | (v23 <= m5)) |
+        (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
+        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -582,10 +591,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v36 = copysign(half_turn, wy), v39 = copysign(half_turn, v5);
     const four v41 = signed_four(half_turn, -(e1 * v28)),
         v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m2);
-    const four_mask doubt2 = (v21 <= m5) | (v30 <= m6);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v21 <= m5) | (v30 <= m6))) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 }),
@@ -602,11 +610,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v45 = offset5 + angle5, q5_p = raised_four(v44),
         q5_m = only_four(-v45 <= -half_turn, turn) - v45, v47 = angle6 - offset6,
         v48 = angle6 - signed_four(half_turn, v46) - offset6, q6_p = raised_four(v47),
-        q6_m = raised_four(v48);
-    const four_mask v49 = exceeds_four(q3_p, 3);
-    const four q1_p = v4 + lowered_four(v37);
-    const four_mask v50 = v49 | exceeds_four(q2_p, 2), outside_p = v50 | exceeds_four(q5_p, 5),
-        outside_m = v50 | exceeds_four(q5_m, 5);
+        q6_m = raised_four(v48), v49 = exceeds_four(q3_p, 3), q1_p = v4 + lowered_four(v37),
+        v50 = maximum_four(v49, exceeds_four(q2_p, 2)),
+        excess_p = maximum_four(v50, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v50, exceeds_four(q5_m, 5));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -1063,18 +1073,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != KAWASAKI_RS007N_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != KAWASAKI_RS007N_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n 27ccfa90fe5725eb"
+_KEY = "kawasaki_rs007n 0e7acb4d6e928214"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -182,6 +182,7 @@ k3 = 14.106548524322777  # 1 / (k1^2) [m^-4]
 high2 = 2.356194491192345
 high3 = 2.705260341591211
 high5 = 2.181661565992912
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 9.045264537377017e-12
@@ -1048,20 +1049,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1241,13 +1241,11 @@ def _regular(pose, q, status):
     v69 = math.copysign(half_turn, v46)
     v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
     v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
-    doubt1 = (
+
+    if (
         v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48 <= m6 or
         v1 <= m1 or abs(D3) <= m2 or v23 <= m5
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1379,22 +1377,38 @@ def _regular(pose, q, status):
     q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
     q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
     q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
-    v96 = high3 < abs(q3_ppp)
-    v97 = high3 < abs(q3_pmp)
+    v96 = abs(q3_ppp) - high3
+    v97 = abs(q3_pmp) - high3
     q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
     q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
-    v98 = v96 or high2 < abs(q2_ppp)
-    v99 = v97 or high2 < abs(q2_pmp)
-    v100 = v96 or high2 < abs(q2_mpp)
-    v101 = v97 or high2 < abs(q2_mmp)
-    outside_ppp = v98 or high5 < abs(q5_ppp)
-    outside_ppm = v98 or high5 < abs(q5_ppm)
-    outside_pmp = v99 or high5 < abs(q5_pmp)
-    outside_pmm = v99 or high5 < abs(q5_pmm)
-    outside_mpp = v100 or high5 < abs(q5_mpp)
-    outside_mpm = v100 or high5 < abs(q5_mpm)
-    outside_mmp = v101 or high5 < abs(q5_mmp)
-    outside_mmm = v101 or high5 < abs(q5_mmm)
+    v98 = max(v96, abs(q2_ppp) - high2)
+    v99 = max(v97, abs(q2_pmp) - high2)
+    v100 = max(v96, abs(q2_mpp) - high2)
+    v101 = max(v97, abs(q2_mmp) - high2)
+    excess_ppp = max(v98, abs(q5_ppp) - high5)
+    excess_ppm = max(v98, abs(q5_ppm) - high5)
+    excess_pmp = max(v99, abs(q5_pmp) - high5)
+    excess_pmm = max(v99, abs(q5_pmm) - high5)
+    excess_mpp = max(v100, abs(q5_mpp) - high5)
+    excess_mpm = max(v100, abs(q5_mpm) - high5)
+    excess_mmp = max(v101, abs(q5_mmp) - high5)
+    excess_mmm = max(v101, abs(q5_mmm) - high5)
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1654,16 +1668,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1152, 1168, 1184, 1200, 1216, 1232],
-    [1152, 1168, 1184, 1248, 1264, 1280],
-    [1152, 1296, 1312, 1328, 1344, 1360],
-    [1152, 1296, 1312, 1376, 1392, 1408],
-    [1424, 1440, 1184, 1456, 1472, 1488],
-    [1424, 1440, 1184, 1504, 1520, 1536],
-    [1424, 1552, 1312, 1568, 1584, 1600],
-    [1424, 1552, 1312, 1616, 1632, 1648],
+    [1296, 1312, 1328, 1344, 1360, 1376],
+    [1296, 1312, 1328, 1392, 1408, 1424],
+    [1296, 1440, 1456, 1472, 1488, 1504],
+    [1296, 1440, 1456, 1520, 1536, 1552],
+    [1568, 1584, 1328, 1600, 1616, 1632],
+    [1568, 1584, 1328, 1648, 1664, 1680],
+    [1568, 1696, 1456, 1712, 1728, 1744],
+    [1568, 1696, 1456, 1760, 1776, 1792],
 ])
-_KINDS = np.array([1664, 1680, 1696, 1712, 1728, 1744, 1760, 1776])
+_KINDS = np.array([1808, 1824, 1840, 1856, 1872, 1888, 1904, 1920])
 
 
 @intrinsic(prefer_literal=True)
@@ -1690,7 +1704,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1792), 1792)
+    work = carray(_tile(1936), 1936)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1815,106 +1829,120 @@ def _in_tiles(T, q, status):
             v69 = math.copysign(half_turn, v46)
             v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
             v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
-            doubt1 = (
-                v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48 <=
-                m6 or v1 <= m1 or abs(D3) <= m2 or v23 <= m5
-            )
             work[272 + k] = wy
-            work[288 + k] = v4
-            work[304 + k] = v5
-            work[320 + k] = c2m3_mp
-            work[336 + k] = c2m3_mm
-            work[352 + k] = v38
-            work[368 + k] = v39
-            work[384 + k] = v43
-            work[400 + k] = v44
-            work[416 + k] = v45
-            work[432 + k] = v54
-            work[448 + k] = v55
-            work[464 + k] = v58
-            work[480 + k] = v59
-            work[496 + k] = v68
-            work[512 + k] = v69
-            work[528 + k] = v86
-            work[544 + k] = v87
-            work[560 + k] = doubt1
-            work[576 + k] = wy
-            work[592 + k] = S2_pp
-            work[608 + k] = S2_pm
-            work[624 + k] = S2_pm
-            work[640 + k] = S2_pp
-            work[656 + k] = v5
-            work[672 + k] = -v46
-            work[688 + k] = -v46
-            work[704 + k] = v46
-            work[720 + k] = v46
-            work[736 + k] = math.sqrt(v48)
-            work[752 + k] = math.sqrt(v49)
-            work[768 + k] = math.sqrt(v50)
-            work[784 + k] = math.sqrt(v51)
-            work[800 + k] = v86
-            work[816 + k] = v87
-            work[832 + k] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
-            work[848 + k] = -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))
-            work[864 + k] = -X1
-            work[880 + k] = C2_pp
-            work[896 + k] = C2_pm
-            work[912 + k] = C2_mp
-            work[928 + k] = C2_mm
-            work[944 + k] = -v6
-            work[960 + k] = v41
-            work[976 + k] = v42
-            work[992 + k] = v43
-            work[1008 + k] = v44
-            work[1024 + k] = T33 * c2m3_pp + v35 * v40
-            work[1040 + k] = T33 * c2m3_pm + v37 * v40
-            work[1056 + k] = T33 * c2m3_mp - v38 * v40
-            work[1072 + k] = T33 * c2m3_mm - v39 * v40
-            work[1088 + k] = v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))
-            work[1104 + k] = v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))
-            work[1120 + k] = -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))
-            work[1136 + k] = -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))
-        for k in range(576, 864):
+            work[288 + k] = v1
+            work[304 + k] = D3
+            work[320 + k] = v4
+            work[336 + k] = v5
+            work[352 + k] = v23
+            work[368 + k] = v25
+            work[384 + k] = v26
+            work[400 + k] = v27
+            work[416 + k] = c2m3_mp
+            work[432 + k] = c2m3_mm
+            work[448 + k] = v38
+            work[464 + k] = v39
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = v45
+            work[528 + k] = v48
+            work[544 + k] = v49
+            work[560 + k] = v50
+            work[576 + k] = v51
+            work[592 + k] = v54
+            work[608 + k] = v55
+            work[624 + k] = v58
+            work[640 + k] = v59
+            work[656 + k] = v68
+            work[672 + k] = v69
+            work[688 + k] = v86
+            work[704 + k] = v87
+            work[720 + k] = wy
+            work[736 + k] = S2_pp
+            work[752 + k] = S2_pm
+            work[768 + k] = S2_pm
+            work[784 + k] = S2_pp
+            work[800 + k] = v5
+            work[816 + k] = -v46
+            work[832 + k] = -v46
+            work[848 + k] = v46
+            work[864 + k] = v46
+            work[880 + k] = math.sqrt(v48)
+            work[896 + k] = math.sqrt(v49)
+            work[912 + k] = math.sqrt(v50)
+            work[928 + k] = math.sqrt(v51)
+            work[944 + k] = v86
+            work[960 + k] = v87
+            work[976 + k] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
+            work[992 + k] = -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))
+            work[1008 + k] = -X1
+            work[1024 + k] = C2_pp
+            work[1040 + k] = C2_pm
+            work[1056 + k] = C2_mp
+            work[1072 + k] = C2_mm
+            work[1088 + k] = -v6
+            work[1104 + k] = v41
+            work[1120 + k] = v42
+            work[1136 + k] = v43
+            work[1152 + k] = v44
+            work[1168 + k] = T33 * c2m3_pp + v35 * v40
+            work[1184 + k] = T33 * c2m3_pm + v37 * v40
+            work[1200 + k] = T33 * c2m3_mp - v38 * v40
+            work[1216 + k] = T33 * c2m3_mm - v39 * v40
+            work[1232 + k] = v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))
+            work[1248 + k] = v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))
+            work[1264 + k] = -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))
+            work[1280 + k] = -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))
+        for k in range(720, 1008):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 16):
             T31 = work[128 + k]
             wy = work[272 + k]
-            v4 = work[288 + k]
-            v5 = work[304 + k]
-            c2m3_mp = work[320 + k]
-            c2m3_mm = work[336 + k]
-            v38 = work[352 + k]
-            v39 = work[368 + k]
-            v43 = work[384 + k]
-            v44 = work[400 + k]
-            v45 = work[416 + k]
-            v54 = work[432 + k]
-            v55 = work[448 + k]
-            v58 = work[464 + k]
-            v59 = work[480 + k]
-            v68 = work[496 + k]
-            v69 = work[512 + k]
-            v86 = work[528 + k]
-            v87 = work[544 + k]
-            doubt1 = work[560 + k] != 0.0
-            angle1 = work[576 + k]
-            angle2 = work[592 + k]
-            angle3 = work[608 + k]
-            angle4 = work[624 + k]
-            angle5 = work[640 + k]
-            angle6 = work[656 + k]
-            angle7 = work[672 + k]
-            angle8 = work[688 + k]
-            angle9 = work[704 + k]
-            angle10 = work[720 + k]
-            angle11 = work[736 + k]
-            angle12 = work[752 + k]
-            angle13 = work[768 + k]
-            angle14 = work[784 + k]
-            angle15 = work[800 + k]
-            angle16 = work[816 + k]
-            angle17 = work[832 + k]
-            angle18 = work[848 + k]
+            v1 = work[288 + k]
+            D3 = work[304 + k]
+            v4 = work[320 + k]
+            v5 = work[336 + k]
+            v23 = work[352 + k]
+            v25 = work[368 + k]
+            v26 = work[384 + k]
+            v27 = work[400 + k]
+            c2m3_mp = work[416 + k]
+            c2m3_mm = work[432 + k]
+            v38 = work[448 + k]
+            v39 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            v45 = work[512 + k]
+            v48 = work[528 + k]
+            v49 = work[544 + k]
+            v50 = work[560 + k]
+            v51 = work[576 + k]
+            v54 = work[592 + k]
+            v55 = work[608 + k]
+            v58 = work[624 + k]
+            v59 = work[640 + k]
+            v68 = work[656 + k]
+            v69 = work[672 + k]
+            v86 = work[688 + k]
+            v87 = work[704 + k]
+            angle1 = work[720 + k]
+            angle2 = work[736 + k]
+            angle3 = work[752 + k]
+            angle4 = work[768 + k]
+            angle5 = work[784 + k]
+            angle6 = work[800 + k]
+            angle7 = work[816 + k]
+            angle8 = work[832 + k]
+            angle9 = work[848 + k]
+            angle10 = work[864 + k]
+            angle11 = work[880 + k]
+            angle12 = work[896 + k]
+            angle13 = work[912 + k]
+            angle14 = work[928 + k]
+            angle15 = work[944 + k]
+            angle16 = work[960 + k]
+            angle17 = work[976 + k]
+            angle18 = work[992 + k]
             v60 = angle1 - offset1
             v61 = angle1 - math.copysign(half_turn, wy) - offset1
             v62 = angle2 - offset2
@@ -1983,111 +2011,129 @@ def _in_tiles(T, q, status):
             q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
             q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
             q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
-            v96 = high3 < abs(q3_ppp)
-            v97 = high3 < abs(q3_pmp)
+            v96 = abs(q3_ppp) - high3
+            v97 = abs(q3_pmp) - high3
             q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
             q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
-            v98 = v96 or high2 < abs(q2_ppp)
-            v99 = v97 or high2 < abs(q2_pmp)
-            v100 = v96 or high2 < abs(q2_mpp)
-            v101 = v97 or high2 < abs(q2_mmp)
-            outside_ppp = v98 or high5 < abs(q5_ppp)
-            outside_ppm = v98 or high5 < abs(q5_ppm)
-            outside_pmp = v99 or high5 < abs(q5_pmp)
-            outside_pmm = v99 or high5 < abs(q5_pmm)
-            outside_mpp = v100 or high5 < abs(q5_mpp)
-            outside_mpm = v100 or high5 < abs(q5_mpm)
-            outside_mmp = v101 or high5 < abs(q5_mmp)
-            outside_mmm = v101 or high5 < abs(q5_mmm)
-            _1152 = q1_ppp
-            work[1152 + k] = _1152
-            _1168 = q2_ppp
-            work[1168 + k] = _1168
-            _1184 = q3_ppp
-            work[1184 + k] = _1184
-            _1200 = q4_ppp
-            work[1200 + k] = _1200
-            _1216 = q5_ppp
-            work[1216 + k] = _1216
-            _1232 = q6_ppp
-            work[1232 + k] = _1232
-            _1248 = q4_ppm
-            work[1248 + k] = _1248
-            _1264 = q5_ppm
-            work[1264 + k] = _1264
-            _1280 = q6_ppm
-            work[1280 + k] = _1280
-            _1296 = q2_pmp
+            v98 = max(v96, abs(q2_ppp) - high2)
+            v99 = max(v97, abs(q2_pmp) - high2)
+            v100 = max(v96, abs(q2_mpp) - high2)
+            v101 = max(v97, abs(q2_mmp) - high2)
+            excess_ppp = max(v98, abs(q5_ppp) - high5)
+            excess_ppm = max(v98, abs(q5_ppm) - high5)
+            excess_pmp = max(v99, abs(q5_pmp) - high5)
+            excess_pmm = max(v99, abs(q5_pmm) - high5)
+            excess_mpp = max(v100, abs(q5_mpp) - high5)
+            excess_mpm = max(v100, abs(q5_mpm) - high5)
+            excess_mmp = max(v101, abs(q5_mmp) - high5)
+            excess_mmm = max(v101, abs(q5_mmm) - high5)
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1296 = q1_ppp
             work[1296 + k] = _1296
-            _1312 = q3_pmp
+            _1312 = q2_ppp
             work[1312 + k] = _1312
-            _1328 = q4_pmp
+            _1328 = q3_ppp
             work[1328 + k] = _1328
-            _1344 = q5_pmp
+            _1344 = q4_ppp
             work[1344 + k] = _1344
-            _1360 = q6_pmp
+            _1360 = q5_ppp
             work[1360 + k] = _1360
-            _1376 = q4_pmm
+            _1376 = q6_ppp
             work[1376 + k] = _1376
-            _1392 = q5_pmm
+            _1392 = q4_ppm
             work[1392 + k] = _1392
-            _1408 = q6_pmm
+            _1408 = q5_ppm
             work[1408 + k] = _1408
-            _1424 = q1_mpp
+            _1424 = q6_ppm
             work[1424 + k] = _1424
-            _1440 = q2_mpp
+            _1440 = q2_pmp
             work[1440 + k] = _1440
-            _1456 = q4_mpp
+            _1456 = q3_pmp
             work[1456 + k] = _1456
-            _1472 = q5_mpp
+            _1472 = q4_pmp
             work[1472 + k] = _1472
-            _1488 = q6_mpp
+            _1488 = q5_pmp
             work[1488 + k] = _1488
-            _1504 = q4_mpm
+            _1504 = q6_pmp
             work[1504 + k] = _1504
-            _1520 = q5_mpm
+            _1520 = q4_pmm
             work[1520 + k] = _1520
-            _1536 = q6_mpm
+            _1536 = q5_pmm
             work[1536 + k] = _1536
-            _1552 = q2_mmp
+            _1552 = q6_pmm
             work[1552 + k] = _1552
-            _1568 = q4_mmp
+            _1568 = q1_mpp
             work[1568 + k] = _1568
-            _1584 = q5_mmp
+            _1584 = q2_mpp
             work[1584 + k] = _1584
-            _1600 = q6_mmp
+            _1600 = q4_mpp
             work[1600 + k] = _1600
-            _1616 = q4_mmm
+            _1616 = q5_mpp
             work[1616 + k] = _1616
-            _1632 = q5_mmm
+            _1632 = q6_mpp
             work[1632 + k] = _1632
-            _1648 = q6_mmm
+            _1648 = q4_mpm
             work[1648 + k] = _1648
-            work[1664 + k] = (
-                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1664 = q5_mpm
+            work[1664 + k] = _1664
+            _1680 = q6_mpm
+            work[1680 + k] = _1680
+            _1696 = q2_mmp
+            work[1696 + k] = _1696
+            _1712 = q4_mmp
+            work[1712 + k] = _1712
+            _1728 = q5_mmp
+            work[1728 + k] = _1728
+            _1744 = q6_mmp
+            work[1744 + k] = _1744
+            _1760 = q4_mmm
+            work[1760 + k] = _1760
+            _1776 = q5_mmm
+            work[1776 + k] = _1776
+            _1792 = q6_mmm
+            work[1792 + k] = _1792
+            work[1808 + k] = (
+                UNREACHABLE if _1296 != _1296 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[1680 + k] = (
-                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1824 + k] = (
+                UNREACHABLE if _1296 != _1296 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[1696 + k] = (
-                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1840 + k] = (
+                UNREACHABLE if _1296 != _1296 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[1712 + k] = (
-                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1856 + k] = (
+                UNREACHABLE if _1296 != _1296 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[1728 + k] = (
-                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1872 + k] = (
+                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[1744 + k] = (
-                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1888 + k] = (
+                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[1760 + k] = (
-                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1904 + k] = (
+                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[1776 + k] = (
-                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1920 + k] = (
+                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = (
+                1.0 if v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or
+                v48 <= m6 or v1 <= m1 or abs(D3) <= m2 or v23 <= m5 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -245,10 +245,11 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -501,57 +502,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v70 = q2__pp + only_wide(q2__pp < low(2), turn),
         v71 = q2__pm + only_wide(q2__pm < low(2), turn),
         v72 = q2__mp + only_wide(q2__mp < low(2), turn),
-        v73 = q2__mm + only_wide(q2__mm < low(2), turn);
-    const wide_mask v74 = beyond(v70, 2), v75 = beyond(v71, 2), v76 = beyond(v72, 2),
-        v77 = beyond(v73, 2);
-    const wide q2_ppp = pick_wide(v74, q2__pp, v70), q2_pmp = pick_wide(v75, q2__pm, v71),
-        q2_mpp = pick_wide(v76, q2__mp, v72), q2_mmp = pick_wide(v77, q2__mm, v73),
-        v78 = q3__p + only_wide(q3__p < low(3), turn),
-        v79 = q3__m + only_wide(q3__m < low(3), turn);
-    const wide_mask v80 = beyond(v78, 3), v81 = beyond(v79, 3);
-    const wide v82 = angle5 + only_wide(angle5 < low(5), turn),
+        v73 = q2__mm + only_wide(q2__mm < low(2), turn), v74 = beyond(v70, 2), v75 = beyond(v71, 2),
+        v76 = beyond(v72, 2), v77 = beyond(v73, 2), q2_ppp = pick_wide(0.0 < v74, q2__pp, v70),
+        q2_pmp = pick_wide(0.0 < v75, q2__pm, v71), q2_mpp = pick_wide(0.0 < v76, q2__mp, v72),
+        q2_mmp = pick_wide(0.0 < v77, q2__mm, v73), v78 = q3__p + only_wide(q3__p < low(3), turn),
+        v79 = q3__m + only_wide(q3__m < low(3), turn), v80 = beyond(v78, 3), v81 = beyond(v79, 3),
+        v82 = angle5 + only_wide(angle5 < low(5), turn),
         v83 = only_wide(-angle5 < low(5), turn) - angle5,
         v84 = angle6 + only_wide(angle6 < low(5), turn),
         v85 = only_wide(-angle6 < low(5), turn) - angle6,
         v86 = angle7 + only_wide(angle7 < low(5), turn),
         v87 = only_wide(-angle7 < low(5), turn) - angle7,
         v88 = angle8 + only_wide(angle8 < low(5), turn),
-        v89 = only_wide(-angle8 < low(5), turn) - angle8;
-    const wide_mask v90 = beyond(v82, 5), v91 = beyond(v83, 5), v92 = beyond(v84, 5),
-        v93 = beyond(v85, 5), v94 = beyond(v86, 5), v95 = beyond(v87, 5), v96 = beyond(v88, 5),
-        v97 = beyond(v89, 5);
-    const wide q1_ppp = v4 + raised_wide(v54), q1_mpp = v4 + raised_wide(v55),
-        q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
-    const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
-        doubt1 = (v42 <= m6) | (v24 <= m5) | (v41 <= m6) | (v40 <= m6) | (v23 <= m5) | (v39 <= m6) |
-            (abs_wide(D1) <= m1) | (abs_wide(D3 * (k5 * w1)) <= m2) | (v22 <= m5);
+        v89 = only_wide(-angle8 < low(5), turn) - angle8, v90 = beyond(v82, 5),
+        v91 = beyond(v83, 5), v92 = beyond(v84, 5), v93 = beyond(v85, 5), v94 = beyond(v86, 5),
+        v95 = beyond(v87, 5), v96 = beyond(v88, 5), v97 = beyond(v89, 5),
+        q1_ppp = v4 + raised_wide(v54), q1_mpp = v4 + raised_wide(v55),
+        q3_ppp = v1 + pick_wide(0.0 < v80, q3__p, v78),
+        q3_pmp = v1 + pick_wide(0.0 < v81, q3__m, v79), v98 = maximum_wide(v74, v80),
+        v99 = maximum_wide(v75, v81), v100 = maximum_wide(v76, v80), v101 = maximum_wide(v77, v81),
+        excess_ppp = maximum_wide(v90, v98), excess_ppm = maximum_wide(v91, v98),
+        excess_pmp = maximum_wide(v92, v99), excess_pmm = maximum_wide(v93, v99),
+        excess_mpp = maximum_wide(v94, v100), excess_mpm = maximum_wide(v95, v100),
+        excess_mmp = maximum_wide(v96, v101), excess_mmm = maximum_wide(v97, v101);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
-    q[5] = lowered_wide(v62);
-    kind[0] = kind_of(q[0], v90 | v98);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1;
+    q[4] = pick_wide(0.0 < v90, angle5, v82); q[5] = lowered_wide(v62);
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
-    q[10] = pick_wide(v91, -angle5, v83); q[11] = lowered_wide(v63);
-    kind[1] = kind_of(q[6], v91 | v98);
+    q[10] = pick_wide(0.0 < v91, -angle5, v83); q[11] = lowered_wide(v63);
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
-    q[16] = pick_wide(v92, angle6, v84); q[17] = lowered_wide(v64);
-    kind[2] = kind_of(q[12], v92 | v99);
+    q[16] = pick_wide(0.0 < v92, angle6, v84); q[17] = lowered_wide(v64);
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
-    q[22] = pick_wide(v93, -angle6, v85); q[23] = lowered_wide(v65);
-    kind[3] = kind_of(q[18], v93 | v99);
+    q[22] = pick_wide(0.0 < v93, -angle6, v85); q[23] = lowered_wide(v65);
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
-    q[28] = pick_wide(v94, angle7, v86); q[29] = lowered_wide(v66);
-    kind[4] = kind_of(q[24], v94 | v100);
+    q[28] = pick_wide(0.0 < v94, angle7, v86); q[29] = lowered_wide(v66);
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
-    q[34] = pick_wide(v95, -angle7, v87); q[35] = lowered_wide(v67);
-    kind[5] = kind_of(q[30], v95 | v100);
+    q[34] = pick_wide(0.0 < v95, -angle7, v87); q[35] = lowered_wide(v67);
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
-    q[40] = pick_wide(v96, angle8, v88); q[41] = lowered_wide(v68);
-    kind[6] = kind_of(q[36], v96 | v101);
+    q[40] = pick_wide(0.0 < v96, angle8, v88); q[41] = lowered_wide(v68);
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
-    q[46] = pick_wide(v97, -angle8, v89); q[47] = lowered_wide(v69);
-    kind[7] = kind_of(q[42], v97 | v101);
+    q[46] = pick_wide(0.0 < v97, -angle8, v89); q[47] = lowered_wide(v69);
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v42 <= m6) | (v24 <= m5) | (v41 <= m6) | (v40 <= m6) | (v23 <= m5) |
+        (v39 <= m6) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k5 * w1)) <= m2) | (v22 <= m5)) |
+        (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
+        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -600,10 +603,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v35 = copysign(half_turn, -v5);
-    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k5 * w1)) <= m2);
-    const four_mask doubt2 = (v21 <= m5) | (v27 <= m6);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v21 <= m5) | (v27 <= m6))) |
+        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k5 * w1)) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(-v5), 0, 5, 2, 3), shuffle(c1,
@@ -617,16 +619,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q2_ = raised_four(v34), v36 = e2 * angle5 + v35 * (m7 * (1.0 - e2)) - offset3,
         q3_ = raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = lowered_four(v37),
-        q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn);
-    const four_mask v40 = beyond_four(v39, 2);
-    const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low(3), turn);
-    const four_mask v42 = beyond_four(v41, 3);
-    const four v43 = angle2 + only_four(angle2 < low(5), turn),
-        v44 = only_four(-angle2 < low(5), turn) - angle2;
-    const four_mask v45 = beyond_four(v43, 5), v46 = beyond_four(v44, 5);
-    const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44),
-        q1_p = v4 + raised_four(v33), q3_p = v1 + pick_four(v42, q3_, v41);
-    const four_mask v47 = v40 | v42, outside_p = v45 | v47, outside_m = v46 | v47;
+        q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn),
+        v40 = beyond_four(v39, 2), q2_p = pick_four(0.0 < v40, q2_, v39),
+        v41 = q3_ + only_four(q3_ < low(3), turn), v42 = beyond_four(v41, 3),
+        v43 = angle2 + only_four(angle2 < low(5), turn),
+        v44 = only_four(-angle2 < low(5), turn) - angle2, v45 = beyond_four(v43, 5),
+        v46 = beyond_four(v44, 5), q5_p = pick_four(0.0 < v45, angle2, v43),
+        q5_m = pick_four(0.0 < v46, -angle2, v44), q1_p = v4 + raised_four(v33),
+        q3_p = v1 + pick_four(0.0 < v42, q3_, v41), v47 = maximum_four(v40, v42),
+        excess_p = maximum_four(v45, v47), excess_m = maximum_four(v46, v47);
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -1083,18 +1087,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != KINOVA_J2S6S300_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != KINOVA_J2S6S300_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 be2a57728e23088b"
+_KEY = "kinova_j2s6s300 bb16ffca9c6adfd3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -189,6 +189,7 @@ low3 = 0.3316125568789226
 high3 = 5.951572750300664
 low5 = 0.5235987745982988
 high5 = 5.759586532581287
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 2.4956680000016215e-13  # 1000 * k4 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 9.401396550145706e-12
@@ -1054,20 +1055,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1293,14 +1293,10 @@ def _regular(pose, q, status):
     s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
     s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
 
-    # joint values
-    doubt1 = (
+    if (
         v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or abs(D1) <= m1
         or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1407,18 +1403,18 @@ def _regular(pose, q, status):
     v71 = q2__pm + (turn if q2__pm < low2 else 0.0)
     v72 = q2__mp + (turn if q2__mp < low2 else 0.0)
     v73 = q2__mm + (turn if q2__mm < low2 else 0.0)
-    v74 = v70 < low2 or high2 < v70
-    v75 = v71 < low2 or high2 < v71
-    v76 = v72 < low2 or high2 < v72
-    v77 = v73 < low2 or high2 < v73
-    q2_ppp = q2__pp if v74 else v70
-    q2_pmp = q2__pm if v75 else v71
-    q2_mpp = q2__mp if v76 else v72
-    q2_mmp = q2__mm if v77 else v73
+    v74 = max(low2 - v70, v70 - high2)
+    v75 = max(low2 - v71, v71 - high2)
+    v76 = max(low2 - v72, v72 - high2)
+    v77 = max(low2 - v73, v73 - high2)
+    q2_ppp = q2__pp if 0.0 < v74 else v70
+    q2_pmp = q2__pm if 0.0 < v75 else v71
+    q2_mpp = q2__mp if 0.0 < v76 else v72
+    q2_mmp = q2__mm if 0.0 < v77 else v73
     v78 = q3__p + (turn if q3__p < low3 else 0.0)
     v79 = q3__m + (turn if q3__m < low3 else 0.0)
-    v80 = v78 < low3 or high3 < v78
-    v81 = v79 < low3 or high3 < v79
+    v80 = max(low3 - v78, v78 - high3)
+    v81 = max(low3 - v79, v79 - high3)
     v82 = angle5 + (turn if angle5 < low5 else 0.0)
     v83 = (turn if -angle5 < low5 else 0.0) - angle5
     v84 = angle6 + (turn if angle6 < low5 else 0.0)
@@ -1427,38 +1423,54 @@ def _regular(pose, q, status):
     v87 = (turn if -angle7 < low5 else 0.0) - angle7
     v88 = angle8 + (turn if angle8 < low5 else 0.0)
     v89 = (turn if -angle8 < low5 else 0.0) - angle8
-    v90 = v82 < low5 or high5 < v82
-    v91 = v83 < low5 or high5 < v83
-    v92 = v84 < low5 or high5 < v84
-    v93 = v85 < low5 or high5 < v85
-    v94 = v86 < low5 or high5 < v86
-    v95 = v87 < low5 or high5 < v87
-    v96 = v88 < low5 or high5 < v88
-    v97 = v89 < low5 or high5 < v89
-    q5_ppp = angle5 if v90 else v82
-    q5_ppm = -angle5 if v91 else v83
-    q5_pmp = angle6 if v92 else v84
-    q5_pmm = -angle6 if v93 else v85
-    q5_mpp = angle7 if v94 else v86
-    q5_mpm = -angle7 if v95 else v87
-    q5_mmp = angle8 if v96 else v88
-    q5_mmm = -angle8 if v97 else v89
+    v90 = max(low5 - v82, v82 - high5)
+    v91 = max(low5 - v83, v83 - high5)
+    v92 = max(low5 - v84, v84 - high5)
+    v93 = max(low5 - v85, v85 - high5)
+    v94 = max(low5 - v86, v86 - high5)
+    v95 = max(low5 - v87, v87 - high5)
+    v96 = max(low5 - v88, v88 - high5)
+    v97 = max(low5 - v89, v89 - high5)
+    q5_ppp = angle5 if 0.0 < v90 else v82
+    q5_ppm = -angle5 if 0.0 < v91 else v83
+    q5_pmp = angle6 if 0.0 < v92 else v84
+    q5_pmm = -angle6 if 0.0 < v93 else v85
+    q5_mpp = angle7 if 0.0 < v94 else v86
+    q5_mpm = -angle7 if 0.0 < v95 else v87
+    q5_mmp = angle8 if 0.0 < v96 else v88
+    q5_mmm = -angle8 if 0.0 < v97 else v89
     q1_ppp = v4 + (v54 + (turn if v54 <= -half_turn else 0.0))
     q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
-    q3_ppp = v1 + (q3__p if v80 else v78)
-    q3_pmp = v1 + (q3__m if v81 else v79)
-    v98 = v74 or v80
-    v99 = v75 or v81
-    v100 = v76 or v80
-    v101 = v77 or v81
-    outside_ppp = v90 or v98
-    outside_ppm = v91 or v98
-    outside_pmp = v92 or v99
-    outside_pmm = v93 or v99
-    outside_mpp = v94 or v100
-    outside_mpm = v95 or v100
-    outside_mmp = v96 or v101
-    outside_mmm = v97 or v101
+    q3_ppp = v1 + (q3__p if 0.0 < v80 else v78)
+    q3_pmp = v1 + (q3__m if 0.0 < v81 else v79)
+    v98 = max(v74, v80)
+    v99 = max(v75, v81)
+    v100 = max(v76, v80)
+    v101 = max(v77, v81)
+    excess_ppp = max(v90, v98)
+    excess_ppm = max(v91, v98)
+    excess_pmp = max(v92, v99)
+    excess_pmm = max(v93, v99)
+    excess_mpp = max(v94, v100)
+    excess_mpm = max(v95, v100)
+    excess_mmp = max(v96, v101)
+    excess_mmm = max(v97, v101)
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1718,16 +1730,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1040, 1056, 1072, 1088, 1104, 1120],
-    [1040, 1056, 1072, 1136, 1152, 1168],
-    [1040, 1184, 1200, 1216, 1232, 1248],
-    [1040, 1184, 1200, 1264, 1280, 1296],
-    [1312, 1328, 1072, 1344, 1360, 1376],
-    [1312, 1328, 1072, 1392, 1408, 1424],
-    [1312, 1440, 1200, 1456, 1472, 1488],
-    [1312, 1440, 1200, 1504, 1520, 1536],
+    [1184, 1200, 1216, 1232, 1248, 1264],
+    [1184, 1200, 1216, 1280, 1296, 1312],
+    [1184, 1328, 1344, 1360, 1376, 1392],
+    [1184, 1328, 1344, 1408, 1424, 1440],
+    [1456, 1472, 1216, 1488, 1504, 1520],
+    [1456, 1472, 1216, 1536, 1552, 1568],
+    [1456, 1584, 1344, 1600, 1616, 1632],
+    [1456, 1584, 1344, 1648, 1664, 1680],
 ])
-_KINDS = np.array([1552, 1568, 1584, 1600, 1616, 1632, 1648, 1664])
+_KINDS = np.array([1696, 1712, 1728, 1744, 1760, 1776, 1792, 1808])
 
 
 @intrinsic(prefer_literal=True)
@@ -1754,7 +1766,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1680), 1680)
+    work = carray(_tile(1824), 1824)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1880,90 +1892,104 @@ def _in_tiles(T, q, status):
             s6_pm = v35 * (v29 * v52 + s2m3_pm * T31) - X4_pm * v50
             s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
-            doubt1 = (
-                v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or
-                abs(D1) <= m1 or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5
-            )
-            work[272 + k] = v1
-            work[288 + k] = v4
-            work[304 + k] = v5
-            work[320 + k] = v43
-            work[336 + k] = v44
-            work[352 + k] = s6_pp
-            work[368 + k] = s6_pm
-            work[384 + k] = s6_mp
-            work[400 + k] = s6_mm
-            work[416 + k] = doubt1
-            work[432 + k] = -v35
-            work[448 + k] = -v35
-            work[464 + k] = -v36
-            work[480 + k] = -v36
-            work[496 + k] = -math.sqrt(v39)
-            work[512 + k] = -math.sqrt(v40)
-            work[528 + k] = -math.sqrt(v41)
-            work[544 + k] = -math.sqrt(v42)
-            work[560 + k] = s1_p
-            work[576 + k] = s1_m
-            work[592 + k] = S2_pp
-            work[608 + k] = S2_pm
-            work[624 + k] = S2_pm
-            work[640 + k] = S2_pp
-            work[656 + k] = -v5
-            work[672 + k] = s6_pp
-            work[688 + k] = s6_pm
-            work[704 + k] = s6_mp
-            work[720 + k] = s6_mm
-            work[736 + k] = -X4_pp
-            work[752 + k] = -X4_pm
-            work[768 + k] = -X4_mp
-            work[784 + k] = -X4_mm
-            work[800 + k] = -(T33 * c2m3_pp + s2m3_pp * v33)
-            work[816 + k] = v45 - s2m3_pm * v33
-            work[832 + k] = v45 - s2m3_mp * v34
-            work[848 + k] = T33 * v30 - s2m3_mm * v34
-            work[864 + k] = c1_p
-            work[880 + k] = c1_m
-            work[896 + k] = C2_pp
-            work[912 + k] = C2_pm
-            work[928 + k] = -C2_pm
-            work[944 + k] = -C2_pp
-            work[960 + k] = v7
-            work[976 + k] = v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46
-            work[992 + k] = X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)
-            work[1008 + k] = X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)
-            work[1024 + k] = X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32)
-        for k in range(432, 736):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v1
+            work[320 + k] = D3
+            work[336 + k] = v4
+            work[352 + k] = v5
+            work[368 + k] = v22
+            work[384 + k] = v23
+            work[400 + k] = v24
+            work[416 + k] = v39
+            work[432 + k] = v40
+            work[448 + k] = v41
+            work[464 + k] = v42
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = s6_pp
+            work[528 + k] = s6_pm
+            work[544 + k] = s6_mp
+            work[560 + k] = s6_mm
+            work[576 + k] = -v35
+            work[592 + k] = -v35
+            work[608 + k] = -v36
+            work[624 + k] = -v36
+            work[640 + k] = -math.sqrt(v39)
+            work[656 + k] = -math.sqrt(v40)
+            work[672 + k] = -math.sqrt(v41)
+            work[688 + k] = -math.sqrt(v42)
+            work[704 + k] = s1_p
+            work[720 + k] = s1_m
+            work[736 + k] = S2_pp
+            work[752 + k] = S2_pm
+            work[768 + k] = S2_pm
+            work[784 + k] = S2_pp
+            work[800 + k] = -v5
+            work[816 + k] = s6_pp
+            work[832 + k] = s6_pm
+            work[848 + k] = s6_mp
+            work[864 + k] = s6_mm
+            work[880 + k] = -X4_pp
+            work[896 + k] = -X4_pm
+            work[912 + k] = -X4_mp
+            work[928 + k] = -X4_mm
+            work[944 + k] = -(T33 * c2m3_pp + s2m3_pp * v33)
+            work[960 + k] = v45 - s2m3_pm * v33
+            work[976 + k] = v45 - s2m3_mp * v34
+            work[992 + k] = T33 * v30 - s2m3_mm * v34
+            work[1008 + k] = c1_p
+            work[1024 + k] = c1_m
+            work[1040 + k] = C2_pp
+            work[1056 + k] = C2_pm
+            work[1072 + k] = -C2_pm
+            work[1088 + k] = -C2_pp
+            work[1104 + k] = v7
+            work[1120 + k] = v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46
+            work[1136 + k] = X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)
+            work[1152 + k] = X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)
+            work[1168 + k] = X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32)
+        for k in range(576, 880):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v1 = work[272 + k]
-            v4 = work[288 + k]
-            v5 = work[304 + k]
-            v43 = work[320 + k]
-            v44 = work[336 + k]
-            s6_pp = work[352 + k]
-            s6_pm = work[368 + k]
-            s6_mp = work[384 + k]
-            s6_mm = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v1 = work[304 + k]
+            D3 = work[320 + k]
+            v4 = work[336 + k]
+            v5 = work[352 + k]
+            v22 = work[368 + k]
+            v23 = work[384 + k]
+            v24 = work[400 + k]
+            v39 = work[416 + k]
+            v40 = work[432 + k]
+            v41 = work[448 + k]
+            v42 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            s6_pp = work[512 + k]
+            s6_pm = work[528 + k]
+            s6_mp = work[544 + k]
+            s6_mm = work[560 + k]
+            angle1 = work[576 + k]
+            angle2 = work[592 + k]
+            angle3 = work[608 + k]
+            angle4 = work[624 + k]
+            angle5 = work[640 + k]
+            angle6 = work[656 + k]
+            angle7 = work[672 + k]
+            angle8 = work[688 + k]
+            angle9 = work[704 + k]
+            angle10 = work[720 + k]
+            angle11 = work[736 + k]
+            angle12 = work[752 + k]
+            angle13 = work[768 + k]
+            angle14 = work[784 + k]
+            angle15 = work[800 + k]
+            angle16 = work[816 + k]
+            angle17 = work[832 + k]
+            angle18 = work[848 + k]
+            angle19 = work[864 + k]
             q4_ppm = angle1 - v43
             q4_pmm = angle2 - v43
             q4_mpm = angle3 - v44
@@ -2002,18 +2028,18 @@ def _in_tiles(T, q, status):
             v71 = q2__pm + (turn if q2__pm < low2 else 0.0)
             v72 = q2__mp + (turn if q2__mp < low2 else 0.0)
             v73 = q2__mm + (turn if q2__mm < low2 else 0.0)
-            v74 = v70 < low2 or high2 < v70
-            v75 = v71 < low2 or high2 < v71
-            v76 = v72 < low2 or high2 < v72
-            v77 = v73 < low2 or high2 < v73
-            q2_ppp = q2__pp if v74 else v70
-            q2_pmp = q2__pm if v75 else v71
-            q2_mpp = q2__mp if v76 else v72
-            q2_mmp = q2__mm if v77 else v73
+            v74 = max(low2 - v70, v70 - high2)
+            v75 = max(low2 - v71, v71 - high2)
+            v76 = max(low2 - v72, v72 - high2)
+            v77 = max(low2 - v73, v73 - high2)
+            q2_ppp = q2__pp if 0.0 < v74 else v70
+            q2_pmp = q2__pm if 0.0 < v75 else v71
+            q2_mpp = q2__mp if 0.0 < v76 else v72
+            q2_mmp = q2__mm if 0.0 < v77 else v73
             v78 = q3__p + (turn if q3__p < low3 else 0.0)
             v79 = q3__m + (turn if q3__m < low3 else 0.0)
-            v80 = v78 < low3 or high3 < v78
-            v81 = v79 < low3 or high3 < v79
+            v80 = max(low3 - v78, v78 - high3)
+            v81 = max(low3 - v79, v79 - high3)
             v82 = angle5 + (turn if angle5 < low5 else 0.0)
             v83 = (turn if -angle5 < low5 else 0.0) - angle5
             v84 = angle6 + (turn if angle6 < low5 else 0.0)
@@ -2022,127 +2048,145 @@ def _in_tiles(T, q, status):
             v87 = (turn if -angle7 < low5 else 0.0) - angle7
             v88 = angle8 + (turn if angle8 < low5 else 0.0)
             v89 = (turn if -angle8 < low5 else 0.0) - angle8
-            v90 = v82 < low5 or high5 < v82
-            v91 = v83 < low5 or high5 < v83
-            v92 = v84 < low5 or high5 < v84
-            v93 = v85 < low5 or high5 < v85
-            v94 = v86 < low5 or high5 < v86
-            v95 = v87 < low5 or high5 < v87
-            v96 = v88 < low5 or high5 < v88
-            v97 = v89 < low5 or high5 < v89
-            q5_ppp = angle5 if v90 else v82
-            q5_ppm = -angle5 if v91 else v83
-            q5_pmp = angle6 if v92 else v84
-            q5_pmm = -angle6 if v93 else v85
-            q5_mpp = angle7 if v94 else v86
-            q5_mpm = -angle7 if v95 else v87
-            q5_mmp = angle8 if v96 else v88
-            q5_mmm = -angle8 if v97 else v89
+            v90 = max(low5 - v82, v82 - high5)
+            v91 = max(low5 - v83, v83 - high5)
+            v92 = max(low5 - v84, v84 - high5)
+            v93 = max(low5 - v85, v85 - high5)
+            v94 = max(low5 - v86, v86 - high5)
+            v95 = max(low5 - v87, v87 - high5)
+            v96 = max(low5 - v88, v88 - high5)
+            v97 = max(low5 - v89, v89 - high5)
+            q5_ppp = angle5 if 0.0 < v90 else v82
+            q5_ppm = -angle5 if 0.0 < v91 else v83
+            q5_pmp = angle6 if 0.0 < v92 else v84
+            q5_pmm = -angle6 if 0.0 < v93 else v85
+            q5_mpp = angle7 if 0.0 < v94 else v86
+            q5_mpm = -angle7 if 0.0 < v95 else v87
+            q5_mmp = angle8 if 0.0 < v96 else v88
+            q5_mmm = -angle8 if 0.0 < v97 else v89
             q1_ppp = v4 + (v54 + (turn if v54 <= -half_turn else 0.0))
             q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
-            q3_ppp = v1 + (q3__p if v80 else v78)
-            q3_pmp = v1 + (q3__m if v81 else v79)
-            v98 = v74 or v80
-            v99 = v75 or v81
-            v100 = v76 or v80
-            v101 = v77 or v81
-            outside_ppp = v90 or v98
-            outside_ppm = v91 or v98
-            outside_pmp = v92 or v99
-            outside_pmm = v93 or v99
-            outside_mpp = v94 or v100
-            outside_mpm = v95 or v100
-            outside_mmp = v96 or v101
-            outside_mmm = v97 or v101
-            _1040 = q1_ppp
-            work[1040 + k] = _1040
-            _1056 = q2_ppp
-            work[1056 + k] = _1056
-            _1072 = q3_ppp
-            work[1072 + k] = _1072
-            _1088 = angle1
-            work[1088 + k] = _1088
-            _1104 = q5_ppp
-            work[1104 + k] = _1104
-            _1120 = q6_ppp
-            work[1120 + k] = _1120
-            _1136 = q4_ppm
-            work[1136 + k] = _1136
-            _1152 = q5_ppm
-            work[1152 + k] = _1152
-            _1168 = q6_ppm
-            work[1168 + k] = _1168
-            _1184 = q2_pmp
+            q3_ppp = v1 + (q3__p if 0.0 < v80 else v78)
+            q3_pmp = v1 + (q3__m if 0.0 < v81 else v79)
+            v98 = max(v74, v80)
+            v99 = max(v75, v81)
+            v100 = max(v76, v80)
+            v101 = max(v77, v81)
+            excess_ppp = max(v90, v98)
+            excess_ppm = max(v91, v98)
+            excess_pmp = max(v92, v99)
+            excess_pmm = max(v93, v99)
+            excess_mpp = max(v94, v100)
+            excess_mpm = max(v95, v100)
+            excess_mmp = max(v96, v101)
+            excess_mmm = max(v97, v101)
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1184 = q1_ppp
             work[1184 + k] = _1184
-            _1200 = q3_pmp
+            _1200 = q2_ppp
             work[1200 + k] = _1200
-            _1216 = angle2
+            _1216 = q3_ppp
             work[1216 + k] = _1216
-            _1232 = q5_pmp
+            _1232 = angle1
             work[1232 + k] = _1232
-            _1248 = q6_pmp
+            _1248 = q5_ppp
             work[1248 + k] = _1248
-            _1264 = q4_pmm
+            _1264 = q6_ppp
             work[1264 + k] = _1264
-            _1280 = q5_pmm
+            _1280 = q4_ppm
             work[1280 + k] = _1280
-            _1296 = q6_pmm
+            _1296 = q5_ppm
             work[1296 + k] = _1296
-            _1312 = q1_mpp
+            _1312 = q6_ppm
             work[1312 + k] = _1312
-            _1328 = q2_mpp
+            _1328 = q2_pmp
             work[1328 + k] = _1328
-            _1344 = angle3
+            _1344 = q3_pmp
             work[1344 + k] = _1344
-            _1360 = q5_mpp
+            _1360 = angle2
             work[1360 + k] = _1360
-            _1376 = q6_mpp
+            _1376 = q5_pmp
             work[1376 + k] = _1376
-            _1392 = q4_mpm
+            _1392 = q6_pmp
             work[1392 + k] = _1392
-            _1408 = q5_mpm
+            _1408 = q4_pmm
             work[1408 + k] = _1408
-            _1424 = q6_mpm
+            _1424 = q5_pmm
             work[1424 + k] = _1424
-            _1440 = q2_mmp
+            _1440 = q6_pmm
             work[1440 + k] = _1440
-            _1456 = angle4
+            _1456 = q1_mpp
             work[1456 + k] = _1456
-            _1472 = q5_mmp
+            _1472 = q2_mpp
             work[1472 + k] = _1472
-            _1488 = q6_mmp
+            _1488 = angle3
             work[1488 + k] = _1488
-            _1504 = q4_mmm
+            _1504 = q5_mpp
             work[1504 + k] = _1504
-            _1520 = q5_mmm
+            _1520 = q6_mpp
             work[1520 + k] = _1520
-            _1536 = q6_mmm
+            _1536 = q4_mpm
             work[1536 + k] = _1536
-            work[1552 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1552 = q5_mpm
+            work[1552 + k] = _1552
+            _1568 = q6_mpm
+            work[1568 + k] = _1568
+            _1584 = q2_mmp
+            work[1584 + k] = _1584
+            _1600 = angle4
+            work[1600 + k] = _1600
+            _1616 = q5_mmp
+            work[1616 + k] = _1616
+            _1632 = q6_mmp
+            work[1632 + k] = _1632
+            _1648 = q4_mmm
+            work[1648 + k] = _1648
+            _1664 = q5_mmm
+            work[1664 + k] = _1664
+            _1680 = q6_mmm
+            work[1680 + k] = _1680
+            work[1696 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[1568 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1712 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[1584 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1728 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[1600 + k] = (
-                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1744 + k] = (
+                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[1616 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1760 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[1632 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1776 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[1648 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1792 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[1664 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1808 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = (
+                1.0 if v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or
+                abs(D1) <= m1 or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

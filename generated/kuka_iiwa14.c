@@ -248,11 +248,12 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -490,19 +491,17 @@ HELPER wide_mask solve_wide(
 
     /* joint values */
     const wide angle5 = atan2_wide(-v4, -v2);
-    const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) |
-        exceeds(free_joints[0], 3) | (abs_wide(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 *
+    left |= (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (high(3) <
+        abs_wide(free_joints[0])) | (abs_wide(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 *
         abs_wide(Z1)));
-    left |= doubt1;
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
         /* joint values */
-        const wide v67 = e1 * angle5 - offset4, q4_ = raised_wide(v67);
-        const wide_mask v70 = exceeds(q4_, 4);
-        const wide q4_p = v6 + q4_;
+        const wide v67 = e1 * angle5 - offset4, q4_ = raised_wide(v67), v70 = exceeds(q4_, 4),
+            q4_p = v6 + q4_;
 
         UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* left, right */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -528,20 +527,22 @@ HELPER wide_mask solve_wide(
                 angle6 = atan2_wide(sqrt_wide(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1
                     * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
                 v68 = angle6 - offset6, v69 = offset6 + angle6, q6_p = raised_wide(v68),
-                q6_m = only_wide(-v69 <= -half_turn, turn) - v69;
-            const wide_mask v71 = v70 | exceeds(q1_p, 1) | exceeds(q2_p, 2),
-                doubt2 = (v23 <= m3) | (v39 <= m4);
+                q6_m = only_wide(-v69 <= -half_turn, turn) - v69,
+                v71 = maximum_wide(exceeds(q2_p, 2), maximum_wide(v70, exceeds(q1_p, 1))),
+                excess_p = maximum_wide(exceeds(angle2, 7), maximum_wide(exceeds(q6_p, 6),
+                    maximum_wide(v71, exceeds(angle1, 5)))),
+                excess_m = maximum_wide(exceeds(q7_m, 7), maximum_wide(exceeds(q6_m, 6),
+                    maximum_wide(v71, exceeds(q5_m, 5))));
             const int row = 4 * i1 + 2 * i2;
             q[7 * row] = q1_p; q[7 * row + 1] = q2_p; q[7 * row + 2] = q3_p; q[7 * row + 3] = q4_p;
             q[7 * row + 4] = angle1; q[7 * row + 5] = q6_p; q[7 * row + 6] = angle2;
-            kind[row] = kind_of(q[7 * row], exceeds(angle2, 7) | exceeds(q6_p, 6) | v71 |
-                exceeds(angle1, 5));
+            kind[row] = kind_of(q[7 * row], 0.0 < excess_p);
             q[7 * row + 7] = q1_p; q[7 * row + 8] = q2_p; q[7 * row + 9] = q3_p;
             q[7 * row + 10] = q4_p; q[7 * row + 11] = q5_m; q[7 * row + 12] = q6_m;
             q[7 * row + 13] = q7_m;
-            kind[row + 1] = kind_of(q[7 * row + 7], exceeds(q7_m, 7) | exceeds(q6_m, 6) | v71 |
-                exceeds(q5_m, 5));
-            left |= doubt2;
+            kind[row + 1] = kind_of(q[7 * row + 7], 0.0 < excess_m);
+            left |= (v23 <= m3) | (v39 <= m4);
+            left |= grazes(excess_p) | grazes(excess_m);
         }
     }
     return left;
@@ -561,13 +562,9 @@ HELPER int solve_regular(
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
 
-    /* joint values */
-    const four_mask doubt2 = (v23 <= m3) | (v39 <= m4);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
-        fabs(free_joints[0])) | (fabs(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * fabs(Z1)));
-
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
-        (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | ((v23 <= m3) | (v39 <= m4)))
+        | (unsigned)((N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
+        fabs(free_joints[0])) | (fabs(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * fabs(Z1)))))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
@@ -590,12 +587,16 @@ HELPER int solve_regular(
         q1_p = raised_four(v65), v66 = angle4 - offset2, q2_p = raised_four(v66),
         v67 = e1 * angle5 - offset4, q4_ = raised_four(v67), v68 = angle6 - offset6,
         v69 = offset6 + angle6, q6_p = raised_four(v68),
-        q6_m = only_four(-v69 <= -half_turn, turn) - v69;
-    const four_mask v70 = exceeds_four(q4_, 4);
-    const four q4_p = v6 + q4_;
-    const four_mask v71 = v70 | exceeds_four(q1_p, 1) | exceeds_four(q2_p, 2),
-        outside_p = exceeds_four(angle2, 7) | exceeds_four(q6_p, 6) | v71 | exceeds_four(angle1, 5),
-        outside_m = exceeds_four(q7_m, 7) | exceeds_four(q6_m, 6) | v71 | exceeds_four(q5_m, 5);
+        q6_m = only_four(-v69 <= -half_turn, turn) - v69, v70 = exceeds_four(q4_, 4),
+        q4_p = v6 + q4_,
+        v71 = maximum_four(exceeds_four(q2_p, 2), maximum_four(v70, exceeds_four(q1_p, 1))),
+        excess_p = maximum_four(exceeds_four(angle2, 7), maximum_four(exceeds_four(q6_p, 6),
+            maximum_four(v71, exceeds_four(angle1, 5)))),
+        excess_m = maximum_four(exceeds_four(q7_m, 7), maximum_four(exceeds_four(q6_m, 6),
+            maximum_four(v71, exceeds_four(q5_m, 5))));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle1, q6_p, angle2);
@@ -1036,18 +1037,19 @@ static int settle(const double T[16], double enough, double most, double q[7])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
 {
-    double x[7], half[7], to[7], *q = rows[row], off = beyond_limits(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[7], half[7], to[7], *q = rows[row];
+    const double beyond = beyond_limits(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!settle(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != KUKA_IIWA14_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
+        if (status[k] != KUKA_IIWA14_UNREACHABLE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

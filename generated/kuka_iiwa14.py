@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 bbffe4e54feec5ff"
+_KEY = "kuka_iiwa14 8c91626177d6e473"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -190,6 +190,7 @@ high4 = 2.0943951033931953
 high5 = 2.9670597293903604
 high6 = 2.0943951033931953
 high7 = 3.054326191990077
+graze = 5e-07  # twice this beyond a limit is told with more care
 # 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4]
 m1 = 1.4473755527432779e-11
 m2 = 1.306e-11  # 1000 * merge_slack1 [m]
@@ -1069,20 +1070,19 @@ def _settle(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _beyond_limits(q)
-    if not 0.0 < off < 0.01:
+    beyond = _beyond_limits(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(7), np.empty(7)
-    most = max(10.0 * off, 0.001)
-    if not _settle(pose, math.nan, most, x):
+    if not _settle(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1369,19 +1369,17 @@ def _regular(pose, q_free, q, status):
     v92 = offset4 + angle17
     q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
     q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-    v101 = high4 < abs(q4__p)
-    v102 = high4 < abs(q4__m)
+    v101 = abs(q4__p) - high4
+    v102 = abs(q4__m) - high4
     q3_ppp = v6 + (q_free[0] + (w4 - w4))
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
-    doubt1 = (
+
+    if (
         N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 * (merge_slack1 +
         2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4 or v26 <= m3 or v48 <= m4
         or high3 < abs(q_free[0]) or v25 <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1547,18 +1545,34 @@ def _regular(pose, q_free, q, status):
     q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
     q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
     q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
-    v103 = v101 or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
-    v104 = v101 or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
-    v105 = v102 or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
-    v106 = v102 or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
-    outside_ppp = high7 < abs(angle5) or high6 < abs(q6_ppp) or v103 or high5 < abs(angle1)
-    outside_ppm = high7 < abs(q7_ppm) or high6 < abs(q6_ppm) or v103 or high5 < abs(q5_ppm)
-    outside_pmp = high7 < abs(angle6) or high6 < abs(q6_pmp) or v104 or high5 < abs(angle2)
-    outside_pmm = high7 < abs(q7_pmm) or high6 < abs(q6_pmm) or v104 or high5 < abs(q5_pmm)
-    outside_mpp = high7 < abs(angle7) or high6 < abs(q6_mpp) or v105 or high5 < abs(angle3)
-    outside_mpm = high7 < abs(q7_mpm) or high6 < abs(q6_mpm) or v105 or high5 < abs(q5_mpm)
-    outside_mmp = high7 < abs(angle8) or high6 < abs(q6_mmp) or v106 or high5 < abs(angle4)
-    outside_mmm = high7 < abs(q7_mmm) or high6 < abs(q6_mmm) or v106 or high5 < abs(q5_mmm)
+    v103 = max(abs(q2_ppp) - high2, max(v101, abs(q1_ppp) - high1))
+    v104 = max(abs(q2_pmp) - high2, max(v101, abs(q1_pmp) - high1))
+    v105 = max(abs(q2_mpp) - high2, max(v102, abs(q1_mpp) - high1))
+    v106 = max(abs(q2_mmp) - high2, max(v102, abs(q1_mmp) - high1))
+    excess_ppp = max(abs(angle5) - high7, max(abs(q6_ppp) - high6, max(v103, abs(angle1) - high5)))
+    excess_ppm = max(abs(q7_ppm) - high7, max(abs(q6_ppm) - high6, max(v103, abs(q5_ppm) - high5)))
+    excess_pmp = max(abs(angle6) - high7, max(abs(q6_pmp) - high6, max(v104, abs(angle2) - high5)))
+    excess_pmm = max(abs(q7_pmm) - high7, max(abs(q6_pmm) - high6, max(v104, abs(q5_pmm) - high5)))
+    excess_mpp = max(abs(angle7) - high7, max(abs(q6_mpp) - high6, max(v105, abs(angle3) - high5)))
+    excess_mpm = max(abs(q7_mpm) - high7, max(abs(q6_mpm) - high6, max(v105, abs(q5_mpm) - high5)))
+    excess_mmp = max(abs(angle8) - high7, max(abs(q6_mmp) - high6, max(v106, abs(angle4) - high5)))
+    excess_mmm = max(abs(q7_mmm) - high7, max(abs(q6_mmm) - high6, max(v106, abs(q5_mmm) - high5)))
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1834,16 +1848,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1920, 1936, 1952, 1968, 1984, 2000, 2016],
-    [1920, 1936, 1952, 1968, 2032, 2048, 2064],
-    [2080, 2096, 1952, 1968, 2112, 2128, 2144],
-    [2080, 2096, 1952, 1968, 2160, 2176, 2192],
-    [2208, 2224, 1952, 2240, 2256, 2272, 2288],
-    [2208, 2224, 1952, 2240, 2304, 2320, 2336],
-    [2352, 2368, 1952, 2240, 2384, 2400, 2416],
-    [2352, 2368, 1952, 2240, 2432, 2448, 2464],
+    [2048, 2064, 2080, 2096, 2112, 2128, 2144],
+    [2048, 2064, 2080, 2096, 2160, 2176, 2192],
+    [2208, 2224, 2080, 2096, 2240, 2256, 2272],
+    [2208, 2224, 2080, 2096, 2288, 2304, 2320],
+    [2336, 2352, 2080, 2368, 2384, 2400, 2416],
+    [2336, 2352, 2080, 2368, 2432, 2448, 2464],
+    [2480, 2496, 2080, 2368, 2512, 2528, 2544],
+    [2480, 2496, 2080, 2368, 2560, 2576, 2592],
 ])
-_KINDS = np.array([2480, 2496, 2512, 2528, 2544, 2560, 2576, 2592])
+_KINDS = np.array([2608, 2624, 2640, 2656, 2672, 2688, 2704, 2720])
 
 
 @intrinsic(prefer_literal=True)
@@ -1870,7 +1884,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(2608), 2608)
+    work = carray(_tile(2736), 2736)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1983,7 +1997,6 @@ def _in_tiles(T, q_free, q, status):
             wx = work[288 + k]
             wy = work[304 + k]
             Z1_2 = work[320 + k]
-            D4 = work[336 + k]
             w4 = work[352 + k]
             v3 = work[368 + k]
             v5 = work[384 + k]
@@ -2123,197 +2136,212 @@ def _in_tiles(T, q_free, q, status):
             v92 = offset4 + angle17
             q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
             q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-            v101 = high4 < abs(q4__p)
-            v102 = high4 < abs(q4__m)
+            v101 = abs(q4__p) - high4
+            v102 = abs(q4__m) - high4
             q3_ppp = v6 + (given1 + (w4 - w4))
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
-            doubt1 = (
-                N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 *
-                (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4
-                or v26 <= m3 or v48 <= m4 or high3 < abs(given1) or v25 <= m3
-            )
-            work[720 + k] = c1_pp
-            work[736 + k] = v12
-            work[752 + k] = v13
-            work[768 + k] = s1_pp
-            work[784 + k] = s1_mp
-            work[800 + k] = s1_mm
-            work[816 + k] = S2_pp
-            work[832 + k] = S2_mp
-            work[848 + k] = v22
-            work[864 + k] = v23
-            work[880 + k] = factor2_pp
-            work[896 + k] = factor2_pm
-            work[912 + k] = factor2_mm
-            work[928 + k] = X5_pp
-            work[944 + k] = X5_mp
-            work[960 + k] = X5_mm
-            work[976 + k] = Y5_pp
-            work[992 + k] = v47
-            work[1008 + k] = Y5_mp
-            work[1024 + k] = Y5_mm
-            work[1040 + k] = v69
-            work[1056 + k] = v70
-            work[1072 + k] = v72
-            work[1088 + k] = v73
-            work[1104 + k] = v74
-            work[1120 + k] = v75
-            work[1136 + k] = v79
-            work[1152 + k] = v80
-            work[1168 + k] = v81
-            work[1184 + k] = v101
-            work[1200 + k] = v102
-            work[1216 + k] = q3_ppp
-            work[1232 + k] = q4_ppp
-            work[1248 + k] = q4_mpp
-            work[1264 + k] = doubt1
-            work[1280 + k] = Y5_pp
-            work[1296 + k] = -v47
-            work[1312 + k] = Y5_mp
-            work[1328 + k] = Y5_mm
-            work[1344 + k] = (
+            work[720 + k] = Z1
+            work[736 + k] = D1
+            work[752 + k] = c1_pp
+            work[768 + k] = v12
+            work[784 + k] = v13
+            work[800 + k] = s1_pp
+            work[816 + k] = s1_mp
+            work[832 + k] = s1_mm
+            work[848 + k] = S2_pp
+            work[864 + k] = S2_mp
+            work[880 + k] = v22
+            work[896 + k] = v23
+            work[912 + k] = v25
+            work[928 + k] = v26
+            work[944 + k] = v27
+            work[960 + k] = factor2_pp
+            work[976 + k] = factor2_pm
+            work[992 + k] = factor2_mm
+            work[1008 + k] = X5_pp
+            work[1024 + k] = X5_mp
+            work[1040 + k] = X5_mm
+            work[1056 + k] = Y5_pp
+            work[1072 + k] = v47
+            work[1088 + k] = Y5_mp
+            work[1104 + k] = Y5_mm
+            work[1120 + k] = v48
+            work[1136 + k] = v49
+            work[1152 + k] = v50
+            work[1168 + k] = v51
+            work[1184 + k] = v69
+            work[1200 + k] = v70
+            work[1216 + k] = v72
+            work[1232 + k] = v73
+            work[1248 + k] = v74
+            work[1264 + k] = v75
+            work[1280 + k] = v79
+            work[1296 + k] = v80
+            work[1312 + k] = v81
+            work[1328 + k] = v101
+            work[1344 + k] = v102
+            work[1360 + k] = q3_ppp
+            work[1376 + k] = q4_ppp
+            work[1392 + k] = q4_mpp
+            work[1408 + k] = Y5_pp
+            work[1424 + k] = -v47
+            work[1440 + k] = Y5_mp
+            work[1456 + k] = Y5_mm
+            work[1472 + k] = (
                 -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp *
                 T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp
                 * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78)))))
             )
-            work[1360 + k] = v81
-            work[1376 + k] = (
+            work[1488 + k] = v81
+            work[1504 + k] = (
                 -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) +
                 Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) -
                 v23 * (v76 + (s1_mp * v75 - v12 * v74)))))
             )
-            work[1392 + k] = (
+            work[1520 + k] = (
                 -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 *
                 T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 -
                 s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74)))))
             )
-            work[1408 + k] = s1_pp
-            work[1424 + k] = s1_pm
-            work[1440 + k] = s1_mp
-            work[1456 + k] = s1_mm
-            work[1472 + k] = S2_pp
-            work[1488 + k] = -S2_mp
-            work[1504 + k] = S2_mp
-            work[1520 + k] = -S2_pp
-            work[1536 + k] = math.sqrt(v48)
-            work[1552 + k] = math.sqrt(v49)
-            work[1568 + k] = math.sqrt(v50)
-            work[1584 + k] = math.sqrt(v51)
-            work[1600 + k] = -X5_pp
-            work[1616 + k] = -X5_pm
-            work[1632 + k] = -X5_mp
-            work[1648 + k] = -X5_mm
-            work[1664 + k] = (
+            work[1536 + k] = s1_pp
+            work[1552 + k] = s1_pm
+            work[1568 + k] = s1_mp
+            work[1584 + k] = s1_mm
+            work[1600 + k] = S2_pp
+            work[1616 + k] = -S2_mp
+            work[1632 + k] = S2_mp
+            work[1648 + k] = -S2_pp
+            work[1664 + k] = math.sqrt(v48)
+            work[1680 + k] = math.sqrt(v49)
+            work[1696 + k] = math.sqrt(v50)
+            work[1712 + k] = math.sqrt(v51)
+            work[1728 + k] = -X5_pp
+            work[1744 + k] = -X5_pm
+            work[1760 + k] = -X5_mp
+            work[1776 + k] = -X5_mm
+            work[1792 + k] = (
                 -(X5_pp * (c3 * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp *
                 T22)))) + Y5_pp * (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp
                 * v64)) + S2_pp * (v68 + (c1_pp * v66 + s1_pp * v67)))))
             )
-            work[1680 + k] = (
+            work[1808 + k] = (
                 v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 + s1_pm * v64)) -
                 S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 + factor2_pm *
                 (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22))))
             )
-            work[1696 + k] = (
+            work[1824 + k] = (
                 -(X5_mp * (c3 * v61 - factor2_pm * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) +
                 Y5_mp * (v3 * (s3 * v61) + factor2_pm * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) -
                 v23 * (v65 + (s1_mp * v64 - v12 * v63)))))
             )
-            work[1712 + k] = (
+            work[1840 + k] = (
                 -(X5_mm * (c3 * v62 - factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 *
                 T12)))) + Y5_mm * (v3 * (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 -
                 s1_mm * v67)) - v22 * (v65 + (s1_mm * v64 - v13 * v63)))))
             )
-            work[1728 + k] = c1_pp
-            work[1744 + k] = c1_pm
-            work[1760 + k] = -v12
-            work[1776 + k] = -v13
-            work[1792 + k] = -v22
-            work[1808 + k] = -v23
-            work[1824 + k] = -v23
-            work[1840 + k] = -v22
-            work[1856 + k] = (
+            work[1856 + k] = c1_pp
+            work[1872 + k] = c1_pm
+            work[1888 + k] = -v12
+            work[1904 + k] = -v13
+            work[1920 + k] = -v22
+            work[1936 + k] = -v23
+            work[1952 + k] = -v23
+            work[1968 + k] = -v22
+            work[1984 + k] = (
                 v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp * v56 - v57) + v22 * (v54 +
                 (c1_pp * v52 + s1_pp * v53)))
             )
-            work[1872 + k] = (
+            work[2000 + k] = (
                 v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 + s1_pm * v53)) - S2_mp * (c1_pm
                 * v55 + s1_pm * v56 - v57))
             )
-            work[1888 + k] = (
+            work[2016 + k] = (
                 -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56 - v12 * v55)) + v23 * (v54 +
                 (v12 * v52 - s1_mp * v53))))
             )
-            work[1904 + k] = (
+            work[2032 + k] = (
                 -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56 - v13 * v55)) + v22 * (v54 +
                 (v13 * v52 - s1_mm * v53))))
             )
-        for k in range(1280, 1600):
+        for k in range(1408, 1728):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
             T11 = work[0 + k]
             T21 = work[64 + k]
+            given1 = work[256 + k]
+            D4 = work[336 + k]
+            w4 = work[352 + k]
             v3 = work[368 + k]
+            N1 = work[400 + k]
             v76 = work[608 + k]
             v77 = work[624 + k]
             v78 = work[640 + k]
             s3 = work[656 + k]
             c3 = work[672 + k]
-            c1_pp = work[720 + k]
-            v12 = work[736 + k]
-            v13 = work[752 + k]
-            s1_pp = work[768 + k]
-            s1_mp = work[784 + k]
-            s1_mm = work[800 + k]
-            S2_pp = work[816 + k]
-            S2_mp = work[832 + k]
-            v22 = work[848 + k]
-            v23 = work[864 + k]
-            factor2_pp = work[880 + k]
-            factor2_pm = work[896 + k]
-            factor2_mm = work[912 + k]
-            X5_pp = work[928 + k]
-            X5_mp = work[944 + k]
-            X5_mm = work[960 + k]
-            Y5_pp = work[976 + k]
-            v47 = work[992 + k]
-            Y5_mp = work[1008 + k]
-            Y5_mm = work[1024 + k]
-            v69 = work[1040 + k]
-            v70 = work[1056 + k]
-            v72 = work[1072 + k]
-            v73 = work[1088 + k]
-            v74 = work[1104 + k]
-            v75 = work[1120 + k]
-            v79 = work[1136 + k]
-            v80 = work[1152 + k]
-            v81 = work[1168 + k]
-            v101 = work[1184 + k] != 0.0
-            v102 = work[1200 + k] != 0.0
-            q3_ppp = work[1216 + k]
-            q4_ppp = work[1232 + k]
-            q4_mpp = work[1248 + k]
-            doubt1 = work[1264 + k] != 0.0
-            angle1 = work[1280 + k]
-            angle2 = work[1296 + k]
-            angle3 = work[1312 + k]
-            angle4 = work[1328 + k]
-            angle5 = work[1344 + k]
-            angle6 = work[1360 + k]
-            angle7 = work[1376 + k]
-            angle8 = work[1392 + k]
-            angle9 = work[1408 + k]
-            angle10 = work[1424 + k]
-            angle11 = work[1440 + k]
-            angle12 = work[1456 + k]
-            angle13 = work[1472 + k]
-            angle14 = work[1488 + k]
-            angle15 = work[1504 + k]
-            angle16 = work[1520 + k]
-            angle18 = work[1536 + k]
-            angle19 = work[1552 + k]
-            angle20 = work[1568 + k]
-            angle21 = work[1584 + k]
+            Z1 = work[720 + k]
+            D1 = work[736 + k]
+            c1_pp = work[752 + k]
+            v12 = work[768 + k]
+            v13 = work[784 + k]
+            s1_pp = work[800 + k]
+            s1_mp = work[816 + k]
+            s1_mm = work[832 + k]
+            S2_pp = work[848 + k]
+            S2_mp = work[864 + k]
+            v22 = work[880 + k]
+            v23 = work[896 + k]
+            v25 = work[912 + k]
+            v26 = work[928 + k]
+            v27 = work[944 + k]
+            factor2_pp = work[960 + k]
+            factor2_pm = work[976 + k]
+            factor2_mm = work[992 + k]
+            X5_pp = work[1008 + k]
+            X5_mp = work[1024 + k]
+            X5_mm = work[1040 + k]
+            Y5_pp = work[1056 + k]
+            v47 = work[1072 + k]
+            Y5_mp = work[1088 + k]
+            Y5_mm = work[1104 + k]
+            v48 = work[1120 + k]
+            v49 = work[1136 + k]
+            v50 = work[1152 + k]
+            v51 = work[1168 + k]
+            v69 = work[1184 + k]
+            v70 = work[1200 + k]
+            v72 = work[1216 + k]
+            v73 = work[1232 + k]
+            v74 = work[1248 + k]
+            v75 = work[1264 + k]
+            v79 = work[1280 + k]
+            v80 = work[1296 + k]
+            v81 = work[1312 + k]
+            v101 = work[1328 + k]
+            v102 = work[1344 + k]
+            q3_ppp = work[1360 + k]
+            q4_ppp = work[1376 + k]
+            q4_mpp = work[1392 + k]
+            angle1 = work[1408 + k]
+            angle2 = work[1424 + k]
+            angle3 = work[1440 + k]
+            angle4 = work[1456 + k]
+            angle5 = work[1472 + k]
+            angle6 = work[1488 + k]
+            angle7 = work[1504 + k]
+            angle8 = work[1520 + k]
+            angle9 = work[1536 + k]
+            angle10 = work[1552 + k]
+            angle11 = work[1568 + k]
+            angle12 = work[1584 + k]
+            angle13 = work[1600 + k]
+            angle14 = work[1616 + k]
+            angle15 = work[1632 + k]
+            angle16 = work[1648 + k]
+            angle18 = work[1664 + k]
+            angle19 = work[1680 + k]
+            angle20 = work[1696 + k]
+            angle21 = work[1712 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp)
             q5_pmm = angle2 - math.copysign(half_turn, -v47)
             q5_mpm = angle3 - math.copysign(half_turn, Y5_mp)
@@ -2368,113 +2396,148 @@ def _in_tiles(T, q_free, q, status):
             q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
             q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
             q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
-            v103 = v101 or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
-            v104 = v101 or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
-            v105 = v102 or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
-            v106 = v102 or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
-            outside_ppp = high7 < abs(angle5) or high6 < abs(q6_ppp) or v103 or high5 < abs(angle1)
-            outside_ppm = high7 < abs(q7_ppm) or high6 < abs(q6_ppm) or v103 or high5 < abs(q5_ppm)
-            outside_pmp = high7 < abs(angle6) or high6 < abs(q6_pmp) or v104 or high5 < abs(angle2)
-            outside_pmm = high7 < abs(q7_pmm) or high6 < abs(q6_pmm) or v104 or high5 < abs(q5_pmm)
-            outside_mpp = high7 < abs(angle7) or high6 < abs(q6_mpp) or v105 or high5 < abs(angle3)
-            outside_mpm = high7 < abs(q7_mpm) or high6 < abs(q6_mpm) or v105 or high5 < abs(q5_mpm)
-            outside_mmp = high7 < abs(angle8) or high6 < abs(q6_mmp) or v106 or high5 < abs(angle4)
-            outside_mmm = high7 < abs(q7_mmm) or high6 < abs(q6_mmm) or v106 or high5 < abs(q5_mmm)
-            _1920 = q1_ppp
-            work[1920 + k] = _1920
-            _1936 = q2_ppp
-            work[1936 + k] = _1936
-            _1952 = q3_ppp
-            work[1952 + k] = _1952
-            _1968 = q4_ppp
-            work[1968 + k] = _1968
-            _1984 = angle1
-            work[1984 + k] = _1984
-            _2000 = q6_ppp
-            work[2000 + k] = _2000
-            _2016 = angle5
-            work[2016 + k] = _2016
-            _2032 = q5_ppm
-            work[2032 + k] = _2032
-            _2048 = q6_ppm
+            v103 = max(abs(q2_ppp) - high2, max(v101, abs(q1_ppp) - high1))
+            v104 = max(abs(q2_pmp) - high2, max(v101, abs(q1_pmp) - high1))
+            v105 = max(abs(q2_mpp) - high2, max(v102, abs(q1_mpp) - high1))
+            v106 = max(abs(q2_mmp) - high2, max(v102, abs(q1_mmp) - high1))
+            excess_ppp = (
+                max(abs(angle5) - high7, max(abs(q6_ppp) - high6, max(v103, abs(angle1) - high5)))
+            )
+            excess_ppm = (
+                max(abs(q7_ppm) - high7, max(abs(q6_ppm) - high6, max(v103, abs(q5_ppm) - high5)))
+            )
+            excess_pmp = (
+                max(abs(angle6) - high7, max(abs(q6_pmp) - high6, max(v104, abs(angle2) - high5)))
+            )
+            excess_pmm = (
+                max(abs(q7_pmm) - high7, max(abs(q6_pmm) - high6, max(v104, abs(q5_pmm) - high5)))
+            )
+            excess_mpp = (
+                max(abs(angle7) - high7, max(abs(q6_mpp) - high6, max(v105, abs(angle3) - high5)))
+            )
+            excess_mpm = (
+                max(abs(q7_mpm) - high7, max(abs(q6_mpm) - high6, max(v105, abs(q5_mpm) - high5)))
+            )
+            excess_mmp = (
+                max(abs(angle8) - high7, max(abs(q6_mmp) - high6, max(v106, abs(angle4) - high5)))
+            )
+            excess_mmm = (
+                max(abs(q7_mmm) - high7, max(abs(q6_mmm) - high6, max(v106, abs(q5_mmm) - high5)))
+            )
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _2048 = q1_ppp
             work[2048 + k] = _2048
-            _2064 = q7_ppm
+            _2064 = q2_ppp
             work[2064 + k] = _2064
-            _2080 = q1_pmp
+            _2080 = q3_ppp
             work[2080 + k] = _2080
-            _2096 = q2_pmp
+            _2096 = q4_ppp
             work[2096 + k] = _2096
-            _2112 = angle2
+            _2112 = angle1
             work[2112 + k] = _2112
-            _2128 = q6_pmp
+            _2128 = q6_ppp
             work[2128 + k] = _2128
-            _2144 = angle6
+            _2144 = angle5
             work[2144 + k] = _2144
-            _2160 = q5_pmm
+            _2160 = q5_ppm
             work[2160 + k] = _2160
-            _2176 = q6_pmm
+            _2176 = q6_ppm
             work[2176 + k] = _2176
-            _2192 = q7_pmm
+            _2192 = q7_ppm
             work[2192 + k] = _2192
-            _2208 = q1_mpp
+            _2208 = q1_pmp
             work[2208 + k] = _2208
-            _2224 = q2_mpp
+            _2224 = q2_pmp
             work[2224 + k] = _2224
-            _2240 = q4_mpp
+            _2240 = angle2
             work[2240 + k] = _2240
-            _2256 = angle3
+            _2256 = q6_pmp
             work[2256 + k] = _2256
-            _2272 = q6_mpp
+            _2272 = angle6
             work[2272 + k] = _2272
-            _2288 = angle7
+            _2288 = q5_pmm
             work[2288 + k] = _2288
-            _2304 = q5_mpm
+            _2304 = q6_pmm
             work[2304 + k] = _2304
-            _2320 = q6_mpm
+            _2320 = q7_pmm
             work[2320 + k] = _2320
-            _2336 = q7_mpm
+            _2336 = q1_mpp
             work[2336 + k] = _2336
-            _2352 = q1_mmp
+            _2352 = q2_mpp
             work[2352 + k] = _2352
-            _2368 = q2_mmp
+            _2368 = q4_mpp
             work[2368 + k] = _2368
-            _2384 = angle4
+            _2384 = angle3
             work[2384 + k] = _2384
-            _2400 = q6_mmp
+            _2400 = q6_mpp
             work[2400 + k] = _2400
-            _2416 = angle8
+            _2416 = angle7
             work[2416 + k] = _2416
-            _2432 = q5_mmm
+            _2432 = q5_mpm
             work[2432 + k] = _2432
-            _2448 = q6_mmm
+            _2448 = q6_mpm
             work[2448 + k] = _2448
-            _2464 = q7_mmm
+            _2464 = q7_mpm
             work[2464 + k] = _2464
-            work[2480 + k] = (
-                UNREACHABLE if _1920 != _1920 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2480 = q1_mmp
+            work[2480 + k] = _2480
+            _2496 = q2_mmp
+            work[2496 + k] = _2496
+            _2512 = angle4
+            work[2512 + k] = _2512
+            _2528 = q6_mmp
+            work[2528 + k] = _2528
+            _2544 = angle8
+            work[2544 + k] = _2544
+            _2560 = q5_mmm
+            work[2560 + k] = _2560
+            _2576 = q6_mmm
+            work[2576 + k] = _2576
+            _2592 = q7_mmm
+            work[2592 + k] = _2592
+            work[2608 + k] = (
+                UNREACHABLE if _2048 != _2048 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[2496 + k] = (
-                UNREACHABLE if _1920 != _1920 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[2624 + k] = (
+                UNREACHABLE if _2048 != _2048 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[2512 + k] = (
-                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[2640 + k] = (
+                UNREACHABLE if _2208 != _2208 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[2528 + k] = (
-                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[2656 + k] = (
+                UNREACHABLE if _2208 != _2208 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[2544 + k] = (
-                UNREACHABLE if _2208 != _2208 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[2672 + k] = (
+                UNREACHABLE if _2336 != _2336 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[2560 + k] = (
-                UNREACHABLE if _2208 != _2208 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[2688 + k] = (
+                UNREACHABLE if _2336 != _2336 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[2576 + k] = (
-                UNREACHABLE if _2352 != _2352 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[2704 + k] = (
+                UNREACHABLE if _2480 != _2480 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[2592 + k] = (
-                UNREACHABLE if _2352 != _2352 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[2720 + k] = (
+                UNREACHABLE if _2480 != _2480 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[272 + k] = 1.0 if doubt1 else work[272 + k]
+            work[272 + k] = (
+                1.0 if N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 *
+                (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4
+                or v26 <= m3 or v48 <= m4 or high3 < abs(given1) or v25 <= m3 else work[272 + k]
+            )
+            work[272 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[272 +
+                k]
+            )
         for k in range(first, first + count):
             if work[272 + k - first] != 0.0:
                 _unseeded(T[k], q_free[k], q[k], status[k])

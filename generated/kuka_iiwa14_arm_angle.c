@@ -243,11 +243,12 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -546,44 +547,57 @@ HELPER wide_mask solve_wide(
         v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6,
         v90 = offset6 + angle13, q6_ppp = raised_wide(v87),
         q6_ppm = only_wide(-v88 <= -half_turn, turn) - v88, q6_mpp = raised_wide(v89),
-        q6_mpm = only_wide(-v90 <= -half_turn, turn) - v90;
-    const wide_mask v91 = exceeds(q4_ppp, 4), v92 = exceeds(q4_mpp, 4), v93 = exceeds(angle3, 5),
-        v94 = exceeds(q5_ppm, 5), v95 = exceeds(angle4, 5), v96 = exceeds(q5_mpm, 5),
-        v97 = exceeds(q6_ppp, 6), v98 = exceeds(q6_ppm, 6), v99 = exceeds(q6_mpp, 6),
-        v100 = exceeds(q6_mpm, 6), v101 = exceeds(angle5, 7), v102 = exceeds(q7_ppm, 7),
-        v103 = exceeds(angle6, 7), v104 = exceeds(q7_mpm, 7),
-        v105 = v91 | exceeds(angle1, 3) | exceeds(q1_ppp, 1) | exceeds(q2_ppp, 2),
-        v106 = v91 | exceeds(q3_pmp, 3) | exceeds(q1_pmp, 1) | exceeds(q2_pmp, 2),
-        v107 = v92 | exceeds(angle2, 3) | exceeds(q1_mpp, 1) | exceeds(q2_mpp, 2),
-        v108 = v92 | exceeds(q3_mmp, 3) | exceeds(q1_mmp, 1) | exceeds(q2_mmp, 2),
-        doubt1 = (v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (abs_wide(D4) <= m1) | (v30 <= m3);
+        q6_mpm = only_wide(-v90 <= -half_turn, turn) - v90, v91 = exceeds(q4_ppp, 4),
+        v92 = exceeds(q4_mpp, 4), v93 = exceeds(angle3, 5), v94 = exceeds(q5_ppm, 5),
+        v95 = exceeds(angle4, 5), v96 = exceeds(q5_mpm, 5), v97 = exceeds(q6_ppp, 6),
+        v98 = exceeds(q6_ppm, 6), v99 = exceeds(q6_mpp, 6), v100 = exceeds(q6_mpm, 6),
+        v101 = exceeds(angle5, 7), v102 = exceeds(q7_ppm, 7), v103 = exceeds(angle6, 7),
+        v104 = exceeds(q7_mpm, 7),
+        v105 = maximum_wide(exceeds(angle1, 3), maximum_wide(exceeds(q2_ppp, 2), maximum_wide(v91,
+            exceeds(q1_ppp, 1)))),
+        v106 = maximum_wide(exceeds(q3_pmp, 3), maximum_wide(exceeds(q2_pmp, 2), maximum_wide(v91,
+            exceeds(q1_pmp, 1)))),
+        v107 = maximum_wide(exceeds(angle2, 3), maximum_wide(exceeds(q2_mpp, 2), maximum_wide(v92,
+            exceeds(q1_mpp, 1)))),
+        v108 = maximum_wide(exceeds(q3_mmp, 3), maximum_wide(exceeds(q2_mmp, 2), maximum_wide(v92,
+            exceeds(q1_mmp, 1)))),
+        excess_ppp = maximum_wide(v101, maximum_wide(v97, maximum_wide(v93, v105))),
+        excess_ppm = maximum_wide(v102, maximum_wide(v98, maximum_wide(v94, v105))),
+        excess_pmp = maximum_wide(v101, maximum_wide(v97, maximum_wide(v93, v106))),
+        excess_pmm = maximum_wide(v102, maximum_wide(v98, maximum_wide(v94, v106))),
+        excess_mpp = maximum_wide(v103, maximum_wide(v99, maximum_wide(v95, v107))),
+        excess_mpm = maximum_wide(v104, maximum_wide(v100, maximum_wide(v96, v107))),
+        excess_mmp = maximum_wide(v103, maximum_wide(v99, maximum_wide(v95, v108))),
+        excess_mmm = maximum_wide(v104, maximum_wide(v100, maximum_wide(v96, v108)));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
     q[6] = angle5;
-    kind[0] = kind_of(q[0], v101 | v97 | v93 | v105);
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[7] = q1_ppp; q[8] = q2_ppp; q[9] = angle1; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
-    kind[1] = kind_of(q[7], v102 | v98 | v94 | v105);
+    kind[1] = kind_of(q[7], 0.0 < excess_ppm);
     q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_pmp; q[17] = q4_ppp; q[18] = angle3; q[19] = q6_ppp;
     q[20] = angle5;
-    kind[2] = kind_of(q[14], v101 | v97 | v93 | v106);
+    kind[2] = kind_of(q[14], 0.0 < excess_pmp);
     q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_pmp; q[24] = q4_ppp; q[25] = q5_ppm; q[26] = q6_ppm;
     q[27] = q7_ppm;
-    kind[3] = kind_of(q[21], v102 | v98 | v94 | v106);
+    kind[3] = kind_of(q[21], 0.0 < excess_pmm);
     q[28] = q1_mpp; q[29] = q2_mpp; q[30] = angle2; q[31] = q4_mpp; q[32] = angle4; q[33] = q6_mpp;
     q[34] = angle6;
-    kind[4] = kind_of(q[28], v103 | v99 | v95 | v107);
+    kind[4] = kind_of(q[28], 0.0 < excess_mpp);
     q[35] = q1_mpp; q[36] = q2_mpp; q[37] = angle2; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
-    kind[5] = kind_of(q[35], v104 | v100 | v96 | v107);
+    kind[5] = kind_of(q[35], 0.0 < excess_mpm);
     q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mpp;
     q[48] = angle6;
-    kind[6] = kind_of(q[42], v103 | v99 | v95 | v108);
+    kind[6] = kind_of(q[42], 0.0 < excess_mmp);
     q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_mmp; q[52] = q4_mpp; q[53] = q5_mpm; q[54] = q6_mpm;
     q[55] = q7_mpm;
-    kind[7] = kind_of(q[49], v104 | v100 | v96 | v108);
+    kind[7] = kind_of(q[49], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (abs_wide(D4) <= m1) | (v30 <=
+        m3)) | (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
+        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -601,9 +615,8 @@ HELPER int solve_regular(
 
     /* theta4 */
     const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
-        V4 = wx * wx + wy * wy + v1 * v1, D4 = (longest4 - V4) * (V4 - shortest4);
-    const int doubt1 = fabs(D4) <= m1;
-    const double v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt(D4), v5 = k3 * v4;
+        V4 = wx * wx + wy * wy + v1 * v1, D4 = (longest4 - V4) * (V4 - shortest4),
+        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt(D4), v5 = k3 * v4;
 
     /* shoulder */
     const double v6 = sqrt(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
@@ -657,10 +670,9 @@ HELPER int solve_regular(
 
     /* joint values */
     const four v52 = signed_four(half_turn, b22);
-    const four_mask doubt2 = (v27 <= m3) | (v41 <= m3);
 
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
-        (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | ((v27 <= m3) | (v41 <= m3)))
+        | (unsigned)(fabs(D4) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
@@ -682,12 +694,16 @@ HELPER int solve_regular(
         q1_p = raised_four(v53), v54 = e2 * angle5 - offset2, q2_p = raised_four(v54),
         v55 = e1 * angle6 - offset4, q4_p = raised_four(v55), v56 = angle7 - offset6,
         v57 = offset6 + angle7, q6_p = raised_four(v56),
-        q6_m = only_four(-v57 <= -half_turn, turn) - v57;
-    const four_mask v58 = exceeds_four(q4_p, 4), v59 = exceeds_four(angle2, 5),
-        v60 = exceeds_four(q5_m, 5), v61 = exceeds_four(q6_p, 6), v62 = exceeds_four(q6_m, 6),
-        v63 = exceeds_four(angle3, 7), v64 = exceeds_four(q7_m, 7),
-        v65 = v58 | exceeds_four(q3_p, 3) | exceeds_four(q1_p, 1) | exceeds_four(q2_p, 2),
-        outside_p = v63 | v61 | v59 | v65, outside_m = v64 | v62 | v60 | v65;
+        q6_m = only_four(-v57 <= -half_turn, turn) - v57, v58 = exceeds_four(q4_p, 4),
+        v59 = exceeds_four(angle2, 5), v60 = exceeds_four(q5_m, 5), v61 = exceeds_four(q6_p, 6),
+        v62 = exceeds_four(q6_m, 6), v63 = exceeds_four(angle3, 7), v64 = exceeds_four(q7_m, 7),
+        v65 = maximum_four(exceeds_four(q3_p, 3), maximum_four(exceeds_four(q2_p, 2),
+            maximum_four(v58, exceeds_four(q1_p, 1)))),
+        excess_p = maximum_four(v63, maximum_four(v61, maximum_four(v59, v65))),
+        excess_m = maximum_four(v64, maximum_four(v62, maximum_four(v60, v65)));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle2, q6_p, angle3);

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle f8399d238d547ef8"
+_KEY = "kuka_iiwa14_arm_angle 37f51771f68d48d8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -185,6 +185,7 @@ high4 = 2.0943951033931953
 high5 = 2.9670597293903604
 high6 = 2.0943951033931953
 high7 = 3.054326191990077
+graze = 5e-07  # twice this beyond a limit is told with more care
 # 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4]
 m1 = 1.4473755527432779e-11
 m2 = 1e-24  # free_limit^2
@@ -1145,12 +1146,10 @@ def _regular(pose, q_free, q, status):
     v86 = offset4 + angle11
     q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
     q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-    v91 = high4 < abs(q4_ppp)
-    v92 = high4 < abs(q4_mpp)
-    doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
+    v91 = abs(q4_ppp) - high4
+    v92 = abs(q4_mpp) - high4
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3:
         return False
 
     # angles, side by side
@@ -1238,30 +1237,46 @@ def _regular(pose, q_free, q, status):
     q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
     q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
     q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-    v93 = high5 < abs(angle3)
-    v94 = high5 < abs(q5_ppm)
-    v95 = high5 < abs(angle4)
-    v96 = high5 < abs(q5_mpm)
-    v97 = high6 < abs(q6_ppp)
-    v98 = high6 < abs(q6_ppm)
-    v99 = high6 < abs(q6_mpp)
-    v100 = high6 < abs(q6_mpm)
-    v101 = high7 < abs(angle5)
-    v102 = high7 < abs(q7_ppm)
-    v103 = high7 < abs(angle6)
-    v104 = high7 < abs(q7_mpm)
-    v105 = v91 or high3 < abs(angle1) or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
-    v106 = v91 or high3 < abs(q3_pmp) or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
-    v107 = v92 or high3 < abs(angle2) or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
-    v108 = v92 or high3 < abs(q3_mmp) or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
-    outside_ppp = v101 or v97 or v93 or v105
-    outside_ppm = v102 or v98 or v94 or v105
-    outside_pmp = v101 or v97 or v93 or v106
-    outside_pmm = v102 or v98 or v94 or v106
-    outside_mpp = v103 or v99 or v95 or v107
-    outside_mpm = v104 or v100 or v96 or v107
-    outside_mmp = v103 or v99 or v95 or v108
-    outside_mmm = v104 or v100 or v96 or v108
+    v93 = abs(angle3) - high5
+    v94 = abs(q5_ppm) - high5
+    v95 = abs(angle4) - high5
+    v96 = abs(q5_mpm) - high5
+    v97 = abs(q6_ppp) - high6
+    v98 = abs(q6_ppm) - high6
+    v99 = abs(q6_mpp) - high6
+    v100 = abs(q6_mpm) - high6
+    v101 = abs(angle5) - high7
+    v102 = abs(q7_ppm) - high7
+    v103 = abs(angle6) - high7
+    v104 = abs(q7_mpm) - high7
+    v105 = max(abs(angle1) - high3, max(abs(q2_ppp) - high2, max(v91, abs(q1_ppp) - high1)))
+    v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
+    v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
+    v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
+    excess_ppp = max(v101, max(v97, max(v93, v105)))
+    excess_ppm = max(v102, max(v98, max(v94, v105)))
+    excess_pmp = max(v101, max(v97, max(v93, v106)))
+    excess_pmm = max(v102, max(v98, max(v94, v106)))
+    excess_mpp = max(v103, max(v99, max(v95, v107)))
+    excess_mpm = max(v104, max(v100, max(v96, v107)))
+    excess_mmp = max(v103, max(v99, max(v95, v108)))
+    excess_mmm = max(v104, max(v100, max(v96, v108)))
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1537,16 +1552,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1392, 1408, 1424, 1440, 1456, 1472, 1488],
-    [1392, 1408, 1424, 1440, 1504, 1520, 1536],
-    [1552, 1568, 1584, 1440, 1456, 1472, 1488],
-    [1552, 1568, 1584, 1440, 1504, 1520, 1536],
-    [1600, 1616, 1632, 1648, 1664, 1680, 1696],
-    [1600, 1616, 1632, 1648, 1712, 1728, 1744],
-    [1760, 1776, 1792, 1648, 1664, 1680, 1696],
-    [1760, 1776, 1792, 1648, 1712, 1728, 1744],
+    [1440, 1456, 1472, 1488, 1504, 1520, 1536],
+    [1440, 1456, 1472, 1488, 1552, 1568, 1584],
+    [1600, 1616, 1632, 1488, 1504, 1520, 1536],
+    [1600, 1616, 1632, 1488, 1552, 1568, 1584],
+    [1648, 1664, 1680, 1696, 1712, 1728, 1744],
+    [1648, 1664, 1680, 1696, 1760, 1776, 1792],
+    [1808, 1824, 1840, 1696, 1712, 1728, 1744],
+    [1808, 1824, 1840, 1696, 1760, 1776, 1792],
 ])
-_KINDS = np.array([1808, 1824, 1840, 1856, 1872, 1888, 1904, 1920])
+_KINDS = np.array([1856, 1872, 1888, 1904, 1920, 1936, 1952, 1968])
 
 
 @intrinsic(prefer_literal=True)
@@ -1573,7 +1588,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1936), 1936)
+    work = carray(_tile(1984), 1984)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1702,7 +1717,6 @@ def _in_tiles(T, q_free, q, status):
             T31 = work[128 + k]
             T32 = work[144 + k]
             T33 = work[160 + k]
-            D4 = work[288 + k]
             v3 = work[304 + k]
             v5 = work[320 + k]
             gx = work[336 + k]
@@ -1804,80 +1818,86 @@ def _in_tiles(T, q_free, q, status):
             v86 = offset4 + angle11
             q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
             q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-            v91 = high4 < abs(q4_ppp)
-            v92 = high4 < abs(q4_mpp)
-            doubt1 = v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3
+            v91 = abs(q4_ppp) - high4
+            v92 = abs(q4_mpp) - high4
             work[800 + k] = b22_p
             work[816 + k] = b22_m
-            work[832 + k] = v36
-            work[848 + k] = v37
-            work[864 + k] = Y5_p
-            work[880 + k] = Y5_m
-            work[896 + k] = v74
-            work[912 + k] = v75
-            work[928 + k] = q4_ppp
-            work[944 + k] = q4_mpp
-            work[960 + k] = v91
-            work[976 + k] = v92
-            work[992 + k] = doubt1
-            work[1008 + k] = -v36
-            work[1024 + k] = -v37
-            work[1040 + k] = Y5_p
-            work[1056 + k] = Y5_m
-            work[1072 + k] = v74
-            work[1088 + k] = v75
-            work[1104 + k] = b22_p
-            work[1120 + k] = b22_m
-            work[1136 + k] = w1_p
-            work[1152 + k] = w1_m
-            work[1168 + k] = w5_p
-            work[1184 + k] = w5_m
-            work[1200 + k] = -v40
-            work[1216 + k] = -v41
-            work[1232 + k] = -X5_p
-            work[1248 + k] = v54
-            work[1264 + k] = (
+            work[832 + k] = v30
+            work[848 + k] = v31
+            work[864 + k] = v36
+            work[880 + k] = v37
+            work[896 + k] = Y5_p
+            work[912 + k] = Y5_m
+            work[928 + k] = v55
+            work[944 + k] = v56
+            work[960 + k] = v74
+            work[976 + k] = v75
+            work[992 + k] = q4_ppp
+            work[1008 + k] = q4_mpp
+            work[1024 + k] = v91
+            work[1040 + k] = v92
+            work[1056 + k] = -v36
+            work[1072 + k] = -v37
+            work[1088 + k] = Y5_p
+            work[1104 + k] = Y5_m
+            work[1120 + k] = v74
+            work[1136 + k] = v75
+            work[1152 + k] = b22_p
+            work[1168 + k] = b22_m
+            work[1184 + k] = w1_p
+            work[1200 + k] = w1_m
+            work[1216 + k] = w5_p
+            work[1232 + k] = w5_m
+            work[1248 + k] = -v40
+            work[1264 + k] = -v41
+            work[1280 + k] = -X5_p
+            work[1296 + k] = v54
+            work[1312 + k] = (
                 v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm * (v16 *
                 (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
             )
-            work[1280 + k] = (
+            work[1328 + k] = (
                 s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m * v76))))) + (v43 * (v3
                 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
             )
-            work[1296 + k] = -X1_p
-            work[1312 + k] = v29
-            work[1328 + k] = c2_p
-            work[1344 + k] = -v35
-            work[1360 + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
-            work[1376 + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
-        for k in range(1008, 1200):
+            work[1344 + k] = -X1_p
+            work[1360 + k] = v29
+            work[1376 + k] = c2_p
+            work[1392 + k] = -v35
+            work[1408 + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
+            work[1424 + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
+        for k in range(1056, 1248):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 16):
+            D4 = work[288 + k]
             b22_p = work[800 + k]
             b22_m = work[816 + k]
-            v36 = work[832 + k]
-            v37 = work[848 + k]
-            Y5_p = work[864 + k]
-            Y5_m = work[880 + k]
-            v74 = work[896 + k]
-            v75 = work[912 + k]
-            q4_ppp = work[928 + k]
-            q4_mpp = work[944 + k]
-            v91 = work[960 + k] != 0.0
-            v92 = work[976 + k] != 0.0
-            doubt1 = work[992 + k] != 0.0
-            angle1 = work[1008 + k]
-            angle2 = work[1024 + k]
-            angle3 = work[1040 + k]
-            angle4 = work[1056 + k]
-            angle5 = work[1072 + k]
-            angle6 = work[1088 + k]
-            angle7 = work[1104 + k]
-            angle8 = work[1120 + k]
-            angle9 = work[1136 + k]
-            angle10 = work[1152 + k]
-            angle12 = work[1168 + k]
-            angle13 = work[1184 + k]
+            v30 = work[832 + k]
+            v31 = work[848 + k]
+            v36 = work[864 + k]
+            v37 = work[880 + k]
+            Y5_p = work[896 + k]
+            Y5_m = work[912 + k]
+            v55 = work[928 + k]
+            v56 = work[944 + k]
+            v74 = work[960 + k]
+            v75 = work[976 + k]
+            q4_ppp = work[992 + k]
+            q4_mpp = work[1008 + k]
+            v91 = work[1024 + k]
+            v92 = work[1040 + k]
+            angle1 = work[1056 + k]
+            angle2 = work[1072 + k]
+            angle3 = work[1088 + k]
+            angle4 = work[1104 + k]
+            angle5 = work[1120 + k]
+            angle6 = work[1136 + k]
+            angle7 = work[1152 + k]
+            angle8 = work[1168 + k]
+            angle9 = work[1184 + k]
+            angle10 = work[1200 + k]
+            angle12 = work[1216 + k]
+            angle13 = work[1232 + k]
             q3_pmp = angle1 - math.copysign(half_turn, -v36)
             q3_mmp = angle2 - math.copysign(half_turn, -v37)
             q5_ppm = angle3 - math.copysign(half_turn, Y5_p)
@@ -1908,107 +1928,125 @@ def _in_tiles(T, q_free, q, status):
             q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
             q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
             q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-            v93 = high5 < abs(angle3)
-            v94 = high5 < abs(q5_ppm)
-            v95 = high5 < abs(angle4)
-            v96 = high5 < abs(q5_mpm)
-            v97 = high6 < abs(q6_ppp)
-            v98 = high6 < abs(q6_ppm)
-            v99 = high6 < abs(q6_mpp)
-            v100 = high6 < abs(q6_mpm)
-            v101 = high7 < abs(angle5)
-            v102 = high7 < abs(q7_ppm)
-            v103 = high7 < abs(angle6)
-            v104 = high7 < abs(q7_mpm)
-            v105 = v91 or high3 < abs(angle1) or high1 < abs(q1_ppp) or high2 < abs(q2_ppp)
-            v106 = v91 or high3 < abs(q3_pmp) or high1 < abs(q1_pmp) or high2 < abs(q2_pmp)
-            v107 = v92 or high3 < abs(angle2) or high1 < abs(q1_mpp) or high2 < abs(q2_mpp)
-            v108 = v92 or high3 < abs(q3_mmp) or high1 < abs(q1_mmp) or high2 < abs(q2_mmp)
-            outside_ppp = v101 or v97 or v93 or v105
-            outside_ppm = v102 or v98 or v94 or v105
-            outside_pmp = v101 or v97 or v93 or v106
-            outside_pmm = v102 or v98 or v94 or v106
-            outside_mpp = v103 or v99 or v95 or v107
-            outside_mpm = v104 or v100 or v96 or v107
-            outside_mmp = v103 or v99 or v95 or v108
-            outside_mmm = v104 or v100 or v96 or v108
-            _1392 = q1_ppp
-            work[1392 + k] = _1392
-            _1408 = q2_ppp
-            work[1408 + k] = _1408
-            _1424 = angle1
-            work[1424 + k] = _1424
-            _1440 = q4_ppp
+            v93 = abs(angle3) - high5
+            v94 = abs(q5_ppm) - high5
+            v95 = abs(angle4) - high5
+            v96 = abs(q5_mpm) - high5
+            v97 = abs(q6_ppp) - high6
+            v98 = abs(q6_ppm) - high6
+            v99 = abs(q6_mpp) - high6
+            v100 = abs(q6_mpm) - high6
+            v101 = abs(angle5) - high7
+            v102 = abs(q7_ppm) - high7
+            v103 = abs(angle6) - high7
+            v104 = abs(q7_mpm) - high7
+            v105 = max(abs(angle1) - high3, max(abs(q2_ppp) - high2, max(v91, abs(q1_ppp) - high1)))
+            v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
+            v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
+            v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
+            excess_ppp = max(v101, max(v97, max(v93, v105)))
+            excess_ppm = max(v102, max(v98, max(v94, v105)))
+            excess_pmp = max(v101, max(v97, max(v93, v106)))
+            excess_pmm = max(v102, max(v98, max(v94, v106)))
+            excess_mpp = max(v103, max(v99, max(v95, v107)))
+            excess_mpm = max(v104, max(v100, max(v96, v107)))
+            excess_mmp = max(v103, max(v99, max(v95, v108)))
+            excess_mmm = max(v104, max(v100, max(v96, v108)))
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1440 = q1_ppp
             work[1440 + k] = _1440
-            _1456 = angle3
+            _1456 = q2_ppp
             work[1456 + k] = _1456
-            _1472 = q6_ppp
+            _1472 = angle1
             work[1472 + k] = _1472
-            _1488 = angle5
+            _1488 = q4_ppp
             work[1488 + k] = _1488
-            _1504 = q5_ppm
+            _1504 = angle3
             work[1504 + k] = _1504
-            _1520 = q6_ppm
+            _1520 = q6_ppp
             work[1520 + k] = _1520
-            _1536 = q7_ppm
+            _1536 = angle5
             work[1536 + k] = _1536
-            _1552 = q1_pmp
+            _1552 = q5_ppm
             work[1552 + k] = _1552
-            _1568 = q2_pmp
+            _1568 = q6_ppm
             work[1568 + k] = _1568
-            _1584 = q3_pmp
+            _1584 = q7_ppm
             work[1584 + k] = _1584
-            _1600 = q1_mpp
+            _1600 = q1_pmp
             work[1600 + k] = _1600
-            _1616 = q2_mpp
+            _1616 = q2_pmp
             work[1616 + k] = _1616
-            _1632 = angle2
+            _1632 = q3_pmp
             work[1632 + k] = _1632
-            _1648 = q4_mpp
+            _1648 = q1_mpp
             work[1648 + k] = _1648
-            _1664 = angle4
+            _1664 = q2_mpp
             work[1664 + k] = _1664
-            _1680 = q6_mpp
+            _1680 = angle2
             work[1680 + k] = _1680
-            _1696 = angle6
+            _1696 = q4_mpp
             work[1696 + k] = _1696
-            _1712 = q5_mpm
+            _1712 = angle4
             work[1712 + k] = _1712
-            _1728 = q6_mpm
+            _1728 = q6_mpp
             work[1728 + k] = _1728
-            _1744 = q7_mpm
+            _1744 = angle6
             work[1744 + k] = _1744
-            _1760 = q1_mmp
+            _1760 = q5_mpm
             work[1760 + k] = _1760
-            _1776 = q2_mmp
+            _1776 = q6_mpm
             work[1776 + k] = _1776
-            _1792 = q3_mmp
+            _1792 = q7_mpm
             work[1792 + k] = _1792
-            work[1808 + k] = (
-                UNREACHABLE if _1392 != _1392 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1824 + k] = (
-                UNREACHABLE if _1392 != _1392 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1840 + k] = (
-                UNREACHABLE if _1552 != _1552 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
+            _1808 = q1_mmp
+            work[1808 + k] = _1808
+            _1824 = q2_mmp
+            work[1824 + k] = _1824
+            _1840 = q3_mmp
+            work[1840 + k] = _1840
             work[1856 + k] = (
-                UNREACHABLE if _1552 != _1552 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _1440 != _1440 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1872 + k] = (
-                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _1440 != _1440 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[1888 + k] = (
-                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[1904 + k] = (
-                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[1920 + k] = (
-                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1648 != _1648 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[272 + k] = 1.0 if doubt1 else work[272 + k]
+            work[1936 + k] = (
+                UNREACHABLE if _1648 != _1648 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[1952 + k] = (
+                UNREACHABLE if _1808 != _1808 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1968 + k] = (
+                UNREACHABLE if _1808 != _1808 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[272 + k] = (
+                1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3 else
+                work[272 + k]
+            )
+            work[272 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[272 +
+                k]
+            )
         for k in range(first, first + count):
             if work[272 + k - first] != 0.0:
                 _unseeded(T[k], q_free[k], q[k], status[k])

@@ -451,8 +451,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q2_pmp = lowered_wide(v47), q2_mpp = lowered_wide(v48), q2_mmp = lowered_wide(v49),
         q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
-    const wide_mask doubt1 = (v35 <= m10) | (v33 <= m10) | (v31 <= m10) | (v30 <= m10) |
-        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle2; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -478,7 +476,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle17 - signed_wide(half_turn, v45);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v35 <= m10) | (v33 <= m10) | (v31 <= m10) | (v30 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3));
 }
 
 #if LANES > 1
@@ -494,17 +493,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double t14 = T14 - d7 * T13, Y1 = d7 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
+    const double t14 = T14 - d7 * T13, Y1 = d7 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d7 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m3;
-    const four v6 = m4 * e2, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6, v9 = m6 * e2, v10 = m7 - m4 * N3,
+    const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
+        v6 = m4 * e2, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6, v9 = m6 * e2, v10 = m7 - m4 * N3,
         c3 = v10 + w3 * v9;
 
     /* theta2 */
@@ -516,16 +513,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v14 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = e1 * (c23 * v14) - T33 * s23;
     const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v16 = v15 * v15;
-    const four v17 = v16 + factor2 * (X4 * (factor2 * X4));
-    const four_mask doubt3 = v17 <= m10;
-    const four v18 = signed_four(half_turn, -(e1 * v15));
+    const four v17 = v16 + factor2 * (X4 * (factor2 * X4)),
+        v18 = signed_four(half_turn, -(e1 * v15));
 
     /* theta6 */
     const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v20 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
         v21 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m3) | (v17 <= m10)) |
+        (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 d42835cd3f610866"
+_KEY = "kuka_kr210 705cda886bd7caa7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -921,14 +921,10 @@ def _regular(pose, q, status):
     v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
     v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
 
-    # joint values
-    doubt1 = (
+    if (
         v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1282,16 +1278,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1104, 1120, 1136, 1152, 1168, 1184],
-    [1104, 1120, 1136, 1200, 1216, 1232],
-    [1104, 1248, 1264, 1280, 1296, 1312],
-    [1104, 1248, 1264, 1328, 1344, 1360],
-    [1376, 1392, 1408, 1424, 1440, 1456],
-    [1376, 1392, 1408, 1472, 1488, 1504],
-    [1376, 1520, 1536, 1552, 1568, 1584],
-    [1376, 1520, 1536, 1600, 1616, 1632],
+    [1200, 1216, 1232, 1248, 1264, 1280],
+    [1200, 1216, 1232, 1296, 1312, 1328],
+    [1200, 1344, 1360, 1376, 1392, 1408],
+    [1200, 1344, 1360, 1424, 1440, 1456],
+    [1472, 1488, 1504, 1520, 1536, 1552],
+    [1472, 1488, 1504, 1568, 1584, 1600],
+    [1472, 1616, 1632, 1648, 1664, 1680],
+    [1472, 1616, 1632, 1696, 1712, 1728],
 ])
-_KINDS = np.array([1648, 1664, 1680, 1696, 1712, 1728, 1744, 1760])
+_KINDS = np.array([1744, 1760, 1776, 1792, 1808, 1824, 1840, 1856])
 
 
 @intrinsic(prefer_literal=True)
@@ -1318,7 +1314,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1776), 1776)
+    work = carray(_tile(1872), 1872)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1435,96 +1431,104 @@ def _in_tiles(T, q, status):
             v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31)
             v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
             v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
-            doubt1 = (
-                v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1
-                or abs(D3_p) <= m3
-            )
             work[272 + k] = Y1
-            work[288 + k] = w3_p
-            work[304 + k] = w3_m
-            work[320 + k] = v36
-            work[336 + k] = v37
-            work[352 + k] = v42
-            work[368 + k] = v43
-            work[384 + k] = v44
-            work[400 + k] = v45
-            work[416 + k] = doubt1
-            work[432 + k] = Y1
-            work[448 + k] = -v9
-            work[464 + k] = -v10
-            work[480 + k] = -v12
-            work[496 + k] = -v13
-            work[512 + k] = -v28
-            work[528 + k] = -v28
-            work[544 + k] = v28
-            work[560 + k] = v28
-            work[576 + k] = math.sqrt(v30)
-            work[592 + k] = math.sqrt(v31)
-            work[608 + k] = math.sqrt(v33)
-            work[624 + k] = math.sqrt(v35)
-            work[640 + k] = v42
-            work[656 + k] = v43
-            work[672 + k] = v44
-            work[688 + k] = v45
-            work[704 + k] = S2_pp
-            work[720 + k] = S2_pm
-            work[736 + k] = S2_mp
-            work[752 + k] = S2_mm
-            work[768 + k] = -t14
-            work[784 + k] = c3_pp
-            work[800 + k] = c3_pm
-            work[816 + k] = c3_mp
-            work[832 + k] = c3_mm
-            work[848 + k] = factor2_p * -X4_pp
-            work[864 + k] = factor2_p * -X4_pm
-            work[880 + k] = v32
-            work[896 + k] = v34
-            work[912 + k] = -(factor2_p * (T33 * c23_pp + s23_pp * v25))
-            work[928 + k] = -(factor2_p * (T33 * c23_pm + s23_pm * v25))
-            work[944 + k] = -(factor2_m * (T33 * c23_mp - s23_mp * v25))
-            work[960 + k] = -(factor2_m * (T33 * c23_mm - s23_mm * v25))
-            work[976 + k] = -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32)
-            work[992 + k] = -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32)
-            work[1008 + k] = v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38
-            work[1024 + k] = v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38
-            work[1040 + k] = C2_pp
-            work[1056 + k] = C2_pm
-            work[1072 + k] = C2_mp
-            work[1088 + k] = C2_mm
-        for k in range(432, 768):
+            work[288 + k] = v1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = v30
+            work[384 + k] = v31
+            work[400 + k] = v33
+            work[416 + k] = v35
+            work[432 + k] = v36
+            work[448 + k] = v37
+            work[464 + k] = v42
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = v45
+            work[528 + k] = Y1
+            work[544 + k] = -v9
+            work[560 + k] = -v10
+            work[576 + k] = -v12
+            work[592 + k] = -v13
+            work[608 + k] = -v28
+            work[624 + k] = -v28
+            work[640 + k] = v28
+            work[656 + k] = v28
+            work[672 + k] = math.sqrt(v30)
+            work[688 + k] = math.sqrt(v31)
+            work[704 + k] = math.sqrt(v33)
+            work[720 + k] = math.sqrt(v35)
+            work[736 + k] = v42
+            work[752 + k] = v43
+            work[768 + k] = v44
+            work[784 + k] = v45
+            work[800 + k] = S2_pp
+            work[816 + k] = S2_pm
+            work[832 + k] = S2_mp
+            work[848 + k] = S2_mm
+            work[864 + k] = -t14
+            work[880 + k] = c3_pp
+            work[896 + k] = c3_pm
+            work[912 + k] = c3_mp
+            work[928 + k] = c3_mm
+            work[944 + k] = factor2_p * -X4_pp
+            work[960 + k] = factor2_p * -X4_pm
+            work[976 + k] = v32
+            work[992 + k] = v34
+            work[1008 + k] = -(factor2_p * (T33 * c23_pp + s23_pp * v25))
+            work[1024 + k] = -(factor2_p * (T33 * c23_pm + s23_pm * v25))
+            work[1040 + k] = -(factor2_m * (T33 * c23_mp - s23_mp * v25))
+            work[1056 + k] = -(factor2_m * (T33 * c23_mm - s23_mm * v25))
+            work[1072 + k] = -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32)
+            work[1088 + k] = -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32)
+            work[1104 + k] = v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38
+            work[1120 + k] = v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38
+            work[1136 + k] = C2_pp
+            work[1152 + k] = C2_pm
+            work[1168 + k] = C2_mp
+            work[1184 + k] = C2_mm
+        for k in range(528, 864):
             work[k] = _atan2(work[k], work[k + 336])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            w3_p = work[288 + k]
-            w3_m = work[304 + k]
-            v36 = work[320 + k]
-            v37 = work[336 + k]
-            v42 = work[352 + k]
-            v43 = work[368 + k]
-            v44 = work[384 + k]
-            v45 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
-            angle20 = work[736 + k]
-            angle21 = work[752 + k]
+            v1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            v30 = work[368 + k]
+            v31 = work[384 + k]
+            v33 = work[400 + k]
+            v35 = work[416 + k]
+            v36 = work[432 + k]
+            v37 = work[448 + k]
+            v42 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            v45 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
+            angle20 = work[832 + k]
+            angle21 = work[848 + k]
             q4_ppm = angle6 - v36
             q4_pmm = angle7 - v36
             q4_mpm = angle8 - v37
@@ -1543,83 +1547,86 @@ def _in_tiles(T, q, status):
             q2_mmp = v49 + (-turn if half_turn < v49 else 0.0)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-            _1104 = q1_ppp
-            work[1104 + k] = _1104
-            _1120 = q2_ppp
-            work[1120 + k] = _1120
-            _1136 = angle2
-            work[1136 + k] = _1136
-            _1152 = angle6
-            work[1152 + k] = _1152
-            _1168 = angle10
-            work[1168 + k] = _1168
-            _1184 = angle14
-            work[1184 + k] = _1184
-            _1200 = q4_ppm
+            _1200 = q1_ppp
             work[1200 + k] = _1200
-            _1216 = -angle10
+            _1216 = q2_ppp
             work[1216 + k] = _1216
-            _1232 = q6_ppm
+            _1232 = angle2
             work[1232 + k] = _1232
-            _1248 = q2_pmp
+            _1248 = angle6
             work[1248 + k] = _1248
-            _1264 = angle3
+            _1264 = angle10
             work[1264 + k] = _1264
-            _1280 = angle7
+            _1280 = angle14
             work[1280 + k] = _1280
-            _1296 = angle11
+            _1296 = q4_ppm
             work[1296 + k] = _1296
-            _1312 = angle15
+            _1312 = -angle10
             work[1312 + k] = _1312
-            _1328 = q4_pmm
+            _1328 = q6_ppm
             work[1328 + k] = _1328
-            _1344 = -angle11
+            _1344 = q2_pmp
             work[1344 + k] = _1344
-            _1360 = q6_pmm
+            _1360 = angle3
             work[1360 + k] = _1360
-            _1376 = q1_mpp
+            _1376 = angle7
             work[1376 + k] = _1376
-            _1392 = q2_mpp
+            _1392 = angle11
             work[1392 + k] = _1392
-            _1408 = angle4
+            _1408 = angle15
             work[1408 + k] = _1408
-            _1424 = angle8
+            _1424 = q4_pmm
             work[1424 + k] = _1424
-            _1440 = angle12
+            _1440 = -angle11
             work[1440 + k] = _1440
-            _1456 = angle16
+            _1456 = q6_pmm
             work[1456 + k] = _1456
-            _1472 = q4_mpm
+            _1472 = q1_mpp
             work[1472 + k] = _1472
-            _1488 = -angle12
+            _1488 = q2_mpp
             work[1488 + k] = _1488
-            _1504 = q6_mpm
+            _1504 = angle4
             work[1504 + k] = _1504
-            _1520 = q2_mmp
+            _1520 = angle8
             work[1520 + k] = _1520
-            _1536 = angle5
+            _1536 = angle12
             work[1536 + k] = _1536
-            _1552 = angle9
+            _1552 = angle16
             work[1552 + k] = _1552
-            _1568 = angle13
+            _1568 = q4_mpm
             work[1568 + k] = _1568
-            _1584 = angle17
+            _1584 = -angle12
             work[1584 + k] = _1584
-            _1600 = q4_mmm
+            _1600 = q6_mpm
             work[1600 + k] = _1600
-            _1616 = -angle13
+            _1616 = q2_mmp
             work[1616 + k] = _1616
-            _1632 = q6_mmm
+            _1632 = angle5
             work[1632 + k] = _1632
-            work[1648 + k] = UNREACHABLE if _1104 != _1104 else OK
-            work[1664 + k] = UNREACHABLE if _1104 != _1104 else OK
-            work[1680 + k] = UNREACHABLE if _1104 != _1104 else OK
-            work[1696 + k] = UNREACHABLE if _1104 != _1104 else OK
-            work[1712 + k] = UNREACHABLE if _1376 != _1376 else OK
-            work[1728 + k] = UNREACHABLE if _1376 != _1376 else OK
-            work[1744 + k] = UNREACHABLE if _1376 != _1376 else OK
-            work[1760 + k] = UNREACHABLE if _1376 != _1376 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1648 = angle9
+            work[1648 + k] = _1648
+            _1664 = angle13
+            work[1664 + k] = _1664
+            _1680 = angle17
+            work[1680 + k] = _1680
+            _1696 = q4_mmm
+            work[1696 + k] = _1696
+            _1712 = -angle13
+            work[1712 + k] = _1712
+            _1728 = q6_mmm
+            work[1728 + k] = _1728
+            work[1744 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1760 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1776 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1792 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1808 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[1824 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[1840 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[1856 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[256 + k] = (
+                1.0 if v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1
+                <= m1 or abs(D3_p) <= m3 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

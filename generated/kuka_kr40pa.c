@@ -666,16 +666,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const double v31 = NAN;
     const wide v32 = only_wide((v27 <= m6) == 0, v31), v33 = only_wide((v28 <= m6) == 0, v31),
         angle5 = atan2_wide(-T12, T22), v34 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (N3 <= doubt_limit_squared2)
-        | (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | ((m6 < v27) & (v27 <=
-        m7)) | ((m6 < v28) & (v28 <= m7));
 
     q[0] = v32 + v34; q[1] = angle3 + v32; q[2] = angle2 + v32; q[3] = v32 + centred_wide(v29);
     kind[0] = kind_of(q[0], 0);
     q[4] = v33 + v34; q[5] = angle4 + v33; q[6] = v33 - angle2; q[7] = v33 + centred_wide(v30);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (N3 <= doubt_limit_squared2) |
+        (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | ((m6 < v27) & (v27 <=
+        m7)) | ((m6 < v28) & (v28 <= m7)));
 }
 
 #if LANES > 1
@@ -712,15 +711,14 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v19 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
     const double v20 = T14 - c1 * v12, v21 = T24 + v4 * v12, v22 = v20 * v20, v23 = v21 * v21;
     const four v24 = v23 + (v22 + v19 * v19);
-    const four_mask doubt2 = (m6 < v24) & (v24 <= m7);
 
     /* joint values */
     const double v27 = NAN;
     const four v28 = only_four((v24 <= m6) == 0, v27);
-    const int doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (m5 < v14 * v14 + v15 * v15 + v16 *
-        v16 + v17 * v17 + v18 * v18) | (N3 <= doubt_limit_squared2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((m6 < v24) & (v24 <= m7))) |
+        (unsigned)(((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (m5 < v14 * v14 + v15 * v15 + v16 * v16
+        + v17 * v17 + v18 * v18) | (N3 <= doubt_limit_squared2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22,

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa a074d036acc7225c"
+_KEY = "kuka_kr40pa 8aa63455493096bb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1420,14 +1420,12 @@ def _regular(pose, q, status):
     v31 = math.sqrt(-1.0)
     v32 = 0.0 if v27 <= m6 else v31
     v33 = 0.0 if v28 <= m6 else v31
-    doubt1 = (
+
+    if (
         (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16 + v17 *
         v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <=
         m7)
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1676,10 +1674,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [496, 512, 528, 544],
-    [560, 576, 592, 608],
+    [640, 656, 672, 688],
+    [704, 720, 736, 752],
 ])
-_KINDS = np.array([624, 640])
+_KINDS = np.array([768, 784])
 
 
 @intrinsic(prefer_literal=True)
@@ -1706,7 +1704,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(656), 656)
+    work = carray(_tile(800), 800)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1780,37 +1778,50 @@ def _in_tiles(T, q, status):
             v31 = math.sqrt(-1.0)
             v32 = 0.0 if v27 <= m6 else v31
             v33 = 0.0 if v28 <= m6 else v31
-            doubt1 = (
-                (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16
-                + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 <
-                v28 and v28 <= m7)
-            )
-            work[272 + k] = w3
-            work[288 + k] = v32
-            work[304 + k] = v33
-            work[320 + k] = doubt1
-            work[336 + k] = -T31
-            work[352 + k] = w3
-            work[368 + k] = -v10
-            work[384 + k] = -v11
-            work[400 + k] = -T12
-            work[416 + k] = T33
-            work[432 + k] = N3 - k1
-            work[448 + k] = v12 - w3 * (m4 * Z1_3)
-            work[464 + k] = v12 - w3 * (m4 * -Z1_3)
-            work[480 + k] = T22
-        for k in range(336, 416):
+            work[272 + k] = v2
+            work[288 + k] = N3
+            work[304 + k] = D3
+            work[320 + k] = w3
+            work[336 + k] = v16
+            work[352 + k] = v17
+            work[368 + k] = v18
+            work[384 + k] = v19
+            work[400 + k] = v20
+            work[416 + k] = v27
+            work[432 + k] = v28
+            work[448 + k] = v32
+            work[464 + k] = v33
+            work[480 + k] = -T31
+            work[496 + k] = w3
+            work[512 + k] = -v10
+            work[528 + k] = -v11
+            work[544 + k] = -T12
+            work[560 + k] = T33
+            work[576 + k] = N3 - k1
+            work[592 + k] = v12 - w3 * (m4 * Z1_3)
+            work[608 + k] = v12 - w3 * (m4 * -Z1_3)
+            work[624 + k] = T22
+        for k in range(480, 560):
             work[k] = _atan2(work[k], work[k + 80])
         for k in range(0, 16):
-            w3 = work[272 + k]
-            v32 = work[288 + k]
-            v33 = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
-            angle1 = work[336 + k]
-            angle2 = work[352 + k]
-            angle3 = work[368 + k]
-            angle4 = work[384 + k]
-            angle5 = work[400 + k]
+            v2 = work[272 + k]
+            N3 = work[288 + k]
+            D3 = work[304 + k]
+            w3 = work[320 + k]
+            v16 = work[336 + k]
+            v17 = work[352 + k]
+            v18 = work[368 + k]
+            v19 = work[384 + k]
+            v20 = work[400 + k]
+            v27 = work[416 + k]
+            v28 = work[432 + k]
+            v32 = work[448 + k]
+            v33 = work[464 + k]
+            angle1 = work[480 + k]
+            angle2 = work[496 + k]
+            angle3 = work[512 + k]
+            angle4 = work[528 + k]
+            angle5 = work[544 + k]
             v29 = angle1 - (angle2 + angle3)
             v30 = angle1 - (angle4 - angle2)
             v34 = angle5 + (w3 - w3)
@@ -1826,25 +1837,29 @@ def _in_tiles(T, q, status):
             q4_m = (
                 v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
             )
-            _496 = q1_p
-            work[496 + k] = _496
-            _512 = q2_p
-            work[512 + k] = _512
-            _528 = q3_p
-            work[528 + k] = _528
-            _544 = q4_p
-            work[544 + k] = _544
-            _560 = q1_m
-            work[560 + k] = _560
-            _576 = q2_m
-            work[576 + k] = _576
-            _592 = q3_m
-            work[592 + k] = _592
-            _608 = q4_m
-            work[608 + k] = _608
-            work[624 + k] = UNREACHABLE if _496 != _496 else OK
-            work[640 + k] = UNREACHABLE if _560 != _560 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _640 = q1_p
+            work[640 + k] = _640
+            _656 = q2_p
+            work[656 + k] = _656
+            _672 = q3_p
+            work[672 + k] = _672
+            _688 = q4_p
+            work[688 + k] = _688
+            _704 = q1_m
+            work[704 + k] = _704
+            _720 = q2_m
+            work[720 + k] = _720
+            _736 = q3_m
+            work[736 + k] = _736
+            _752 = q4_m
+            work[752 + k] = _752
+            work[768 + k] = UNREACHABLE if _640 != _640 else OK
+            work[784 + k] = UNREACHABLE if _704 != _704 else OK
+            work[256 + k] = (
+                1.0 if (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 <
+                v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <=
+                m7) or (m6 < v28 and v28 <= m7) else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr6_r900 5d042109cca17e68"
+_KEY = "kuka_kr6_r900 96552a42a3aa8ce4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -929,13 +929,11 @@ def _regular(pose, q, status):
 
     # joint values
     v42 = w3_p * (m4 * v3)
-    doubt1 = (
+
+    if (
         v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1307,16 +1305,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1040, 1056, 1072, 1088, 1104, 1120],
-    [1040, 1056, 1072, 1136, 1152, 1168],
-    [1040, 1184, 1200, 1216, 1232, 1248],
-    [1040, 1184, 1200, 1264, 1280, 1296],
-    [1312, 1328, 1344, 1360, 1376, 1392],
-    [1312, 1328, 1344, 1408, 1424, 1440],
-    [1312, 1456, 1472, 1488, 1504, 1520],
-    [1312, 1456, 1472, 1536, 1552, 1568],
+    [1136, 1152, 1168, 1184, 1200, 1216],
+    [1136, 1152, 1168, 1232, 1248, 1264],
+    [1136, 1280, 1296, 1312, 1328, 1344],
+    [1136, 1280, 1296, 1360, 1376, 1392],
+    [1408, 1424, 1440, 1456, 1472, 1488],
+    [1408, 1424, 1440, 1504, 1520, 1536],
+    [1408, 1552, 1568, 1584, 1600, 1616],
+    [1408, 1552, 1568, 1632, 1648, 1664],
 ])
-_KINDS = np.array([1584, 1600, 1616, 1632, 1648, 1664, 1680, 1696])
+_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
 @intrinsic(prefer_literal=True)
@@ -1343,7 +1341,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1712), 1712)
+    work = carray(_tile(1808), 1808)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1448,90 +1446,98 @@ def _in_tiles(T, q, status):
             v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
             v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
             v42 = w3_p * (m4 * v3)
-            doubt1 = (
-                v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <= m1
-                or abs(D3_p) <= m3
-            )
             work[272 + k] = Y1
-            work[288 + k] = w3_p
-            work[304 + k] = w3_m
-            work[320 + k] = v32
-            work[336 + k] = v33
-            work[352 + k] = v38
-            work[368 + k] = v39
-            work[384 + k] = v40
-            work[400 + k] = v41
-            work[416 + k] = doubt1
-            work[432 + k] = Y1
-            work[448 + k] = Y4
-            work[464 + k] = Y4
-            work[480 + k] = -Y4
-            work[496 + k] = -Y4
-            work[512 + k] = v38
-            work[528 + k] = v39
-            work[544 + k] = v40
-            work[560 + k] = v41
-            work[576 + k] = v42 - v6
-            work[592 + k] = -(v6 + v42)
-            work[608 + k] = w3_m * (m4 * v4) - v7
-            work[624 + k] = w3_m * (m4 * -v4) - v7
-            work[640 + k] = w3_p
-            work[656 + k] = w3_m
-            work[672 + k] = math.sqrt(v28)
-            work[688 + k] = math.sqrt(v29)
-            work[704 + k] = math.sqrt(v30)
-            work[720 + k] = math.sqrt(v31)
-            work[736 + k] = -wx
-            work[752 + k] = -X4_pp
-            work[768 + k] = -X4_pm
-            work[784 + k] = -X4_mp
-            work[800 + k] = -X4_mm
-            work[816 + k] = Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34
-            work[832 + k] = Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34
-            work[848 + k] = Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34
-            work[864 + k] = Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34
-            work[880 + k] = -(v8 + w3_p * v10)
-            work[896 + k] = -(v8 + w3_p * v11)
-            work[912 + k] = -(v9 + w3_m * v10)
-            work[928 + k] = -(v9 + w3_m * v11)
-            work[944 + k] = N3_p - k3
-            work[960 + k] = N3_m - k3
-            work[976 + k] = T33 * c23_pp + s23_pp * v26
-            work[992 + k] = T33 * c23_pm + s23_pm * v26
-            work[1008 + k] = T33 * c23_mp - s23_mp * v26
-            work[1024 + k] = T33 * c23_mm - s23_mm * v26
-        for k in range(432, 736):
+            work[288 + k] = v1
+            work[304 + k] = D3_p
+            work[320 + k] = D3_m
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = v28
+            work[384 + k] = v29
+            work[400 + k] = v30
+            work[416 + k] = v31
+            work[432 + k] = v32
+            work[448 + k] = v33
+            work[464 + k] = v38
+            work[480 + k] = v39
+            work[496 + k] = v40
+            work[512 + k] = v41
+            work[528 + k] = Y1
+            work[544 + k] = Y4
+            work[560 + k] = Y4
+            work[576 + k] = -Y4
+            work[592 + k] = -Y4
+            work[608 + k] = v38
+            work[624 + k] = v39
+            work[640 + k] = v40
+            work[656 + k] = v41
+            work[672 + k] = v42 - v6
+            work[688 + k] = -(v6 + v42)
+            work[704 + k] = w3_m * (m4 * v4) - v7
+            work[720 + k] = w3_m * (m4 * -v4) - v7
+            work[736 + k] = w3_p
+            work[752 + k] = w3_m
+            work[768 + k] = math.sqrt(v28)
+            work[784 + k] = math.sqrt(v29)
+            work[800 + k] = math.sqrt(v30)
+            work[816 + k] = math.sqrt(v31)
+            work[832 + k] = -wx
+            work[848 + k] = -X4_pp
+            work[864 + k] = -X4_pm
+            work[880 + k] = -X4_mp
+            work[896 + k] = -X4_mm
+            work[912 + k] = Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34
+            work[928 + k] = Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34
+            work[944 + k] = Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34
+            work[960 + k] = Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34
+            work[976 + k] = -(v8 + w3_p * v10)
+            work[992 + k] = -(v8 + w3_p * v11)
+            work[1008 + k] = -(v9 + w3_m * v10)
+            work[1024 + k] = -(v9 + w3_m * v11)
+            work[1040 + k] = N3_p - k3
+            work[1056 + k] = N3_m - k3
+            work[1072 + k] = T33 * c23_pp + s23_pp * v26
+            work[1088 + k] = T33 * c23_pm + s23_pm * v26
+            work[1104 + k] = T33 * c23_mp - s23_mp * v26
+            work[1120 + k] = T33 * c23_mm - s23_mm * v26
+        for k in range(528, 832):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
             Y1 = work[272 + k]
-            w3_p = work[288 + k]
-            w3_m = work[304 + k]
-            v32 = work[320 + k]
-            v33 = work[336 + k]
-            v38 = work[352 + k]
-            v39 = work[368 + k]
-            v40 = work[384 + k]
-            v41 = work[400 + k]
-            doubt1 = work[416 + k] != 0.0
-            angle1 = work[432 + k]
-            angle2 = work[448 + k]
-            angle3 = work[464 + k]
-            angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            angle8 = work[544 + k]
-            angle9 = work[560 + k]
-            angle10 = work[576 + k]
-            angle11 = work[592 + k]
-            angle12 = work[608 + k]
-            angle13 = work[624 + k]
-            angle14 = work[640 + k]
-            angle15 = work[656 + k]
-            angle16 = work[672 + k]
-            angle17 = work[688 + k]
-            angle18 = work[704 + k]
-            angle19 = work[720 + k]
+            v1 = work[288 + k]
+            D3_p = work[304 + k]
+            D3_m = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            v28 = work[368 + k]
+            v29 = work[384 + k]
+            v30 = work[400 + k]
+            v31 = work[416 + k]
+            v32 = work[432 + k]
+            v33 = work[448 + k]
+            v38 = work[464 + k]
+            v39 = work[480 + k]
+            v40 = work[496 + k]
+            v41 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
             q4_ppm = angle2 - v32
             q4_pmm = angle3 - v32
             q4_mpm = angle4 - v33
@@ -1574,83 +1580,86 @@ def _in_tiles(T, q, status):
             q5_mmm = (turn if -v58 <= -half_turn else 0.0) - v58
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-            _1040 = q1_ppp
-            work[1040 + k] = _1040
-            _1056 = q2_ppp
-            work[1056 + k] = _1056
-            _1072 = q3_ppp
-            work[1072 + k] = _1072
-            _1088 = angle2
-            work[1088 + k] = _1088
-            _1104 = q5_ppp
-            work[1104 + k] = _1104
-            _1120 = angle6
-            work[1120 + k] = _1120
-            _1136 = q4_ppm
+            _1136 = q1_ppp
             work[1136 + k] = _1136
-            _1152 = q5_ppm
+            _1152 = q2_ppp
             work[1152 + k] = _1152
-            _1168 = q6_ppm
+            _1168 = q3_ppp
             work[1168 + k] = _1168
-            _1184 = q2_pmp
+            _1184 = angle2
             work[1184 + k] = _1184
-            _1200 = q3_pmp
+            _1200 = q5_ppp
             work[1200 + k] = _1200
-            _1216 = angle3
+            _1216 = angle6
             work[1216 + k] = _1216
-            _1232 = q5_pmp
+            _1232 = q4_ppm
             work[1232 + k] = _1232
-            _1248 = angle7
+            _1248 = q5_ppm
             work[1248 + k] = _1248
-            _1264 = q4_pmm
+            _1264 = q6_ppm
             work[1264 + k] = _1264
-            _1280 = q5_pmm
+            _1280 = q2_pmp
             work[1280 + k] = _1280
-            _1296 = q6_pmm
+            _1296 = q3_pmp
             work[1296 + k] = _1296
-            _1312 = q1_mpp
+            _1312 = angle3
             work[1312 + k] = _1312
-            _1328 = q2_mpp
+            _1328 = q5_pmp
             work[1328 + k] = _1328
-            _1344 = q3_mpp
+            _1344 = angle7
             work[1344 + k] = _1344
-            _1360 = angle4
+            _1360 = q4_pmm
             work[1360 + k] = _1360
-            _1376 = q5_mpp
+            _1376 = q5_pmm
             work[1376 + k] = _1376
-            _1392 = angle8
+            _1392 = q6_pmm
             work[1392 + k] = _1392
-            _1408 = q4_mpm
+            _1408 = q1_mpp
             work[1408 + k] = _1408
-            _1424 = q5_mpm
+            _1424 = q2_mpp
             work[1424 + k] = _1424
-            _1440 = q6_mpm
+            _1440 = q3_mpp
             work[1440 + k] = _1440
-            _1456 = q2_mmp
+            _1456 = angle4
             work[1456 + k] = _1456
-            _1472 = q3_mmp
+            _1472 = q5_mpp
             work[1472 + k] = _1472
-            _1488 = angle5
+            _1488 = angle8
             work[1488 + k] = _1488
-            _1504 = q5_mmp
+            _1504 = q4_mpm
             work[1504 + k] = _1504
-            _1520 = angle9
+            _1520 = q5_mpm
             work[1520 + k] = _1520
-            _1536 = q4_mmm
+            _1536 = q6_mpm
             work[1536 + k] = _1536
-            _1552 = q5_mmm
+            _1552 = q2_mmp
             work[1552 + k] = _1552
-            _1568 = q6_mmm
+            _1568 = q3_mmp
             work[1568 + k] = _1568
-            work[1584 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1600 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1616 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1632 + k] = UNREACHABLE if _1040 != _1040 else OK
-            work[1648 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1664 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1680 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1696 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1584 = angle5
+            work[1584 + k] = _1584
+            _1600 = q5_mmp
+            work[1600 + k] = _1600
+            _1616 = angle9
+            work[1616 + k] = _1616
+            _1632 = q4_mmm
+            work[1632 + k] = _1632
+            _1648 = q5_mmm
+            work[1648 + k] = _1648
+            _1664 = q6_mmm
+            work[1664 + k] = _1664
+            work[1680 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1696 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1712 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1728 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1744 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1760 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1776 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1792 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[256 + k] = (
+                1.0 if v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1
+                <= m1 or abs(D3_p) <= m3 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

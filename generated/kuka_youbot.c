@@ -462,11 +462,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v92 = only_wide((v75 <= m11) == 0, v89), v93 = only_wide((v76 <= m11) == 0, v89),
         v94 = angle1 + v22, v95 = v23 + (angle1 - signed_wide(half_turn, v3)), v96 = angle3 + v22,
         v97 = v23 + (angle3 - signed_wide(half_turn, -S5));
-    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m11 < v76) & (v76 <= m12)) |
-        (v35 <= m7) | ((m11 < v75) & (v75 <= m12)) | (v34 <= m7) | ((m11 < v74) & (v74 <= m12)) |
-        (v33 <= m7) | ((m11 < v73) & (v73 <= m12)) | (v32 <= m7) | (m10 < v55 * v55 + v56 * v56 +
-        v57 * v57 + v58 * v58 + v59 * v59 + v60 * v60) | (abs_wide(D3_p) <= m4) | (abs_wide(D3_m) <=
-        m4);
 
     q[0] = v90 + v94; q[1] = v90 + raised_wide(v77); q[2] = angle4 + v90;
     q[3] = v90 + raised_wide(v85); q[4] = v90 + v96;
@@ -481,7 +476,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     q[18] = v93 + raised_wide(v88); q[19] = v93 + v97;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m11 < v76) & (v76 <= m12)) |
+        (v35 <= m7) | ((m11 < v75) & (v75 <= m12)) | (v34 <= m7) | ((m11 < v74) & (v74 <= m12)) |
+        (v33 <= m7) | ((m11 < v73) & (v73 <= m12)) | (v32 <= m7) | (m10 < v55 * v55 + v56 * v56 +
+        v57 * v57 + v58 * v58 + v59 * v59 + v60 * v60) | (abs_wide(D3_p) <= m4) | (abs_wide(D3_m) <=
+        m4));
 }
 
 #if LANES > 1
@@ -520,7 +519,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double v22 = Z1_3 * Z1_3;
     const four N3 = v22 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v23 = w3 - w3;
-    const four_mask doubt2 = abs_four(D3) <= m4;
 
     /* theta2 */
     const four v24 = e2 * v21, v25 = m6 + m5 * N3, v26 = Z1_3 * v25, S2 = v26 - w3 * (m5 * v24),
@@ -542,11 +540,10 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* joint values */
     const double v54 = NAN;
     const four v55 = only_four((v48 <= m11) == 0, v54);
-    const four_mask doubt3 = (v30 <= m7) | ((m11 < v48) & (v48 <= m12));
-    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m10 < v39 * v39 + v40 * v40 + v41 * v41 + v42 *
-        v42 + v43 * v43 + v44 * v44) | (v10 <= m3);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m4) | ((v30 <= m7) |
+        ((m11 < v48) & (v48 <= m12)))) | (unsigned)((v8 <= m3) | (v4 <= m1) | (m10 < v39 * v39 + v40
+        * v40 + v41 * v41 + v42 * v42 + v43 * v43 + v44 * v44) | (v10 <= m3)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5

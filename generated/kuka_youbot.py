@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot b8e1b8d9a4b10c77"
+_KEY = "kuka_youbot 6cc7d505be9f042c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1179,15 +1179,13 @@ def _regular(pose, q, status):
     v91 = 0.0 if v74 <= m11 else v89
     v92 = 0.0 if v75 <= m11 else v89
     v93 = 0.0 if v76 <= m11 else v89
-    doubt1 = (
+
+    if (
         v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11 < v75
         and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or (m11 < v73 and
         v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 * v57 + v58 * v58 + v59 * v59
         + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1487,12 +1485,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [704, 720, 736, 752, 768],
-    [784, 800, 816, 832, 848],
-    [864, 880, 896, 912, 928],
-    [944, 960, 976, 992, 1008],
+    [992, 1008, 1024, 1040, 1056],
+    [1072, 1088, 1104, 1120, 1136],
+    [1152, 1168, 1184, 1200, 1216],
+    [1232, 1248, 1264, 1280, 1296],
 ])
-_KINDS = np.array([1024, 1040, 1056, 1072])
+_KINDS = np.array([1312, 1328, 1344, 1360])
 
 
 @intrinsic(prefer_literal=True)
@@ -1519,7 +1517,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1088), 1088)
+    work = carray(_tile(1376), 1376)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1681,60 +1679,90 @@ def _in_tiles(T, q, status):
             v91 = 0.0 if v74 <= m11 else v89
             v92 = 0.0 if v75 <= m11 else v89
             v93 = 0.0 if v76 <= m11 else v89
-            doubt1 = (
-                v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11
-                < v75 and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or
-                (m11 < v73 and v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 * v57 +
-                v58 * v58 + v59 * v59 + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4
-            )
             work[272 + k] = v3
-            work[288 + k] = S5
-            work[304 + k] = v22
-            work[320 + k] = v23
-            work[336 + k] = v90
-            work[352 + k] = v91
-            work[368 + k] = v92
-            work[384 + k] = v93
-            work[400 + k] = doubt1
-            work[416 + k] = v3
-            work[432 + k] = Z2_234
-            work[448 + k] = -S5
-            work[464 + k] = w3_p
-            work[480 + k] = w3_m
-            work[496 + k] = S2_pp
-            work[512 + k] = S2_pm
-            work[528 + k] = S2_mp
-            work[544 + k] = S2_mm
-            work[560 + k] = v2
-            work[576 + k] = -T33
-            work[592 + k] = -C5
-            work[608 + k] = N3_p - k1
-            work[624 + k] = N3_m - k1
-            work[640 + k] = C2_pp
-            work[656 + k] = C2_pm
-            work[672 + k] = C2_mp
-            work[688 + k] = C2_mm
-        for k in range(416, 560):
+            work[288 + k] = v4
+            work[304 + k] = v6
+            work[320 + k] = S5
+            work[336 + k] = v8
+            work[352 + k] = D3_p
+            work[368 + k] = D3_m
+            work[384 + k] = v22
+            work[400 + k] = v23
+            work[416 + k] = v32
+            work[432 + k] = v33
+            work[448 + k] = v34
+            work[464 + k] = v35
+            work[480 + k] = v55
+            work[496 + k] = v56
+            work[512 + k] = v57
+            work[528 + k] = v58
+            work[544 + k] = v59
+            work[560 + k] = v60
+            work[576 + k] = v73
+            work[592 + k] = v74
+            work[608 + k] = v75
+            work[624 + k] = v76
+            work[640 + k] = v90
+            work[656 + k] = v91
+            work[672 + k] = v92
+            work[688 + k] = v93
+            work[704 + k] = v3
+            work[720 + k] = Z2_234
+            work[736 + k] = -S5
+            work[752 + k] = w3_p
+            work[768 + k] = w3_m
+            work[784 + k] = S2_pp
+            work[800 + k] = S2_pm
+            work[816 + k] = S2_mp
+            work[832 + k] = S2_mm
+            work[848 + k] = v2
+            work[864 + k] = -T33
+            work[880 + k] = -C5
+            work[896 + k] = N3_p - k1
+            work[912 + k] = N3_m - k1
+            work[928 + k] = C2_pp
+            work[944 + k] = C2_pm
+            work[960 + k] = C2_mp
+            work[976 + k] = C2_mm
+        for k in range(704, 848):
             work[k] = _atan2(work[k], work[k + 144])
         for k in range(0, 16):
             v3 = work[272 + k]
-            S5 = work[288 + k]
-            v22 = work[304 + k]
-            v23 = work[320 + k]
-            v90 = work[336 + k]
-            v91 = work[352 + k]
-            v92 = work[368 + k]
-            v93 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
+            v4 = work[288 + k]
+            v6 = work[304 + k]
+            S5 = work[320 + k]
+            v8 = work[336 + k]
+            D3_p = work[352 + k]
+            D3_m = work[368 + k]
+            v22 = work[384 + k]
+            v23 = work[400 + k]
+            v32 = work[416 + k]
+            v33 = work[432 + k]
+            v34 = work[448 + k]
+            v35 = work[464 + k]
+            v55 = work[480 + k]
+            v56 = work[496 + k]
+            v57 = work[512 + k]
+            v58 = work[528 + k]
+            v59 = work[544 + k]
+            v60 = work[560 + k]
+            v73 = work[576 + k]
+            v74 = work[592 + k]
+            v75 = work[608 + k]
+            v76 = work[624 + k]
+            v90 = work[640 + k]
+            v91 = work[656 + k]
+            v92 = work[672 + k]
+            v93 = work[688 + k]
+            angle1 = work[704 + k]
+            angle2 = work[720 + k]
+            angle3 = work[736 + k]
+            angle4 = work[752 + k]
+            angle5 = work[768 + k]
+            angle6 = work[784 + k]
+            angle7 = work[800 + k]
+            angle8 = work[816 + k]
+            angle9 = work[832 + k]
             v77 = angle6 - offset2
             v78 = angle7 - offset2
             v79 = angle8 - offset2
@@ -1771,51 +1799,57 @@ def _in_tiles(T, q, status):
             q5_pm = v91 + v96
             q5_mp = v92 + v97
             q5_mm = v93 + v97
-            _704 = q1_pp
-            work[704 + k] = _704
-            _720 = q2_pp
-            work[720 + k] = _720
-            _736 = q3_pp
-            work[736 + k] = _736
-            _752 = q4_pp
-            work[752 + k] = _752
-            _768 = q5_pp
-            work[768 + k] = _768
-            _784 = q1_pm
-            work[784 + k] = _784
-            _800 = q2_pm
-            work[800 + k] = _800
-            _816 = q3_pm
-            work[816 + k] = _816
-            _832 = q4_pm
-            work[832 + k] = _832
-            _848 = q5_pm
-            work[848 + k] = _848
-            _864 = q1_mp
-            work[864 + k] = _864
-            _880 = q2_mp
-            work[880 + k] = _880
-            _896 = q3_mp
-            work[896 + k] = _896
-            _912 = q4_mp
-            work[912 + k] = _912
-            _928 = q5_mp
-            work[928 + k] = _928
-            _944 = q1_mm
-            work[944 + k] = _944
-            _960 = q2_mm
-            work[960 + k] = _960
-            _976 = q3_mm
-            work[976 + k] = _976
-            _992 = q4_mm
+            _992 = q1_pp
             work[992 + k] = _992
-            _1008 = q5_mm
+            _1008 = q2_pp
             work[1008 + k] = _1008
-            work[1024 + k] = UNREACHABLE if _704 != _704 else OK
-            work[1040 + k] = UNREACHABLE if _784 != _784 else OK
-            work[1056 + k] = UNREACHABLE if _864 != _864 else OK
-            work[1072 + k] = UNREACHABLE if _944 != _944 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1024 = q3_pp
+            work[1024 + k] = _1024
+            _1040 = q4_pp
+            work[1040 + k] = _1040
+            _1056 = q5_pp
+            work[1056 + k] = _1056
+            _1072 = q1_pm
+            work[1072 + k] = _1072
+            _1088 = q2_pm
+            work[1088 + k] = _1088
+            _1104 = q3_pm
+            work[1104 + k] = _1104
+            _1120 = q4_pm
+            work[1120 + k] = _1120
+            _1136 = q5_pm
+            work[1136 + k] = _1136
+            _1152 = q1_mp
+            work[1152 + k] = _1152
+            _1168 = q2_mp
+            work[1168 + k] = _1168
+            _1184 = q3_mp
+            work[1184 + k] = _1184
+            _1200 = q4_mp
+            work[1200 + k] = _1200
+            _1216 = q5_mp
+            work[1216 + k] = _1216
+            _1232 = q1_mm
+            work[1232 + k] = _1232
+            _1248 = q2_mm
+            work[1248 + k] = _1248
+            _1264 = q3_mm
+            work[1264 + k] = _1264
+            _1280 = q4_mm
+            work[1280 + k] = _1280
+            _1296 = q5_mm
+            work[1296 + k] = _1296
+            work[1312 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1328 + k] = UNREACHABLE if _1072 != _1072 else OK
+            work[1344 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1360 + k] = UNREACHABLE if _1232 != _1232 else OK
+            work[256 + k] = (
+                1.0 if v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7
+                or (m11 < v75 and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <=
+                m7 or (m11 < v73 and v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 *
+                v57 + v58 * v58 + v59 * v59 + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4 else
+                work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -404,8 +404,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         v23 = angle2 + angle7, q3_pp = angle1 + v6,
         q3_mp = v6 + (angle1 - signed_wide(half_turn, -T13)), q6_pp = angle3 + v6,
         q6_mp = v6 + (angle3 - signed_wide(half_turn, -v4));
-    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= m4 * (blur_slack1 + 2.0
-        * abs_wide(v5))) | (v1 <= m1);
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = centred_wide(v20); q[4] = angle4; q[5] = q6_pp;
     kind[0] = kind_of(q[0], 0);
@@ -421,7 +419,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     q[22] = angle7; q[23] = q6_mp;
     kind[3] = kind_of(q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((N5 <= doubt_limit_squared2) | (abs_wide(D5) <= m4 * (blur_slack1 + 2.0 *
+        abs_wide(v5))) | (v1 <= m1));
 }
 
 #if LANES > 1
@@ -465,11 +464,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double wy = T24 - d6 * T23, v23 = a4 * (T23 * factor3);
     const four v24 = wy + inverse5 * (v21 * v23), q1 = v24 + w5 * (inverse5 * (v19 * v23));
 
-    /* joint values */
-    const int doubt1 = (N5 <= doubt_limit_squared2) | (fabs(D5) <= m4 * (blur_slack1 + 2.0 *
-        fabs(v9))) | (v1 <= m1);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((N5 <= doubt_limit_squared2)
+        | (fabs(D5) <= m4 * (blur_slack1 + 2.0 * fabs(v9))) | (v1 <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr f45a2a81ec3bf164"
+_KEY = "olson_pprrrr 53dd6976935feb12"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -992,11 +992,7 @@ def _regular(pose, q, status):
     q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
     q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
 
-    # joint values
-    doubt1 = N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <= m1
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <= m1:
         return False
 
     # angles, side by side
@@ -1272,12 +1268,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [608, 624, 640, 656, 672, 688],
-    [704, 720, 640, 736, 752, 688],
-    [704, 720, 768, 784, 800, 816],
-    [608, 624, 768, 832, 848, 816],
+    [656, 672, 688, 704, 720, 736],
+    [752, 768, 688, 784, 800, 736],
+    [752, 768, 816, 832, 848, 864],
+    [656, 672, 816, 880, 896, 864],
 ])
-_KINDS = np.array([864, 880, 896, 912])
+_KINDS = np.array([912, 928, 944, 960])
 
 
 @intrinsic(prefer_literal=True)
@@ -1304,7 +1300,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(928), 928)
+    work = carray(_tile(976), 976)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1372,49 +1368,51 @@ def _in_tiles(T, q, status):
             v19 = T24 - d6 * T23 + inverse5 * (v16 * v18)
             q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
             q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
-            doubt1 = (
-                N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <=
-                m1
-            )
-            work[272 + k] = v4
-            work[288 + k] = v6
-            work[304 + k] = q2_pp
-            work[320 + k] = q2_pm
-            work[336 + k] = q1_pp
-            work[352 + k] = q1_pm
-            work[368 + k] = doubt1
-            work[384 + k] = -T13
-            work[400 + k] = -w3
-            work[416 + k] = -v4
-            work[432 + k] = v11
-            work[448 + k] = -(v7 + v10)
-            work[464 + k] = -(v7 + v10)
+            work[272 + k] = v1
+            work[288 + k] = v4
+            work[304 + k] = N5
+            work[320 + k] = v5
+            work[336 + k] = D5
+            work[352 + k] = v6
+            work[368 + k] = q2_pp
+            work[384 + k] = q2_pm
+            work[400 + k] = q1_pp
+            work[416 + k] = q1_pm
+            work[432 + k] = -T13
+            work[448 + k] = -w3
+            work[464 + k] = -v4
             work[480 + k] = v11
-            work[496 + k] = T23
-            work[512 + k] = -T33
-            work[528 + k] = -v3
-            work[544 + k] = -v12
-            work[560 + k] = -v13
-            work[576 + k] = v13
-            work[592 + k] = v12
-        for k in range(384, 496):
+            work[496 + k] = -(v7 + v10)
+            work[512 + k] = -(v7 + v10)
+            work[528 + k] = v11
+            work[544 + k] = T23
+            work[560 + k] = -T33
+            work[576 + k] = -v3
+            work[592 + k] = -v12
+            work[608 + k] = -v13
+            work[624 + k] = v13
+            work[640 + k] = v12
+        for k in range(432, 544):
             work[k] = _atan2(work[k], work[k + 112])
         for k in range(0, 16):
             T13 = work[32 + k]
-            v4 = work[272 + k]
-            v6 = work[288 + k]
-            q2_pp = work[304 + k]
-            q2_pm = work[320 + k]
-            q1_pp = work[336 + k]
-            q1_pm = work[352 + k]
-            doubt1 = work[368 + k] != 0.0
-            angle1 = work[384 + k]
-            angle2 = work[400 + k]
-            angle3 = work[416 + k]
-            angle4 = work[432 + k]
-            angle5 = work[448 + k]
-            angle6 = work[464 + k]
-            angle7 = work[480 + k]
+            v1 = work[272 + k]
+            v4 = work[288 + k]
+            N5 = work[304 + k]
+            v5 = work[320 + k]
+            D5 = work[336 + k]
+            v6 = work[352 + k]
+            q2_pp = work[368 + k]
+            q2_pm = work[384 + k]
+            q1_pp = work[400 + k]
+            q1_pm = work[416 + k]
+            angle1 = work[432 + k]
+            angle2 = work[448 + k]
+            angle3 = work[464 + k]
+            angle4 = work[480 + k]
+            angle5 = work[496 + k]
+            angle6 = work[512 + k]
+            angle7 = work[528 + k]
             v20 = angle2 - angle4
             v21 = angle2 - angle5
             v22 = angle2 + angle6
@@ -1427,43 +1425,46 @@ def _in_tiles(T, q, status):
             q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))
             q6_pp = angle3 + v6
             q6_mp = v6 + (angle3 - math.copysign(half_turn, -v4))
-            _608 = q1_pp
-            work[608 + k] = _608
-            _624 = q2_pp
-            work[624 + k] = _624
-            _640 = q3_pp
-            work[640 + k] = _640
-            _656 = q4_pp
+            _656 = q1_pp
             work[656 + k] = _656
-            _672 = angle4
+            _672 = q2_pp
             work[672 + k] = _672
-            _688 = q6_pp
+            _688 = q3_pp
             work[688 + k] = _688
-            _704 = q1_pm
+            _704 = q4_pp
             work[704 + k] = _704
-            _720 = q2_pm
+            _720 = angle4
             work[720 + k] = _720
-            _736 = q4_pm
+            _736 = q6_pp
             work[736 + k] = _736
-            _752 = angle5
+            _752 = q1_pm
             work[752 + k] = _752
-            _768 = q3_mp
+            _768 = q2_pm
             work[768 + k] = _768
-            _784 = q4_mp
+            _784 = q4_pm
             work[784 + k] = _784
-            _800 = angle6
+            _800 = angle5
             work[800 + k] = _800
-            _816 = q6_mp
+            _816 = q3_mp
             work[816 + k] = _816
-            _832 = q4_mm
+            _832 = q4_mp
             work[832 + k] = _832
-            _848 = angle7
+            _848 = angle6
             work[848 + k] = _848
-            work[864 + k] = UNREACHABLE if _608 != _608 else OK
-            work[880 + k] = UNREACHABLE if _704 != _704 else OK
-            work[896 + k] = UNREACHABLE if _704 != _704 else OK
-            work[912 + k] = UNREACHABLE if _608 != _608 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _864 = q6_mp
+            work[864 + k] = _864
+            _880 = q4_mm
+            work[880 + k] = _880
+            _896 = angle7
+            work[896 + k] = _896
+            work[912 + k] = UNREACHABLE if _656 != _656 else OK
+            work[928 + k] = UNREACHABLE if _752 != _752 else OK
+            work[944 + k] = UNREACHABLE if _752 != _752 else OK
+            work[960 + k] = UNREACHABLE if _656 != _656 else OK
+            work[256 + k] = (
+                1.0 if N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5))
+                or v1 <= m1 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -667,9 +667,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const double v29 = NAN;
     const wide v30 = only_wide((v23 <= m6) == 0, v29), v31 = only_wide((v24 <= m6) == 0, v29),
         angle5 = atan2_wide(T12, -T22), v32 = angle5 + (w3 - w3);
-    const wide_mask doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (N3 <= doubt_limit_squared2)
-        | (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | ((m6 < v23) & (v23 <=
-        m7)) | ((m6 < v24) & (v24 <= m7));
 
     q[0] = v30 + v32; q[1] = v30 + raised_wide(v25); q[2] = angle2 + v30;
     q[3] = v30 + centred_wide(v27);
@@ -678,7 +675,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     q[7] = v31 + centred_wide(v28);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (N3 <= doubt_limit_squared2) |
+        (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | ((m6 < v23) & (v23 <=
+        m7)) | ((m6 < v24) & (v24 <= m7)));
 }
 
 #if LANES > 1
@@ -714,15 +713,14 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v16 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
     const double v17 = T14 - v3 * v10, v18 = T24 + s1 * v10, v19 = v17 * v17, v20 = v18 * v18;
     const four v21 = v20 + (v19 + v16 * v16);
-    const four_mask doubt2 = (m6 < v21) & (v21 <= m7);
 
     /* joint values */
     const double v25 = NAN;
     const four v26 = only_four((v21 <= m6) == 0, v25);
-    const int doubt1 = ((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12 + v13 *
-        v13 + v14 * v14 + v15 * v15) | (N3 <= doubt_limit_squared2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((m6 < v21) & (v21 <= m7))) |
+        (unsigned)(((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12 + v13 * v13
+        + v14 * v14 + v15 * v15) | (N3 <= doubt_limit_squared2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ T12, T12, T12, T12 }, (four){ -T22, -T22, -T22,

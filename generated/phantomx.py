@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx d95d559ba61c45bc"
+_KEY = "phantomx 6f8710b9ae23db9a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1419,14 +1419,12 @@ def _regular(pose, q, status):
     v29 = math.sqrt(-1.0)
     v30 = 0.0 if v23 <= m6 else v29
     v31 = 0.0 if v24 <= m6 else v29
-    doubt1 = (
+
+    if (
         (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32 + v13 *
         v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <=
         m7)
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1677,10 +1675,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [496, 512, 528, 544],
-    [560, 576, 592, 608],
+    [624, 640, 656, 672],
+    [688, 704, 720, 736],
 ])
-_KINDS = np.array([624, 640])
+_KINDS = np.array([752, 768])
 
 
 @intrinsic(prefer_literal=True)
@@ -1707,7 +1705,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(656), 656)
+    work = carray(_tile(784), 784)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1738,7 +1736,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T12 * T12 + T22 * T22
@@ -1778,37 +1775,49 @@ def _in_tiles(T, q, status):
             v29 = math.sqrt(-1.0)
             v30 = 0.0 if v23 <= m6 else v29
             v31 = 0.0 if v24 <= m6 else v29
-            doubt1 = (
-                (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32
-                + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 <
-                v24 and v24 <= m7)
-            )
-            work[272 + k] = w3
-            work[288 + k] = v30
-            work[304 + k] = v31
-            work[320 + k] = doubt1
-            work[336 + k] = T33
-            work[352 + k] = w3
-            work[368 + k] = S2_p
-            work[384 + k] = S2_m
-            work[400 + k] = T12
-            work[416 + k] = -T31
-            work[432 + k] = N3 - k1
-            work[448 + k] = -(v10 + w3 * (m4 * Z1_3))
-            work[464 + k] = -(v10 + w3 * (m4 * -Z1_3))
-            work[480 + k] = -T22
-        for k in range(336, 416):
+            work[272 + k] = v4
+            work[288 + k] = N3
+            work[304 + k] = D3
+            work[320 + k] = w3
+            work[336 + k] = v13
+            work[352 + k] = v14
+            work[368 + k] = v15
+            work[384 + k] = v16
+            work[400 + k] = v23
+            work[416 + k] = v24
+            work[432 + k] = v30
+            work[448 + k] = v31
+            work[464 + k] = T33
+            work[480 + k] = w3
+            work[496 + k] = S2_p
+            work[512 + k] = S2_m
+            work[528 + k] = T12
+            work[544 + k] = -T31
+            work[560 + k] = N3 - k1
+            work[576 + k] = -(v10 + w3 * (m4 * Z1_3))
+            work[592 + k] = -(v10 + w3 * (m4 * -Z1_3))
+            work[608 + k] = -T22
+        for k in range(464, 544):
             work[k] = _atan2(work[k], work[k + 80])
         for k in range(0, 16):
-            w3 = work[272 + k]
-            v30 = work[288 + k]
-            v31 = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
-            angle1 = work[336 + k]
-            angle2 = work[352 + k]
-            angle3 = work[368 + k]
-            angle4 = work[384 + k]
-            angle5 = work[400 + k]
+            T32 = work[144 + k]
+            v4 = work[272 + k]
+            N3 = work[288 + k]
+            D3 = work[304 + k]
+            w3 = work[320 + k]
+            v13 = work[336 + k]
+            v14 = work[352 + k]
+            v15 = work[368 + k]
+            v16 = work[384 + k]
+            v23 = work[400 + k]
+            v24 = work[416 + k]
+            v30 = work[432 + k]
+            v31 = work[448 + k]
+            angle1 = work[464 + k]
+            angle2 = work[480 + k]
+            angle3 = work[496 + k]
+            angle4 = work[512 + k]
+            angle5 = work[528 + k]
             v25 = angle3 - offset2
             v26 = angle4 - offset2
             v27 = angle3 - angle2 - angle1
@@ -1826,25 +1835,29 @@ def _in_tiles(T, q, status):
             q4_m = (
                 v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
             )
-            _496 = q1_p
-            work[496 + k] = _496
-            _512 = q2_p
-            work[512 + k] = _512
-            _528 = q3_p
-            work[528 + k] = _528
-            _544 = q4_p
-            work[544 + k] = _544
-            _560 = q1_m
-            work[560 + k] = _560
-            _576 = q2_m
-            work[576 + k] = _576
-            _592 = q3_m
-            work[592 + k] = _592
-            _608 = q4_m
-            work[608 + k] = _608
-            work[624 + k] = UNREACHABLE if _496 != _496 else OK
-            work[640 + k] = UNREACHABLE if _560 != _560 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _624 = q1_p
+            work[624 + k] = _624
+            _640 = q2_p
+            work[640 + k] = _640
+            _656 = q3_p
+            work[656 + k] = _656
+            _672 = q4_p
+            work[672 + k] = _672
+            _688 = q1_m
+            work[688 + k] = _688
+            _704 = q2_m
+            work[704 + k] = _704
+            _720 = q3_m
+            work[720 + k] = _720
+            _736 = q4_m
+            work[736 + k] = _736
+            work[752 + k] = UNREACHABLE if _624 != _624 else OK
+            work[768 + k] = UNREACHABLE if _688 != _688 else OK
+            work[256 + k] = (
+                1.0 if (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 <
+                T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <=
+                m7) or (m6 < v24 and v24 <= m7) else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

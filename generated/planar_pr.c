@@ -276,16 +276,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 
     /* theta2, r1 */
     const wide V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
-        v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt_wide(D1);
-    const wide_mask doubt1 = abs_wide(D1) <= m1;
-    const wide v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1, v5 = m2 * w2, v6 = m3 * w2;
+        v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt_wide(D1), v3 = V1_2 - m2 * v1,
+        v4 = V2_2 - m3 * v1, v5 = m2 * w2, v6 = m3 * w2;
 
     q[0] = k7 * (v1 + w2); q[1] = atan2_wide(v3 - v5, v4 - v6);
     kind[0] = kind_of(q[0], 0);
     q[2] = k7 * (v1 - w2); q[3] = atan2_wide(v3 + v5, v4 + v6);
     kind[1] = kind_of(q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (abs_wide(D1) <= m1);
 }
 
 #if LANES > 1
@@ -300,11 +299,10 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     /* theta2, r1 */
     const double V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
         v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt(D1);
-    const int doubt1 = fabs(D1) <= m1;
     const four q1 = k7 * (v1 + e1 * w2);
     const double v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(v3 - w2 * (m2 * e1), v4 - w2 * (m3 * e1));

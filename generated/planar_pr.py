@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 0a720b2c8bfbf8c3"
+_KEY = "planar_pr 77241bc3fc9d31d6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -587,7 +587,6 @@ def _regular(pose, q, status):
     v2 = k2 * V2_2 - k3 * V1_2
     D1 = k4 - v2 * v2
     w2 = math.sqrt(D1)
-    doubt1 = abs(D1) <= m1
     q1_p = k7 * (v1 + w2)
     q1_m = k7 * (v1 - w2)
     v3 = V1_2 - m2 * v1
@@ -595,8 +594,7 @@ def _regular(pose, q, status):
     v5 = m2 * w2
     v6 = m3 * w2
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D1) <= m1:
         return False
 
     # angles, side by side
@@ -875,14 +873,13 @@ def _in_tiles(T, q, status):
             v2 = k2 * V2_2 - k3 * V1_2
             D1 = k4 - v2 * v2
             w2 = math.sqrt(D1)
-            doubt1 = abs(D1) <= m1
             q1_p = k7 * (v1 + w2)
             q1_m = k7 * (v1 - w2)
             v3 = V1_2 - m2 * v1
             v4 = V2_2 - m3 * v1
             v5 = m2 * w2
             v6 = m3 * w2
-            work[272 + k] = doubt1
+            work[272 + k] = D1
             work[288 + k] = q1_p
             work[304 + k] = q1_m
             work[320 + k] = v3 - v5
@@ -892,7 +889,7 @@ def _in_tiles(T, q, status):
         for k in range(320, 352):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 16):
-            doubt1 = work[272 + k] != 0.0
+            D1 = work[272 + k]
             q1_p = work[288 + k]
             q1_m = work[304 + k]
             angle1 = work[320 + k]
@@ -907,7 +904,7 @@ def _in_tiles(T, q, status):
             work[432 + k] = _432
             work[448 + k] = UNREACHABLE if _384 != _384 else OK
             work[464 + k] = UNREACHABLE if _416 != _416 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if abs(D1) <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

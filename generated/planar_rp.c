@@ -216,10 +216,11 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -312,18 +313,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 
     /* theta1, r2 */
     const wide v1 = T14 * T14 + T24 * T24, q2_p = sqrt_wide(v1);
-    const wide_mask doubt1 = v1 <= m1;
 
     /* joint values */
     const wide angle1 = atan2_wide(T14, -T24), v2 = angle1 - offset1,
-        v3 = angle1 - signed_wide(half_turn, T14) - offset1;
+        v3 = angle1 - signed_wide(half_turn, T14) - offset1, excess_p = beyond(q2_p, 2),
+        excess_m = maximum_wide(low(2) + q2_p, -(high(2) + q2_p));
 
     q[0] = raised_wide(v2); q[1] = q2_p;
-    kind[0] = kind_of(q[0], beyond(q2_p, 2));
+    kind[0] = kind_of(q[0], 0.0 < excess_p);
     q[2] = raised_wide(v3); q[3] = -q2_p;
-    kind[1] = kind_of(q[2], beyond(-q2_p, 2));
+    kind[1] = kind_of(q[2], 0.0 < excess_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (v1 <= m1) | (grazes(excess_p) | grazes(excess_m));
 }
 
 #if LANES > 1
@@ -339,14 +340,14 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
 
     /* theta1, r2 */
     const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
 
     /* joint values */
     const double v2 = copysign(half_turn, T14);
-    const four q2 = e1 * w2;
-    const four_mask outside = beyond_four(q2, 2);
+    const four q2 = e1 * w2, excess = beyond_four(q2, 2);
+    const four_mask outside = 0.0 < excess;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | grazes_four(excess)) | (unsigned)(v1 <=
+        m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24,
@@ -656,18 +657,19 @@ static int settle(const double T[16], double enough, double most, double q[2])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[2][2], const unsigned char status[2])
 {
-    double x[2], half[2], to[2], *q = rows[row], off = beyond_limits(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[2], half[2], to[2], *q = rows[row];
+    const double beyond = beyond_limits(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!settle(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
-        if (status[k] != PLANAR_RP_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
+        if (status[k] != PLANAR_RP_UNREACHABLE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

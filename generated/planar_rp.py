@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 62270ae608a8d917"
+_KEY = "planar_rp 57ab8dfb57c85db4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -150,6 +150,7 @@ free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 low2 = -1e-09
 high2 = 1.000000001
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 9.999999999999999e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
@@ -712,20 +713,19 @@ def _settle(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _beyond_limits(q)
-    if not 0.0 < off < 0.01:
+    beyond = _beyond_limits(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(2), np.empty(2)
-    most = max(10.0 * off, 0.001)
-    if not _settle(pose, math.nan, most, x):
+    if not _settle(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -800,14 +800,17 @@ def _regular(pose, q, status):
     # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
     v1 = T14 * T14 + T24 * T24
     q2_p = math.sqrt(v1)
-    doubt1 = v1 <= m1
 
     # joint values
-    outside_p = q2_p < low2 or high2 < q2_p
-    outside_m = -q2_p < low2 or high2 < -q2_p
+    excess_p = max(low2 - q2_p, q2_p - high2)
+    excess_m = max(low2 + q2_p, -(high2 + q2_p))
+    outside_p = 0.0 < excess_p
+    outside_m = 0.0 < excess_m
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1:
+        return False
+
+    if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze:
         return False
     angle1 = _atan2(T14, -T24)
 
@@ -1027,10 +1030,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [368, 384],
     [400, 416],
+    [432, 448],
 ])
-_KINDS = np.array([432, 448])
+_KINDS = np.array([464, 480])
 
 
 @intrinsic(prefer_literal=True)
@@ -1057,7 +1060,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(464), 464)
+    work = carray(_tile(496), 496)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1077,39 +1080,48 @@ def _in_tiles(T, q, status):
             T24 = work[112 + k]
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
-            doubt1 = v1 <= m1
-            outside_p = q2_p < low2 or high2 < q2_p
-            outside_m = -q2_p < low2 or high2 < -q2_p
-            work[272 + k] = q2_p
-            work[288 + k] = doubt1
-            work[304 + k] = outside_p
-            work[320 + k] = outside_m
-            work[336 + k] = T14
-            work[352 + k] = -T24
-        for k in range(336, 352):
+            excess_p = max(low2 - q2_p, q2_p - high2)
+            excess_m = max(low2 + q2_p, -(high2 + q2_p))
+            outside_p = 0.0 < excess_p
+            outside_m = 0.0 < excess_m
+            work[272 + k] = v1
+            work[288 + k] = q2_p
+            work[304 + k] = excess_p
+            work[320 + k] = excess_m
+            work[336 + k] = outside_p
+            work[352 + k] = outside_m
+            work[368 + k] = T14
+            work[384 + k] = -T24
+        for k in range(368, 384):
             work[k] = _atan2(work[k], work[k + 16])
         for k in range(0, 16):
             T14 = work[48 + k]
-            q2_p = work[272 + k]
-            doubt1 = work[288 + k] != 0.0
-            outside_p = work[304 + k] != 0.0
-            outside_m = work[320 + k] != 0.0
-            angle1 = work[336 + k]
+            v1 = work[272 + k]
+            q2_p = work[288 + k]
+            excess_p = work[304 + k]
+            excess_m = work[320 + k]
+            outside_p = work[336 + k] != 0.0
+            outside_m = work[352 + k] != 0.0
+            angle1 = work[368 + k]
             v2 = angle1 - offset1
             v3 = angle1 - math.copysign(half_turn, T14) - offset1
             q1_p = v2 + (turn if v2 <= -half_turn else 0.0)
             q1_m = v3 + (turn if v3 <= -half_turn else 0.0)
-            _368 = q1_p
-            work[368 + k] = _368
-            _384 = q2_p
-            work[384 + k] = _384
-            _400 = q1_m
+            _400 = q1_p
             work[400 + k] = _400
-            _416 = -q2_p
+            _416 = q2_p
             work[416 + k] = _416
-            work[432 + k] = UNREACHABLE if _368 != _368 else (OUT_OF_LIMITS if outside_p else OK)
-            work[448 + k] = UNREACHABLE if _400 != _400 else (OUT_OF_LIMITS if outside_m else OK)
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _432 = q1_m
+            work[432 + k] = _432
+            _448 = -q2_p
+            work[448 + k] = _448
+            work[464 + k] = UNREACHABLE if _400 != _400 else (OUT_OF_LIMITS if outside_p else OK)
+            work[480 + k] = UNREACHABLE if _432 != _432 else (OUT_OF_LIMITS if outside_m else OK)
+            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
+            work[256 + k] = (
+                1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else
+                work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

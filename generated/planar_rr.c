@@ -276,9 +276,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 
     /* theta2 */
     const wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
-        w2 = sqrt_wide(D2);
-    const wide_mask doubt1 = abs_wide(D2) <= m1;
-    const wide angle1 = atan2_wide(w2, N2 - k1);
+        w2 = sqrt_wide(D2), angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const wide v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
@@ -289,7 +287,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     q[2] = atan2_wide(v2 + v4, v3 - v5); q[3] = -angle1;
     kind[1] = kind_of(q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (abs_wide(D2) <= m1);
 }
 
 #if LANES > 1
@@ -303,12 +301,11 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
 
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
-    const int doubt1 = fabs(D2) <= m1;
 
     /* theta1 */
     const double v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(fabs(D2) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v2 - w2 * (m2 * (e1 * T14)), all_four(w2), 0, 1, 6,

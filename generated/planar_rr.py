@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rr 45a43c89fe9a75d8"
+_KEY = "planar_rr db31416471daacf0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -601,7 +601,6 @@ def _regular(pose, q, status):
     N2 = T14 * T14 + T24 * T24
     D2 = (longest2 - N2) * (N2 - shortest2)
     w2 = math.sqrt(D2)
-    doubt1 = abs(D2) <= m1
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     v1 = m3 + m2 * N2
@@ -610,8 +609,7 @@ def _regular(pose, q, status):
     v4 = w2 * (m2 * T14)
     v5 = w2 * (m2 * T24)
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D2) <= m1:
         return False
 
     # angles, side by side
@@ -885,13 +883,12 @@ def _in_tiles(T, q, status):
             N2 = T14 * T14 + T24 * T24
             D2 = (longest2 - N2) * (N2 - shortest2)
             w2 = math.sqrt(D2)
-            doubt1 = abs(D2) <= m1
             v1 = m3 + m2 * N2
             v2 = T24 * v1
             v3 = T14 * v1
             v4 = w2 * (m2 * T14)
             v5 = w2 * (m2 * T24)
-            work[272 + k] = doubt1
+            work[272 + k] = D2
             work[288 + k] = w2
             work[304 + k] = v2 - v4
             work[320 + k] = v2 + v4
@@ -901,7 +898,7 @@ def _in_tiles(T, q, status):
         for k in range(288, 336):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
-            doubt1 = work[272 + k] != 0.0
+            D2 = work[272 + k]
             angle1 = work[288 + k]
             angle2 = work[304 + k]
             angle3 = work[320 + k]
@@ -915,7 +912,7 @@ def _in_tiles(T, q, status):
             work[432 + k] = _432
             work[448 + k] = UNREACHABLE if _384 != _384 else OK
             work[464 + k] = UNREACHABLE if _416 != _416 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if abs(D2) <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

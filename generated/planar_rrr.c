@@ -393,16 +393,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide v19 = angle1 - (angle2 + angle3), v20 = angle1 - (angle4 - angle2);
     const double v21 = NAN;
     const wide v22 = only_wide((v17 <= m6) == 0, v21), v23 = only_wide((v18 <= m6) == 0, v21);
-    const wide_mask doubt1 = (m6 < T34 * T34) | (abs_wide(D2) <= m1) | (m7 < v11 * v11 + T31 * T31 +
-        T23 * T23 + T13 * T13 + v12 * v12) | ((m6 < v17) & (v17 <= m8)) | ((m6 < v18) & (v18 <=
-        m8));
 
     q[0] = angle3 + v22; q[1] = angle2 + v22; q[2] = v22 + centred_wide(v19);
     kind[0] = kind_of(q[0], 0);
     q[3] = angle4 + v23; q[4] = v23 - angle2; q[5] = v23 + centred_wide(v20);
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((m6 < T34 * T34) | (abs_wide(D2) <= m1) | (m7 < v11 * v11 + T31 * T31 +
+        T23 * T23 + T13 * T13 + v12 * v12) | ((m6 < v17) & (v17 <= m8)) | ((m6 < v18) & (v18 <=
+        m8)));
 }
 
 #if LANES > 1
@@ -435,15 +434,14 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four v15 = T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1))) + (v3 + a1 * (C1 * factor1))),
         v16 = T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) + (v4 + a1 * (S1 * factor1))),
         v17 = v15 * v15 + v16 * v16;
-    const four_mask doubt2 = (m6 < v17) & (v17 <= m8);
 
     /* joint values */
     const double v20 = NAN;
     const four v21 = only_four((v17 <= m6) == 0, v20);
-    const int doubt1 = (m6 < T34 * T34) | (m7 < v13 * v13 + T31 * T31 + T23 * T23 + T13 * T13 + v14
-        * v14) | (fabs(D2) <= m1);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((m6 < v17) & (v17 <= m8))) |
+        (unsigned)((m6 < T34 * T34) | (m7 < v13 * v13 + T31 * T31 + T23 * T23 + T13 * T13 + v14 *
+        v14) | (fabs(D2) <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(S1, all_four(T21), 0, 1, 6, 3),

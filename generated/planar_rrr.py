@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 20239d09321963e0"
+_KEY = "planar_rrr 877527ff6bc1e48d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -971,13 +971,11 @@ def _regular(pose, q, status):
     v21 = math.sqrt(-1.0)
     v22 = 0.0 if v17 <= m6 else v21
     v23 = 0.0 if v18 <= m6 else v21
-    doubt1 = (
+
+    if (
         m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 + T13 * T13 + v12
         * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8)
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1218,10 +1216,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [448, 464, 480],
-    [496, 512, 528],
+    [512, 528, 544],
+    [560, 576, 592],
 ])
-_KINDS = np.array([544, 560])
+_KINDS = np.array([608, 624])
 
 
 @intrinsic(prefer_literal=True)
@@ -1248,7 +1246,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(576), 576)
+    work = carray(_tile(640), 640)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1273,14 +1271,10 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
             T33 = work[160 + k]
-            T34 = work[176 + k]
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
             v3 = v2 * (a3 * T11)
@@ -1312,31 +1306,39 @@ def _in_tiles(T, q, status):
             v21 = math.sqrt(-1.0)
             v22 = 0.0 if v17 <= m6 else v21
             v23 = 0.0 if v18 <= m6 else v21
-            doubt1 = (
-                m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 + T13 *
-                T13 + v12 * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8)
-            )
-            work[272 + k] = v22
-            work[288 + k] = v23
-            work[304 + k] = doubt1
-            work[320 + k] = T21
-            work[336 + k] = w2
-            work[352 + k] = S1_p
-            work[368 + k] = S1_m
-            work[384 + k] = T11
-            work[400 + k] = N2 - k1
-            work[416 + k] = C1_p
-            work[432 + k] = C1_m
-        for k in range(320, 384):
+            work[272 + k] = D2
+            work[288 + k] = v11
+            work[304 + k] = v12
+            work[320 + k] = v17
+            work[336 + k] = v18
+            work[352 + k] = v22
+            work[368 + k] = v23
+            work[384 + k] = T21
+            work[400 + k] = w2
+            work[416 + k] = S1_p
+            work[432 + k] = S1_m
+            work[448 + k] = T11
+            work[464 + k] = N2 - k1
+            work[480 + k] = C1_p
+            work[496 + k] = C1_m
+        for k in range(384, 448):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v22 = work[272 + k]
-            v23 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
+            T13 = work[32 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            T34 = work[176 + k]
+            D2 = work[272 + k]
+            v11 = work[288 + k]
+            v12 = work[304 + k]
+            v17 = work[320 + k]
+            v18 = work[336 + k]
+            v22 = work[352 + k]
+            v23 = work[368 + k]
+            angle1 = work[384 + k]
+            angle2 = work[400 + k]
+            angle3 = work[416 + k]
+            angle4 = work[432 + k]
             v19 = angle1 - (angle2 + angle3)
             v20 = angle1 - (angle4 - angle2)
             q1_p = angle3 + v22
@@ -1349,21 +1351,25 @@ def _in_tiles(T, q, status):
             q3_m = (
                 v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
             )
-            _448 = q1_p
-            work[448 + k] = _448
-            _464 = q2_p
-            work[464 + k] = _464
-            _480 = q3_p
-            work[480 + k] = _480
-            _496 = q1_m
-            work[496 + k] = _496
-            _512 = q2_m
+            _512 = q1_p
             work[512 + k] = _512
-            _528 = q3_m
+            _528 = q2_p
             work[528 + k] = _528
-            work[544 + k] = UNREACHABLE if _448 != _448 else OK
-            work[560 + k] = UNREACHABLE if _496 != _496 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _544 = q3_p
+            work[544 + k] = _544
+            _560 = q1_m
+            work[560 + k] = _560
+            _576 = q2_m
+            work[576 + k] = _576
+            _592 = q3_m
+            work[592 + k] = _592
+            work[608 + k] = UNREACHABLE if _512 != _512 else OK
+            work[624 + k] = UNREACHABLE if _560 != _560 else OK
+            work[256 + k] = (
+                1.0 if m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 +
+                T13 * T13 + v12 * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8) else
+                work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -447,9 +447,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle14 = atan2_wide(-v12, -v8), q1_mpp = v13 + angle14, angle15 = atan2_wide(s3_p, -v16),
         q3_ppp = v3 + angle15, angle16 = atan2_wide(s3_m, -v17), q3_pmp = v3 + angle16,
         q2_mpp = v23 - v20, q2_mmp = v23 - v21;
-    const wide_mask doubt1 = (abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | (N1 <=
-        doubt_limit_squared2) | (abs_wide(D3) <= m2 * (blur_slack1 + 2.0 * abs_wide(Z3))) | (v43 <=
-        m7) | (v42 <= m7) | (v40 <= m7) | (v41 <= m7);
 
     q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0], 0);
@@ -473,7 +470,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle12 - signed_wide(half_turn, v77);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | (N1 <=
+        doubt_limit_squared2) | (abs_wide(D3) <= m2 * (blur_slack1 + 2.0 * abs_wide(Z3))) | (v43 <=
+        m7) | (v42 <= m7) | (v40 <= m7) | (v41 <= m7));
 }
 
 #if LANES > 1
@@ -511,9 +510,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         X4 = v11 * v19 - s3 * v20;
     const double v21 = sat2 * T13, v22 = sat2 * T23, v23 = v1 * v21 - v2 * v22,
         v24 = cat2 * T33 - inverse1 * (v4 * v22 + v5 * v21);
-    const four v25 = v24 + w1 * (inverse1 * (e1 * v23)), v26 = v25 * v25, v27 = v26 + X4 * X4;
-    const four_mask doubt2 = v27 <= m7;
-    const four v28 = signed_four(half_turn, -v25);
+    const four v25 = v24 + w1 * (inverse1 * (e1 * v23)), v26 = v25 * v25, v27 = v26 + X4 * X4,
+        v28 = signed_four(half_turn, -v25);
 
     /* theta6 */
     const double v29 = sat2 * T12, v30 = sat2 * T22, v31 = v1 * v29 - v2 * v30,
@@ -530,11 +528,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v49 = w1 * (inverse1 * (e1 * v47)) - v48, v50 = c1 * T21 + v8 * T11,
         v51 = v25 * (s3 * v50 - v11 * v49) + X4 * v44;
 
-    /* joint values */
-    const int doubt1 = (fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <= m2 *
-        (blur_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v27 <= m7)) | (unsigned)((fabs(D1) <= m1
+        * (merge_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <= m2 * (blur_slack1 + 2.0 * fabs(Z3))) | (N1
+        <= doubt_limit_squared2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(s3, -v11), ratio2 = ratio_four(-v8, c1),

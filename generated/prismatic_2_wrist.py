@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist ddc0f73819bfb035"
+_KEY = "prismatic_2_wrist 09d28d4326ccb830"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -996,13 +996,11 @@ def _regular(pose, q, status):
     # joint values
     q2_mpp = v23 - v20
     q2_mmp = v23 - v21
-    doubt1 = (
+
+    if (
         abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or abs(D3) <=
         m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <= m7 or v41 <= m7
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1335,16 +1333,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1008, 1024, 1040, 1056, 1072, 1088],
-    [1008, 1024, 1040, 1104, 1120, 1136],
-    [1008, 1152, 1168, 1184, 1200, 1216],
-    [1008, 1152, 1168, 1232, 1248, 1264],
-    [1280, 1296, 1040, 1312, 1328, 1344],
-    [1280, 1296, 1040, 1360, 1376, 1392],
-    [1280, 1408, 1168, 1424, 1440, 1456],
-    [1280, 1408, 1168, 1472, 1488, 1504],
+    [1136, 1152, 1168, 1184, 1200, 1216],
+    [1136, 1152, 1168, 1232, 1248, 1264],
+    [1136, 1280, 1296, 1312, 1328, 1344],
+    [1136, 1280, 1296, 1360, 1376, 1392],
+    [1408, 1424, 1168, 1440, 1456, 1472],
+    [1408, 1424, 1168, 1488, 1504, 1520],
+    [1408, 1536, 1296, 1552, 1568, 1584],
+    [1408, 1536, 1296, 1600, 1616, 1632],
 ])
-_KINDS = np.array([1520, 1536, 1552, 1568, 1584, 1600, 1616, 1632])
+_KINDS = np.array([1648, 1664, 1680, 1696, 1712, 1728, 1744, 1760])
 
 
 @intrinsic(prefer_literal=True)
@@ -1371,7 +1369,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1648), 1648)
+    work = carray(_tile(1776), 1776)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1505,90 +1503,101 @@ def _in_tiles(T, q, status):
             v77 = v37 * (s3_m * v73 - v17 * v71) - -X4_mm * v65
             q2_mpp = v23 - v20
             q2_mmp = v23 - v21
-            doubt1 = (
-                abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
-                abs(D3) <= m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <= m7
-                or v41 <= m7
-            )
-            work[272 + k] = v3
-            work[288 + k] = v13
-            work[304 + k] = v20
-            work[320 + k] = v21
-            work[336 + k] = v22
-            work[352 + k] = v44
-            work[368 + k] = v45
-            work[384 + k] = v74
-            work[400 + k] = v75
-            work[416 + k] = v76
-            work[432 + k] = v77
-            work[448 + k] = q2_mpp
-            work[464 + k] = q2_mmp
-            work[480 + k] = doubt1
-            work[496 + k] = -v36
-            work[512 + k] = -v36
-            work[528 + k] = -v37
-            work[544 + k] = -v37
-            work[560 + k] = -math.sqrt(v40)
-            work[576 + k] = -math.sqrt(v41)
-            work[592 + k] = -math.sqrt(v42)
-            work[608 + k] = -math.sqrt(v43)
-            work[624 + k] = v74
-            work[640 + k] = v75
-            work[656 + k] = v76
-            work[672 + k] = v77
-            work[688 + k] = -v11
-            work[704 + k] = -v12
-            work[720 + k] = s3_p
-            work[736 + k] = s3_m
-            work[752 + k] = -X4_pp
-            work[768 + k] = -X4_pm
-            work[784 + k] = -X4_mp
-            work[800 + k] = -X4_mm
-            work[816 + k] = -(v16 * v30 + s3_p * v28)
-            work[832 + k] = -(v17 * v30 + s3_m * v28)
-            work[848 + k] = -(v16 * v31 + s3_p * v29)
-            work[864 + k] = -(v17 * v31 + s3_m * v29)
-            work[880 + k] = v36 * (s3_p * v58 - v16 * v56) - -X4_pp * v50
-            work[896 + k] = v36 * (s3_m * v58 - v17 * v56) - -X4_pm * v50
-            work[912 + k] = v37 * (s3_p * v59 - v16 * v57) - -X4_mp * v51
-            work[928 + k] = v37 * (s3_m * v59 - v17 * v57) - -X4_mm * v51
-            work[944 + k] = c1_p
-            work[960 + k] = -v8
-            work[976 + k] = -v16
-            work[992 + k] = -v17
-        for k in range(496, 752):
+            work[272 + k] = N1
+            work[288 + k] = Z1
+            work[304 + k] = D1
+            work[320 + k] = v3
+            work[336 + k] = Z3
+            work[352 + k] = D3
+            work[368 + k] = v13
+            work[384 + k] = v20
+            work[400 + k] = v21
+            work[416 + k] = v22
+            work[432 + k] = v40
+            work[448 + k] = v41
+            work[464 + k] = v42
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = v45
+            work[528 + k] = v74
+            work[544 + k] = v75
+            work[560 + k] = v76
+            work[576 + k] = v77
+            work[592 + k] = q2_mpp
+            work[608 + k] = q2_mmp
+            work[624 + k] = -v36
+            work[640 + k] = -v36
+            work[656 + k] = -v37
+            work[672 + k] = -v37
+            work[688 + k] = -math.sqrt(v40)
+            work[704 + k] = -math.sqrt(v41)
+            work[720 + k] = -math.sqrt(v42)
+            work[736 + k] = -math.sqrt(v43)
+            work[752 + k] = v74
+            work[768 + k] = v75
+            work[784 + k] = v76
+            work[800 + k] = v77
+            work[816 + k] = -v11
+            work[832 + k] = -v12
+            work[848 + k] = s3_p
+            work[864 + k] = s3_m
+            work[880 + k] = -X4_pp
+            work[896 + k] = -X4_pm
+            work[912 + k] = -X4_mp
+            work[928 + k] = -X4_mm
+            work[944 + k] = -(v16 * v30 + s3_p * v28)
+            work[960 + k] = -(v17 * v30 + s3_m * v28)
+            work[976 + k] = -(v16 * v31 + s3_p * v29)
+            work[992 + k] = -(v17 * v31 + s3_m * v29)
+            work[1008 + k] = v36 * (s3_p * v58 - v16 * v56) - -X4_pp * v50
+            work[1024 + k] = v36 * (s3_m * v58 - v17 * v56) - -X4_pm * v50
+            work[1040 + k] = v37 * (s3_p * v59 - v16 * v57) - -X4_mp * v51
+            work[1056 + k] = v37 * (s3_m * v59 - v17 * v57) - -X4_mm * v51
+            work[1072 + k] = c1_p
+            work[1088 + k] = -v8
+            work[1104 + k] = -v16
+            work[1120 + k] = -v17
+        for k in range(624, 880):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 16):
-            v3 = work[272 + k]
-            v13 = work[288 + k]
-            v20 = work[304 + k]
-            v21 = work[320 + k]
-            v22 = work[336 + k]
-            v44 = work[352 + k]
-            v45 = work[368 + k]
-            v74 = work[384 + k]
-            v75 = work[400 + k]
-            v76 = work[416 + k]
-            v77 = work[432 + k]
-            q2_mpp = work[448 + k]
-            q2_mmp = work[464 + k]
-            doubt1 = work[480 + k] != 0.0
-            angle1 = work[496 + k]
-            angle2 = work[512 + k]
-            angle3 = work[528 + k]
-            angle4 = work[544 + k]
-            angle5 = work[560 + k]
-            angle6 = work[576 + k]
-            angle7 = work[592 + k]
-            angle8 = work[608 + k]
-            angle9 = work[624 + k]
-            angle10 = work[640 + k]
-            angle11 = work[656 + k]
-            angle12 = work[672 + k]
-            angle13 = work[688 + k]
-            angle14 = work[704 + k]
-            angle15 = work[720 + k]
-            angle16 = work[736 + k]
+            N1 = work[272 + k]
+            Z1 = work[288 + k]
+            D1 = work[304 + k]
+            v3 = work[320 + k]
+            Z3 = work[336 + k]
+            D3 = work[352 + k]
+            v13 = work[368 + k]
+            v20 = work[384 + k]
+            v21 = work[400 + k]
+            v22 = work[416 + k]
+            v40 = work[432 + k]
+            v41 = work[448 + k]
+            v42 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            v45 = work[512 + k]
+            v74 = work[528 + k]
+            v75 = work[544 + k]
+            v76 = work[560 + k]
+            v77 = work[576 + k]
+            q2_mpp = work[592 + k]
+            q2_mmp = work[608 + k]
+            angle1 = work[624 + k]
+            angle2 = work[640 + k]
+            angle3 = work[656 + k]
+            angle4 = work[672 + k]
+            angle5 = work[688 + k]
+            angle6 = work[704 + k]
+            angle7 = work[720 + k]
+            angle8 = work[736 + k]
+            angle9 = work[752 + k]
+            angle10 = work[768 + k]
+            angle11 = work[784 + k]
+            angle12 = work[800 + k]
+            angle13 = work[816 + k]
+            angle14 = work[832 + k]
+            angle15 = work[848 + k]
+            angle16 = work[864 + k]
             q4_ppm = angle1 - v44
             q4_pmm = angle2 - v44
             q4_mpm = angle3 - v45
@@ -1601,79 +1610,83 @@ def _in_tiles(T, q, status):
             q1_mpp = v13 + angle14
             q3_ppp = v3 + angle15
             q3_pmp = v3 + angle16
-            _1008 = q1_ppp
-            work[1008 + k] = _1008
-            _1024 = -(v20 + v22)
-            work[1024 + k] = _1024
-            _1040 = q3_ppp
-            work[1040 + k] = _1040
-            _1056 = angle1
-            work[1056 + k] = _1056
-            _1072 = angle5
-            work[1072 + k] = _1072
-            _1088 = angle9
-            work[1088 + k] = _1088
-            _1104 = q4_ppm
-            work[1104 + k] = _1104
-            _1120 = -angle5
-            work[1120 + k] = _1120
-            _1136 = q6_ppm
+            _1136 = q1_ppp
             work[1136 + k] = _1136
-            _1152 = -(v21 + v22)
+            _1152 = -(v20 + v22)
             work[1152 + k] = _1152
-            _1168 = q3_pmp
+            _1168 = q3_ppp
             work[1168 + k] = _1168
-            _1184 = angle2
+            _1184 = angle1
             work[1184 + k] = _1184
-            _1200 = angle6
+            _1200 = angle5
             work[1200 + k] = _1200
-            _1216 = angle10
+            _1216 = angle9
             work[1216 + k] = _1216
-            _1232 = q4_pmm
+            _1232 = q4_ppm
             work[1232 + k] = _1232
-            _1248 = -angle6
+            _1248 = -angle5
             work[1248 + k] = _1248
-            _1264 = q6_pmm
+            _1264 = q6_ppm
             work[1264 + k] = _1264
-            _1280 = q1_mpp
+            _1280 = -(v21 + v22)
             work[1280 + k] = _1280
-            _1296 = q2_mpp
+            _1296 = q3_pmp
             work[1296 + k] = _1296
-            _1312 = angle3
+            _1312 = angle2
             work[1312 + k] = _1312
-            _1328 = angle7
+            _1328 = angle6
             work[1328 + k] = _1328
-            _1344 = angle11
+            _1344 = angle10
             work[1344 + k] = _1344
-            _1360 = q4_mpm
+            _1360 = q4_pmm
             work[1360 + k] = _1360
-            _1376 = -angle7
+            _1376 = -angle6
             work[1376 + k] = _1376
-            _1392 = q6_mpm
+            _1392 = q6_pmm
             work[1392 + k] = _1392
-            _1408 = q2_mmp
+            _1408 = q1_mpp
             work[1408 + k] = _1408
-            _1424 = angle4
+            _1424 = q2_mpp
             work[1424 + k] = _1424
-            _1440 = angle8
+            _1440 = angle3
             work[1440 + k] = _1440
-            _1456 = angle12
+            _1456 = angle7
             work[1456 + k] = _1456
-            _1472 = q4_mmm
+            _1472 = angle11
             work[1472 + k] = _1472
-            _1488 = -angle8
+            _1488 = q4_mpm
             work[1488 + k] = _1488
-            _1504 = q6_mmm
+            _1504 = -angle7
             work[1504 + k] = _1504
-            work[1520 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1536 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1552 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1568 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1584 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1600 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1616 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1632 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1520 = q6_mpm
+            work[1520 + k] = _1520
+            _1536 = q2_mmp
+            work[1536 + k] = _1536
+            _1552 = angle4
+            work[1552 + k] = _1552
+            _1568 = angle8
+            work[1568 + k] = _1568
+            _1584 = angle12
+            work[1584 + k] = _1584
+            _1600 = q4_mmm
+            work[1600 + k] = _1600
+            _1616 = -angle8
+            work[1616 + k] = _1616
+            _1632 = q6_mmm
+            work[1632 + k] = _1632
+            work[1648 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1664 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1680 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1696 + k] = UNREACHABLE if _1136 != _1136 else OK
+            work[1712 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1728 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1744 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1760 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[256 + k] = (
+                1.0 if abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2
+                or abs(D3) <= m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <=
+                m7 or v41 <= m7 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -434,8 +434,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle18 = atan2_wide(s1_p, c1_p), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, c1_m), q1_mpp = v6 + angle19, q3_ppp = v1 + angle1,
         q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = (v31 <= m7) | (v30 <= m7) | (v16 <= m4) | (v29 <= m7) | (v15 <= m4) |
-        (v28 <= m7) | (abs_wide(D1) <= m1) | (abs_wide(D3_ * (k5 * w1)) <= m2) | (v13 <= m4);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0], 0);
@@ -461,7 +459,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle17 - signed_wide(half_turn, v47);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v31 <= m7) | (v30 <= m7) | (v16 <= m4) | (v29 <= m7) | (v15 <= m4) |
+        (v28 <= m7) | (abs_wide(D1) <= m1) | (abs_wide(D3_ * (k5 * w1)) <= m2) | (v13 <= m4));
 }
 
 #if LANES > 1
@@ -505,11 +504,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v21 = c1 * T12 + s1 * T22, v22 = s1 * T12 - c1 * T22, v23 = T11 * c1 + T21 * s1,
         v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
-    /* joint values */
-    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3_ * (k5 * w1)) <= m2);
-    const four_mask doubt2 = (v10 <= m4) | (v19 <= m7);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v10 <= m4) | (v19 <= m7))) |
+        (unsigned)((fabs(D1) <= m1) | (fabs(D3_ * (k5 * w1)) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,

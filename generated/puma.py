@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma be959eb4cecf7221"
+_KEY = "puma ab7255a2e1c48e3e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -964,14 +964,10 @@ def _regular(pose, q, status):
     v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
     v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
 
-    # joint values
-    doubt1 = (
+    if (
         v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or abs(D1) <= m1
         or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1313,16 +1309,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1024, 1040, 1056, 1072, 1088, 1104],
-    [1024, 1040, 1056, 1120, 1136, 1152],
-    [1024, 1168, 1184, 1200, 1216, 1232],
-    [1024, 1168, 1184, 1248, 1264, 1280],
-    [1296, 1312, 1056, 1328, 1344, 1360],
-    [1296, 1312, 1056, 1376, 1392, 1408],
-    [1296, 1424, 1184, 1440, 1456, 1472],
-    [1296, 1424, 1184, 1488, 1504, 1520],
+    [1168, 1184, 1200, 1216, 1232, 1248],
+    [1168, 1184, 1200, 1264, 1280, 1296],
+    [1168, 1312, 1328, 1344, 1360, 1376],
+    [1168, 1312, 1328, 1392, 1408, 1424],
+    [1440, 1456, 1200, 1472, 1488, 1504],
+    [1440, 1456, 1200, 1520, 1536, 1552],
+    [1440, 1568, 1328, 1584, 1600, 1616],
+    [1440, 1568, 1328, 1632, 1648, 1664],
 ])
-_KINDS = np.array([1536, 1552, 1568, 1584, 1600, 1616, 1632, 1648])
+_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
 @intrinsic(prefer_literal=True)
@@ -1349,7 +1345,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1664), 1664)
+    work = carray(_tile(1808), 1808)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1459,88 +1455,102 @@ def _in_tiles(T, q, status):
             v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36
             v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
-            doubt1 = (
-                v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
-                abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4
-            )
-            work[272 + k] = v1
-            work[288 + k] = v6
-            work[304 + k] = v32
-            work[320 + k] = v33
-            work[336 + k] = v44
-            work[352 + k] = v45
-            work[368 + k] = v46
-            work[384 + k] = v47
-            work[400 + k] = doubt1
-            work[416 + k] = w3
-            work[432 + k] = -v9
-            work[448 + k] = -v10
-            work[464 + k] = v10
-            work[480 + k] = v9
-            work[496 + k] = -v24
-            work[512 + k] = -v24
-            work[528 + k] = -v25
-            work[544 + k] = -v25
-            work[560 + k] = -math.sqrt(v28)
-            work[576 + k] = -math.sqrt(v29)
-            work[592 + k] = -math.sqrt(v30)
-            work[608 + k] = -math.sqrt(v31)
-            work[624 + k] = v44
-            work[640 + k] = v45
-            work[656 + k] = v46
-            work[672 + k] = v47
-            work[688 + k] = s1_p
-            work[704 + k] = s1_m
-            work[720 + k] = N3 - k6
-            work[736 + k] = C2_pp
-            work[752 + k] = C2_pm
-            work[768 + k] = C2_pm
-            work[784 + k] = C2_pp
-            work[800 + k] = factor2_pp * -X4_pp
-            work[816 + k] = factor2_pm * -X4_pm
-            work[832 + k] = factor2_mp * -X4_mp
-            work[848 + k] = factor2_pp * -X4_mm
-            work[864 + k] = factor2_pp * (v34 + s23_pp * v22)
-            work[880 + k] = factor2_pm * (v35 + s23_pm * v22)
-            work[896 + k] = factor2_mp * (v35 + s23_mp * v23)
-            work[912 + k] = factor2_pp * (v34 + s23_mm * v23)
-            work[928 + k] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
-            work[944 + k] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
-            work[960 + k] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
-            work[976 + k] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
-            work[992 + k] = c1_p
-            work[1008 + k] = c1_m
-        for k in range(416, 720):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v1
+            work[320 + k] = D3_
+            work[336 + k] = v6
+            work[352 + k] = v13
+            work[368 + k] = v15
+            work[384 + k] = v16
+            work[400 + k] = v28
+            work[416 + k] = v29
+            work[432 + k] = v30
+            work[448 + k] = v31
+            work[464 + k] = v32
+            work[480 + k] = v33
+            work[496 + k] = v44
+            work[512 + k] = v45
+            work[528 + k] = v46
+            work[544 + k] = v47
+            work[560 + k] = w3
+            work[576 + k] = -v9
+            work[592 + k] = -v10
+            work[608 + k] = v10
+            work[624 + k] = v9
+            work[640 + k] = -v24
+            work[656 + k] = -v24
+            work[672 + k] = -v25
+            work[688 + k] = -v25
+            work[704 + k] = -math.sqrt(v28)
+            work[720 + k] = -math.sqrt(v29)
+            work[736 + k] = -math.sqrt(v30)
+            work[752 + k] = -math.sqrt(v31)
+            work[768 + k] = v44
+            work[784 + k] = v45
+            work[800 + k] = v46
+            work[816 + k] = v47
+            work[832 + k] = s1_p
+            work[848 + k] = s1_m
+            work[864 + k] = N3 - k6
+            work[880 + k] = C2_pp
+            work[896 + k] = C2_pm
+            work[912 + k] = C2_pm
+            work[928 + k] = C2_pp
+            work[944 + k] = factor2_pp * -X4_pp
+            work[960 + k] = factor2_pm * -X4_pm
+            work[976 + k] = factor2_mp * -X4_mp
+            work[992 + k] = factor2_pp * -X4_mm
+            work[1008 + k] = factor2_pp * (v34 + s23_pp * v22)
+            work[1024 + k] = factor2_pm * (v35 + s23_pm * v22)
+            work[1040 + k] = factor2_mp * (v35 + s23_mp * v23)
+            work[1056 + k] = factor2_pp * (v34 + s23_mm * v23)
+            work[1072 + k] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
+            work[1088 + k] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
+            work[1104 + k] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
+            work[1120 + k] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
+            work[1136 + k] = c1_p
+            work[1152 + k] = c1_m
+        for k in range(560, 864):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v1 = work[272 + k]
-            v6 = work[288 + k]
-            v32 = work[304 + k]
-            v33 = work[320 + k]
-            v44 = work[336 + k]
-            v45 = work[352 + k]
-            v46 = work[368 + k]
-            v47 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
-            angle10 = work[560 + k]
-            angle11 = work[576 + k]
-            angle12 = work[592 + k]
-            angle13 = work[608 + k]
-            angle14 = work[624 + k]
-            angle15 = work[640 + k]
-            angle16 = work[656 + k]
-            angle17 = work[672 + k]
-            angle18 = work[688 + k]
-            angle19 = work[704 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v1 = work[304 + k]
+            D3_ = work[320 + k]
+            v6 = work[336 + k]
+            v13 = work[352 + k]
+            v15 = work[368 + k]
+            v16 = work[384 + k]
+            v28 = work[400 + k]
+            v29 = work[416 + k]
+            v30 = work[432 + k]
+            v31 = work[448 + k]
+            v32 = work[464 + k]
+            v33 = work[480 + k]
+            v44 = work[496 + k]
+            v45 = work[512 + k]
+            v46 = work[528 + k]
+            v47 = work[544 + k]
+            angle1 = work[560 + k]
+            angle2 = work[576 + k]
+            angle3 = work[592 + k]
+            angle4 = work[608 + k]
+            angle5 = work[624 + k]
+            angle6 = work[640 + k]
+            angle7 = work[656 + k]
+            angle8 = work[672 + k]
+            angle9 = work[688 + k]
+            angle10 = work[704 + k]
+            angle11 = work[720 + k]
+            angle12 = work[736 + k]
+            angle13 = work[752 + k]
+            angle14 = work[768 + k]
+            angle15 = work[784 + k]
+            angle16 = work[800 + k]
+            angle17 = work[816 + k]
+            angle18 = work[832 + k]
+            angle19 = work[848 + k]
             q4_ppm = angle6 - v32
             q4_pmm = angle7 - v32
             q4_mpm = angle8 - v33
@@ -1553,79 +1563,82 @@ def _in_tiles(T, q, status):
             q1_mpp = v6 + angle19
             q3_ppp = v1 + angle1
             q3_pmp = v1 - angle1
-            _1024 = q1_ppp
-            work[1024 + k] = _1024
-            _1040 = angle2
-            work[1040 + k] = _1040
-            _1056 = q3_ppp
-            work[1056 + k] = _1056
-            _1072 = angle6
-            work[1072 + k] = _1072
-            _1088 = angle10
-            work[1088 + k] = _1088
-            _1104 = angle14
-            work[1104 + k] = _1104
-            _1120 = q4_ppm
-            work[1120 + k] = _1120
-            _1136 = -angle10
-            work[1136 + k] = _1136
-            _1152 = q6_ppm
-            work[1152 + k] = _1152
-            _1168 = angle3
+            _1168 = q1_ppp
             work[1168 + k] = _1168
-            _1184 = q3_pmp
+            _1184 = angle2
             work[1184 + k] = _1184
-            _1200 = angle7
+            _1200 = q3_ppp
             work[1200 + k] = _1200
-            _1216 = angle11
+            _1216 = angle6
             work[1216 + k] = _1216
-            _1232 = angle15
+            _1232 = angle10
             work[1232 + k] = _1232
-            _1248 = q4_pmm
+            _1248 = angle14
             work[1248 + k] = _1248
-            _1264 = -angle11
+            _1264 = q4_ppm
             work[1264 + k] = _1264
-            _1280 = q6_pmm
+            _1280 = -angle10
             work[1280 + k] = _1280
-            _1296 = q1_mpp
+            _1296 = q6_ppm
             work[1296 + k] = _1296
-            _1312 = angle4
+            _1312 = angle3
             work[1312 + k] = _1312
-            _1328 = angle8
+            _1328 = q3_pmp
             work[1328 + k] = _1328
-            _1344 = angle12
+            _1344 = angle7
             work[1344 + k] = _1344
-            _1360 = angle16
+            _1360 = angle11
             work[1360 + k] = _1360
-            _1376 = q4_mpm
+            _1376 = angle15
             work[1376 + k] = _1376
-            _1392 = -angle12
+            _1392 = q4_pmm
             work[1392 + k] = _1392
-            _1408 = q6_mpm
+            _1408 = -angle11
             work[1408 + k] = _1408
-            _1424 = angle5
+            _1424 = q6_pmm
             work[1424 + k] = _1424
-            _1440 = angle9
+            _1440 = q1_mpp
             work[1440 + k] = _1440
-            _1456 = angle13
+            _1456 = angle4
             work[1456 + k] = _1456
-            _1472 = angle17
+            _1472 = angle8
             work[1472 + k] = _1472
-            _1488 = q4_mmm
+            _1488 = angle12
             work[1488 + k] = _1488
-            _1504 = -angle13
+            _1504 = angle16
             work[1504 + k] = _1504
-            _1520 = q6_mmm
+            _1520 = q4_mpm
             work[1520 + k] = _1520
-            work[1536 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1552 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1568 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1584 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1600 + k] = UNREACHABLE if _1296 != _1296 else OK
-            work[1616 + k] = UNREACHABLE if _1296 != _1296 else OK
-            work[1632 + k] = UNREACHABLE if _1296 != _1296 else OK
-            work[1648 + k] = UNREACHABLE if _1296 != _1296 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1536 = -angle12
+            work[1536 + k] = _1536
+            _1552 = q6_mpm
+            work[1552 + k] = _1552
+            _1568 = angle5
+            work[1568 + k] = _1568
+            _1584 = angle9
+            work[1584 + k] = _1584
+            _1600 = angle13
+            work[1600 + k] = _1600
+            _1616 = angle17
+            work[1616 + k] = _1616
+            _1632 = q4_mmm
+            work[1632 + k] = _1632
+            _1648 = -angle13
+            work[1648 + k] = _1648
+            _1664 = q6_mmm
+            work[1664 + k] = _1664
+            work[1680 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1696 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1712 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1728 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1744 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1760 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1776 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1792 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[256 + k] = (
+                1.0 if v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
+                abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -234,11 +234,12 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -466,16 +467,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = raised_wide(q3__p), v45 = only_wide(-v12 <= -half_turn, turn) - v12;
-    const wide_mask v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
-        v49 = exceeds(v45, 3);
-    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask outside_ppp = exceeds(angle12, 5) | v48 | v46 | exceeds(angle4, 2),
-        outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
-        outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
-        outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(D3 * (k4 * w1)) <= m2) | (abs_wide(D1) <= m1) | (v31 <= m9) | (v30 <= m9)
-            | (v28 <= m9) | (v29 <= m9);
+    const wide v44 = raised_wide(q3__p), v45 = only_wide(-v12 <= -half_turn, turn) - v12,
+        v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
+        v49 = exceeds(v45, 3), q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44,
+        q3_pmp = v1 + v45,
+        excess_pp = maximum_wide(exceeds(angle12, 5), maximum_wide(exceeds(angle4, 2),
+            maximum_wide(v46, v48))),
+        excess_pm = maximum_wide(exceeds(angle13, 5), maximum_wide(exceeds(angle5, 2),
+            maximum_wide(v46, v49))),
+        excess_mp = maximum_wide(exceeds(angle14, 5), maximum_wide(exceeds(angle6, 2),
+            maximum_wide(v47, v48))),
+        excess_mm = maximum_wide(exceeds(angle15, 5), maximum_wide(exceeds(angle7, 2),
+            maximum_wide(v47, v49)));
+    const wide_mask outside_ppp = 0.0 < excess_pp, outside_pmp = 0.0 < excess_pm,
+        outside_mpp = 0.0 < excess_mp, outside_mmp = 0.0 < excess_mm;
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -501,7 +506,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle19 - signed_wide(half_turn, v43);
     kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D3 * (k4 * w1)) <= m2) | (abs_wide(D1) <= m1) | (v31 <= m9) |
+        (v30 <= m9) | (v28 <= m9) | (v29 <= m9)) | (grazes(excess_mm) | grazes(excess_mp) |
+        grazes(excess_pp) | grazes(excess_pm));
 }
 
 #if LANES > 1
@@ -537,18 +544,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta4 */
     const four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, v10 = c1 * T13 + s1 * T23,
         c4 = c23 * v10 + s23 * T33, Y4 = c1 * T23 - s1 * T13, v11 = Y4 * Y4, v12 = factor2 * c4,
-        v13 = v11 + factor2 * (c4 * v12);
-    const four_mask doubt2 = v13 <= m9;
-    const four v14 = signed_four(half_turn, Y4);
+        v13 = v11 + factor2 * (c4 * v12), v14 = signed_four(half_turn, Y4);
 
     /* theta6 */
     const four v15 = s1 * T12 - c1 * T22, v16 = c1 * T12 + s1 * T22, v17 = s1 * T11 - c1 * T21,
         v18 = c1 * T11 + s1 * T21;
 
-    /* joint values */
-    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v13 <= m9)) | (unsigned)((fabs(D1) <=
+        m1) | (fabs(D3 * (k4 * w1)) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
@@ -560,10 +563,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v14,
         q6_m = angle6 - signed_four(half_turn, -(c4 * v17 + Y4 * (c23 * v18 + s23 * T31))),
-        v19 = raised_four(q3_);
-    const four_mask v20 = exceeds_four(angle1, 1), v21 = exceeds_four(v19, 3);
-    const four q1_p = angle1 + v4, q3_p = v1 + v19;
-    const four_mask outside_p = exceeds_four(angle5, 5) | v21 | v20 | exceeds_four(angle3, 2);
+        v19 = raised_four(q3_), v20 = exceeds_four(angle1, 1), v21 = exceeds_four(v19, 3),
+        q1_p = angle1 + v4, q3_p = v1 + v19,
+        excess = maximum_four(exceeds_four(angle5, 5), maximum_four(exceeds_four(angle3, 2),
+            maximum_four(v20, v21)));
+    const four_mask outside_p = 0.0 < excess;
+    if (bits_four(grazes_four(excess)))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle3, q3_p, angle4);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle5, angle6);
@@ -1009,18 +1015,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != PUMA560_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != PUMA560_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 9dc5f4f2e0e9a56c"
+_KEY = "puma560 1efc54864b261534"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -182,6 +182,7 @@ high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345
 high5 = 1.7453292529943296
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 2.2049387897563516e-11
@@ -1006,20 +1007,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1231,14 +1231,10 @@ def _regular(pose, q, status):
     v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
     v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
-    # joint values
-    doubt1 = (
+    if (
         abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9 or v29 <=
         m9
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1327,18 +1323,28 @@ def _regular(pose, q, status):
     # joint values
     v44 = q3__p + (turn if q3__p <= -half_turn else 0.0)
     v45 = (turn if -v12 <= -half_turn else 0.0) - v12
-    v46 = high1 < abs(angle1)
-    v47 = high1 < abs(angle2)
-    v48 = high3 < abs(v44)
-    v49 = high3 < abs(v45)
+    v46 = abs(angle1) - high1
+    v47 = abs(angle2) - high1
+    v48 = abs(v44) - high3
+    v49 = abs(v45) - high3
     q1_ppp = angle1 + v7
     q1_mpp = angle2 + v7
     q3_ppp = v1 + v44
     q3_pmp = v1 + v45
-    outside_ppp = high5 < abs(angle12) or v48 or v46 or high2 < abs(angle4)
-    outside_pmp = high5 < abs(angle13) or v49 or v46 or high2 < abs(angle5)
-    outside_mpp = high5 < abs(angle14) or v48 or v47 or high2 < abs(angle6)
-    outside_mmp = high5 < abs(angle15) or v49 or v47 or high2 < abs(angle7)
+    excess_pp = max(abs(angle12) - high5, max(abs(angle4) - high2, max(v46, v48)))
+    excess_pm = max(abs(angle13) - high5, max(abs(angle5) - high2, max(v46, v49)))
+    excess_mp = max(abs(angle14) - high5, max(abs(angle6) - high2, max(v47, v48)))
+    excess_mm = max(abs(angle15) - high5, max(abs(angle7) - high2, max(v47, v49)))
+    outside_ppp = 0.0 < excess_pp
+    outside_pmp = 0.0 < excess_pm
+    outside_mpp = 0.0 < excess_mp
+    outside_mmp = 0.0 < excess_mm
+
+    if (
+        abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or abs(excess_pp - graze)
+        <= graze or abs(excess_pm - graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = angle4
@@ -1598,16 +1604,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1136, 1152, 1168, 1184, 1200, 1216],
-    [1136, 1152, 1168, 1232, 1248, 1264],
-    [1136, 1280, 1296, 1312, 1328, 1344],
-    [1136, 1280, 1296, 1360, 1376, 1392],
-    [1408, 1424, 1168, 1440, 1456, 1472],
-    [1408, 1424, 1168, 1488, 1504, 1520],
-    [1408, 1536, 1296, 1552, 1568, 1584],
-    [1408, 1536, 1296, 1600, 1616, 1632],
+    [1232, 1248, 1264, 1280, 1296, 1312],
+    [1232, 1248, 1264, 1328, 1344, 1360],
+    [1232, 1376, 1392, 1408, 1424, 1440],
+    [1232, 1376, 1392, 1456, 1472, 1488],
+    [1504, 1520, 1264, 1536, 1552, 1568],
+    [1504, 1520, 1264, 1584, 1600, 1616],
+    [1504, 1632, 1392, 1648, 1664, 1680],
+    [1504, 1632, 1392, 1696, 1712, 1728],
 ])
-_KINDS = np.array([1648, 1664, 1680, 1696, 1712, 1728, 1744, 1760])
+_KINDS = np.array([1744, 1760, 1776, 1792, 1808, 1824, 1840, 1856])
 
 
 @intrinsic(prefer_literal=True)
@@ -1634,7 +1640,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1776), 1776)
+    work = carray(_tile(1872), 1872)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1748,103 +1754,111 @@ def _in_tiles(T, q, status):
             v41 = s1_m * T21 - v4 * T11
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
-            doubt1 = (
-                abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9 or
-                v29 <= m9
-            )
-            work[272 + k] = v1
-            work[288 + k] = v7
-            work[304 + k] = c23_pp
-            work[320 + k] = c23_pm
-            work[336 + k] = s23_pp
-            work[352 + k] = s23_pm
-            work[368 + k] = c4_pp
-            work[384 + k] = c4_pm
-            work[400 + k] = Y4_p
-            work[416 + k] = v32
-            work[432 + k] = v33
-            work[448 + k] = v38
-            work[464 + k] = v40
-            work[480 + k] = v42
-            work[496 + k] = v43
-            work[512 + k] = doubt1
-            work[528 + k] = s1_p
-            work[544 + k] = s1_m
-            work[560 + k] = w3
-            work[576 + k] = S2_pp
-            work[592 + k] = S2_pm
-            work[608 + k] = S2_pm
-            work[624 + k] = S2_pp
-            work[640 + k] = Y4_p
-            work[656 + k] = Y4_p
-            work[672 + k] = -v21
-            work[688 + k] = -v21
-            work[704 + k] = -math.sqrt(v28)
-            work[720 + k] = -math.sqrt(v29)
-            work[736 + k] = -math.sqrt(v30)
-            work[752 + k] = -math.sqrt(v31)
-            work[768 + k] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
-            work[784 + k] = -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31))
-            work[800 + k] = v42
-            work[816 + k] = v43
-            work[832 + k] = c1_p
-            work[848 + k] = -v4
-            work[864 + k] = N3 - k7
-            work[880 + k] = C2_pp
-            work[896 + k] = C2_pm
-            work[912 + k] = C2_mp
-            work[928 + k] = C2_mm
-            work[944 + k] = v24
-            work[960 + k] = v25
-            work[976 + k] = v26
-            work[992 + k] = v27
-            work[1008 + k] = factor2 * (c23_pp * T33 - s23_pp * v19)
-            work[1024 + k] = factor2 * (c23_pm * T33 - s23_pm * v19)
-            work[1040 + k] = factor2 * (c23_mp * T33 - s23_mp * v20)
-            work[1056 + k] = factor2 * (c23_mm * T33 - s23_mm * v20)
-            work[1072 + k] = -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32))
-            work[1088 + k] = -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32))
-            work[1104 + k] = v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35
-            work[1120 + k] = v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35
-        for k in range(528, 832):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v1
+            work[320 + k] = D3
+            work[336 + k] = v7
+            work[352 + k] = c23_pp
+            work[368 + k] = c23_pm
+            work[384 + k] = s23_pp
+            work[400 + k] = s23_pm
+            work[416 + k] = c4_pp
+            work[432 + k] = c4_pm
+            work[448 + k] = Y4_p
+            work[464 + k] = v28
+            work[480 + k] = v29
+            work[496 + k] = v30
+            work[512 + k] = v31
+            work[528 + k] = v32
+            work[544 + k] = v33
+            work[560 + k] = v38
+            work[576 + k] = v40
+            work[592 + k] = v42
+            work[608 + k] = v43
+            work[624 + k] = s1_p
+            work[640 + k] = s1_m
+            work[656 + k] = w3
+            work[672 + k] = S2_pp
+            work[688 + k] = S2_pm
+            work[704 + k] = S2_pm
+            work[720 + k] = S2_pp
+            work[736 + k] = Y4_p
+            work[752 + k] = Y4_p
+            work[768 + k] = -v21
+            work[784 + k] = -v21
+            work[800 + k] = -math.sqrt(v28)
+            work[816 + k] = -math.sqrt(v29)
+            work[832 + k] = -math.sqrt(v30)
+            work[848 + k] = -math.sqrt(v31)
+            work[864 + k] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
+            work[880 + k] = -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31))
+            work[896 + k] = v42
+            work[912 + k] = v43
+            work[928 + k] = c1_p
+            work[944 + k] = -v4
+            work[960 + k] = N3 - k7
+            work[976 + k] = C2_pp
+            work[992 + k] = C2_pm
+            work[1008 + k] = C2_mp
+            work[1024 + k] = C2_mm
+            work[1040 + k] = v24
+            work[1056 + k] = v25
+            work[1072 + k] = v26
+            work[1088 + k] = v27
+            work[1104 + k] = factor2 * (c23_pp * T33 - s23_pp * v19)
+            work[1120 + k] = factor2 * (c23_pm * T33 - s23_pm * v19)
+            work[1136 + k] = factor2 * (c23_mp * T33 - s23_mp * v20)
+            work[1152 + k] = factor2 * (c23_mm * T33 - s23_mm * v20)
+            work[1168 + k] = -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32))
+            work[1184 + k] = -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32))
+            work[1200 + k] = v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35
+            work[1216 + k] = v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35
+        for k in range(624, 928):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
             T31 = work[128 + k]
-            v1 = work[272 + k]
-            v7 = work[288 + k]
-            c23_pp = work[304 + k]
-            c23_pm = work[320 + k]
-            s23_pp = work[336 + k]
-            s23_pm = work[352 + k]
-            c4_pp = work[368 + k]
-            c4_pm = work[384 + k]
-            Y4_p = work[400 + k]
-            v32 = work[416 + k]
-            v33 = work[432 + k]
-            v38 = work[448 + k]
-            v40 = work[464 + k]
-            v42 = work[480 + k]
-            v43 = work[496 + k]
-            doubt1 = work[512 + k] != 0.0
-            angle1 = work[528 + k]
-            angle2 = work[544 + k]
-            angle3 = work[560 + k]
-            angle4 = work[576 + k]
-            angle5 = work[592 + k]
-            angle6 = work[608 + k]
-            angle7 = work[624 + k]
-            angle8 = work[640 + k]
-            angle9 = work[656 + k]
-            angle10 = work[672 + k]
-            angle11 = work[688 + k]
-            angle12 = work[704 + k]
-            angle13 = work[720 + k]
-            angle14 = work[736 + k]
-            angle15 = work[752 + k]
-            angle16 = work[768 + k]
-            angle17 = work[784 + k]
-            angle18 = work[800 + k]
-            angle19 = work[816 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v1 = work[304 + k]
+            D3 = work[320 + k]
+            v7 = work[336 + k]
+            c23_pp = work[352 + k]
+            c23_pm = work[368 + k]
+            s23_pp = work[384 + k]
+            s23_pm = work[400 + k]
+            c4_pp = work[416 + k]
+            c4_pm = work[432 + k]
+            Y4_p = work[448 + k]
+            v28 = work[464 + k]
+            v29 = work[480 + k]
+            v30 = work[496 + k]
+            v31 = work[512 + k]
+            v32 = work[528 + k]
+            v33 = work[544 + k]
+            v38 = work[560 + k]
+            v40 = work[576 + k]
+            v42 = work[592 + k]
+            v43 = work[608 + k]
+            angle1 = work[624 + k]
+            angle2 = work[640 + k]
+            angle3 = work[656 + k]
+            angle4 = work[672 + k]
+            angle5 = work[688 + k]
+            angle6 = work[704 + k]
+            angle7 = work[720 + k]
+            angle8 = work[736 + k]
+            angle9 = work[752 + k]
+            angle10 = work[768 + k]
+            angle11 = work[784 + k]
+            angle12 = work[800 + k]
+            angle13 = work[816 + k]
+            angle14 = work[832 + k]
+            angle15 = work[848 + k]
+            angle16 = work[864 + k]
+            angle17 = work[880 + k]
+            angle18 = work[896 + k]
+            angle19 = work[912 + k]
             q3__p = angle3 - turn1
             v12 = turn1 + angle3
             q4_ppm = angle8 - v32
@@ -1863,107 +1877,119 @@ def _in_tiles(T, q, status):
             q6_mmm = angle19 - math.copysign(half_turn, v43)
             v44 = q3__p + (turn if q3__p <= -half_turn else 0.0)
             v45 = (turn if -v12 <= -half_turn else 0.0) - v12
-            v46 = high1 < abs(angle1)
-            v47 = high1 < abs(angle2)
-            v48 = high3 < abs(v44)
-            v49 = high3 < abs(v45)
+            v46 = abs(angle1) - high1
+            v47 = abs(angle2) - high1
+            v48 = abs(v44) - high3
+            v49 = abs(v45) - high3
             q1_ppp = angle1 + v7
             q1_mpp = angle2 + v7
             q3_ppp = v1 + v44
             q3_pmp = v1 + v45
-            outside_ppp = high5 < abs(angle12) or v48 or v46 or high2 < abs(angle4)
-            outside_pmp = high5 < abs(angle13) or v49 or v46 or high2 < abs(angle5)
-            outside_mpp = high5 < abs(angle14) or v48 or v47 or high2 < abs(angle6)
-            outside_mmp = high5 < abs(angle15) or v49 or v47 or high2 < abs(angle7)
-            _1136 = q1_ppp
-            work[1136 + k] = _1136
-            _1152 = angle4
-            work[1152 + k] = _1152
-            _1168 = q3_ppp
-            work[1168 + k] = _1168
-            _1184 = angle8
-            work[1184 + k] = _1184
-            _1200 = angle12
-            work[1200 + k] = _1200
-            _1216 = angle16
-            work[1216 + k] = _1216
-            _1232 = q4_ppm
+            excess_pp = max(abs(angle12) - high5, max(abs(angle4) - high2, max(v46, v48)))
+            excess_pm = max(abs(angle13) - high5, max(abs(angle5) - high2, max(v46, v49)))
+            excess_mp = max(abs(angle14) - high5, max(abs(angle6) - high2, max(v47, v48)))
+            excess_mm = max(abs(angle15) - high5, max(abs(angle7) - high2, max(v47, v49)))
+            outside_ppp = 0.0 < excess_pp
+            outside_pmp = 0.0 < excess_pm
+            outside_mpp = 0.0 < excess_mp
+            outside_mmp = 0.0 < excess_mm
+            _1232 = q1_ppp
             work[1232 + k] = _1232
-            _1248 = -angle12
+            _1248 = angle4
             work[1248 + k] = _1248
-            _1264 = q6_ppm
+            _1264 = q3_ppp
             work[1264 + k] = _1264
-            _1280 = angle5
+            _1280 = angle8
             work[1280 + k] = _1280
-            _1296 = q3_pmp
+            _1296 = angle12
             work[1296 + k] = _1296
-            _1312 = angle9
+            _1312 = angle16
             work[1312 + k] = _1312
-            _1328 = angle13
+            _1328 = q4_ppm
             work[1328 + k] = _1328
-            _1344 = angle17
+            _1344 = -angle12
             work[1344 + k] = _1344
-            _1360 = q4_pmm
+            _1360 = q6_ppm
             work[1360 + k] = _1360
-            _1376 = -angle13
+            _1376 = angle5
             work[1376 + k] = _1376
-            _1392 = q6_pmm
+            _1392 = q3_pmp
             work[1392 + k] = _1392
-            _1408 = q1_mpp
+            _1408 = angle9
             work[1408 + k] = _1408
-            _1424 = angle6
+            _1424 = angle13
             work[1424 + k] = _1424
-            _1440 = angle10
+            _1440 = angle17
             work[1440 + k] = _1440
-            _1456 = angle14
+            _1456 = q4_pmm
             work[1456 + k] = _1456
-            _1472 = angle18
+            _1472 = -angle13
             work[1472 + k] = _1472
-            _1488 = q4_mpm
+            _1488 = q6_pmm
             work[1488 + k] = _1488
-            _1504 = -angle14
+            _1504 = q1_mpp
             work[1504 + k] = _1504
-            _1520 = q6_mpm
+            _1520 = angle6
             work[1520 + k] = _1520
-            _1536 = angle7
+            _1536 = angle10
             work[1536 + k] = _1536
-            _1552 = angle11
+            _1552 = angle14
             work[1552 + k] = _1552
-            _1568 = angle15
+            _1568 = angle18
             work[1568 + k] = _1568
-            _1584 = angle19
+            _1584 = q4_mpm
             work[1584 + k] = _1584
-            _1600 = q4_mmm
+            _1600 = -angle14
             work[1600 + k] = _1600
-            _1616 = -angle15
+            _1616 = q6_mpm
             work[1616 + k] = _1616
-            _1632 = q6_mmm
+            _1632 = angle7
             work[1632 + k] = _1632
-            work[1648 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1664 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1680 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1696 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1712 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1728 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
+            _1648 = angle11
+            work[1648 + k] = _1648
+            _1664 = angle15
+            work[1664 + k] = _1664
+            _1680 = angle19
+            work[1680 + k] = _1680
+            _1696 = q4_mmm
+            work[1696 + k] = _1696
+            _1712 = -angle15
+            work[1712 + k] = _1712
+            _1728 = q6_mmm
+            work[1728 + k] = _1728
             work[1744 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1232 != _1232 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[1760 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1232 != _1232 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[1776 + k] = (
+                UNREACHABLE if _1232 != _1232 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1792 + k] = (
+                UNREACHABLE if _1232 != _1232 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1808 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1824 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1840 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1856 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[256 + k] = (
+                1.0 if abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28
+                <= m9 or v29 <= m9 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
+                abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

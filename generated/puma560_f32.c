@@ -116,9 +116,10 @@ HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
 
 TURNS(wide)
 
-#define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 0.005f) <= 0.005f)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -347,16 +348,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = raised_wide(q3__p), v45 = only_wide(-v12 <= -half_turn, turn) - v12;
-    const wide_mask v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
-        v49 = exceeds(v45, 3);
-    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask outside_ppp = exceeds(angle12, 5) | v48 | v46 | exceeds(angle4, 2),
-        outside_pmp = exceeds(angle13, 5) | v49 | v46 | exceeds(angle5, 2),
-        outside_mpp = exceeds(angle14, 5) | v48 | v47 | exceeds(angle6, 2),
-        outside_mmp = exceeds(angle15, 5) | v49 | v47 | exceeds(angle7, 2),
-        doubt1 = (abs_wide(D3 * (k4 * w1)) <= boundary3) | (abs_wide(D1) <= k2) | (N3 <=
-            doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
+    const wide v44 = raised_wide(q3__p), v45 = only_wide(-v12 <= -half_turn, turn) - v12,
+        v46 = exceeds(angle1, 1), v47 = exceeds(angle2, 1), v48 = exceeds(v44, 3),
+        v49 = exceeds(v45, 3), q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44,
+        q3_pmp = v1 + v45,
+        excess_pp = maximum_wide(exceeds(angle12, 5), maximum_wide(exceeds(angle4, 2),
+            maximum_wide(v46, v48))),
+        excess_pm = maximum_wide(exceeds(angle13, 5), maximum_wide(exceeds(angle5, 2),
+            maximum_wide(v46, v49))),
+        excess_mp = maximum_wide(exceeds(angle14, 5), maximum_wide(exceeds(angle6, 2),
+            maximum_wide(v47, v48))),
+        excess_mm = maximum_wide(exceeds(angle15, 5), maximum_wide(exceeds(angle7, 2),
+            maximum_wide(v47, v49)));
+    const wide_mask outside_ppp = 0.0f < excess_pp, outside_pmp = 0.0f < excess_pm,
+        outside_mpp = 0.0f < excess_mp, outside_mmp = 0.0f < excess_mm;
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], outside_ppp);
@@ -382,7 +387,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle19 - signed_wide(half_turn, v43);
     kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D3 * (k4 * w1)) <= boundary3) | (abs_wide(D1) <= k2) | (N3 <=
+        doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7)) |
+        (grazes(excess_mm) | grazes(excess_mp) | grazes(excess_pp) | grazes(excess_pm));
 }
 
 HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[8])
@@ -392,8 +399,6 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
     if (solve_wide(T, &q[0][0], kind))
         return -1;
     for (int row = 0; row < 8; row++) {
-        if (kind[row] == PUMA560_F32_OUT_OF_LIMITS && beyond_limits(q[row]) < 0.01f)
-            return -1; /* by rounding, perhaps */
         status[row] = (unsigned char)kind[row];
         count += kind[row] == 0;
     }
@@ -786,18 +791,19 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
-    float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0f < off && off < 0.01f))
+    float x[6], half[6], to[6], *q = rows[row];
+    const float beyond = past_ends(q);
+    if (!(0.0f < beyond && beyond < 0.01f))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+    if (!lead_inside(T, NAN, 0.15f, x))
         return;
-    off = half_way(q, x, half);
+    const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != PUMA560_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
+        if (status[k] != PUMA560_F32_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))

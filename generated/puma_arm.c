@@ -329,7 +329,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide angle6 = atan2_wide(v2 + v5, v4 - v3), q1_pp = v6 + angle6,
         angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
         q3_pp = v1 + raised_wide(q3__p), q3_pm = v1 + (only_wide(-v7 <= -half_turn, turn) - v7);
-    const wide_mask doubt1 = (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2);
 
     q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -340,7 +339,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     q[9] = q1_mp; q[10] = atan2_wide(v14, v10 + v12); q[11] = q3_pm;
     kind[3] = kind_of(q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2));
 }
 
 #if LANES > 1
@@ -365,10 +364,8 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double X1_2 = m3 * N3 - m4, v7 = Z1_3 * X1_2;
     const four v8 = w3 * (m3 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
-    /* joint values */
-    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((fabs(D1) <= m1) | (fabs(D3 *
+        (k4 * w1)) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3), shuffle(e1

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm 85a351b651e3d9f3"
+_KEY = "puma_arm 1b8575eb839ba1ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -740,11 +740,7 @@ def _regular(pose, q, status):
     v14 = v8 - v13
     v15 = v8 + v13
 
-    # joint values
-    doubt1 = abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2:
         return False
 
     # angles, side by side
@@ -1002,12 +998,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [544, 560, 576],
-    [544, 592, 608],
-    [624, 640, 576],
-    [624, 656, 608],
+    [576, 592, 608],
+    [576, 624, 640],
+    [656, 672, 608],
+    [656, 688, 640],
 ])
-_KINDS = np.array([672, 688, 704, 720])
+_KINDS = np.array([704, 720, 736, 752])
 
 
 @intrinsic(prefer_literal=True)
@@ -1034,7 +1030,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(736), 736)
+    work = carray(_tile(768), 768)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1071,64 +1067,67 @@ def _in_tiles(T, q, status):
             v13 = w3 * (m3 * w1)
             v14 = v8 - v13
             v15 = v8 + v13
-            doubt1 = abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2
-            work[272 + k] = v1
-            work[288 + k] = v6
-            work[304 + k] = doubt1
-            work[320 + k] = w3
-            work[336 + k] = v14
-            work[352 + k] = v15
-            work[368 + k] = v15
-            work[384 + k] = v14
-            work[400 + k] = v2 + v5
-            work[416 + k] = v2 - v5
-            work[432 + k] = N3 - k7
-            work[448 + k] = v9 + v11
-            work[464 + k] = v10 + v11
-            work[480 + k] = v9 + v12
-            work[496 + k] = v10 + v12
-            work[512 + k] = v4 - v3
-            work[528 + k] = -(v3 + v4)
-        for k in range(320, 432):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v1
+            work[320 + k] = D3
+            work[336 + k] = v6
+            work[352 + k] = w3
+            work[368 + k] = v14
+            work[384 + k] = v15
+            work[400 + k] = v15
+            work[416 + k] = v14
+            work[432 + k] = v2 + v5
+            work[448 + k] = v2 - v5
+            work[464 + k] = N3 - k7
+            work[480 + k] = v9 + v11
+            work[496 + k] = v10 + v11
+            work[512 + k] = v9 + v12
+            work[528 + k] = v10 + v12
+            work[544 + k] = v4 - v3
+            work[560 + k] = -(v3 + v4)
+        for k in range(352, 464):
             work[k] = _atan2(work[k], work[k + 112])
         for k in range(0, 16):
-            v1 = work[272 + k]
-            v6 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
-            angle5 = work[384 + k]
-            angle6 = work[400 + k]
-            angle7 = work[416 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v1 = work[304 + k]
+            D3 = work[320 + k]
+            v6 = work[336 + k]
+            angle1 = work[352 + k]
+            angle2 = work[368 + k]
+            angle3 = work[384 + k]
+            angle4 = work[400 + k]
+            angle5 = work[416 + k]
+            angle6 = work[432 + k]
+            angle7 = work[448 + k]
             q3__p = angle1 - turn1
             v7 = turn1 + angle1
             q1_pp = v6 + angle6
             q1_mp = v6 + angle7
             q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
             q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
-            _544 = q1_pp
-            work[544 + k] = _544
-            _560 = angle2
-            work[560 + k] = _560
-            _576 = q3_pp
+            _576 = q1_pp
             work[576 + k] = _576
-            _592 = angle3
+            _592 = angle2
             work[592 + k] = _592
-            _608 = q3_pm
+            _608 = q3_pp
             work[608 + k] = _608
-            _624 = q1_mp
+            _624 = angle3
             work[624 + k] = _624
-            _640 = angle4
+            _640 = q3_pm
             work[640 + k] = _640
-            _656 = angle5
+            _656 = q1_mp
             work[656 + k] = _656
-            work[672 + k] = UNREACHABLE if _544 != _544 else OK
-            work[688 + k] = UNREACHABLE if _544 != _544 else OK
-            work[704 + k] = UNREACHABLE if _624 != _624 else OK
-            work[720 + k] = UNREACHABLE if _624 != _624 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _672 = angle4
+            work[672 + k] = _672
+            _688 = angle5
+            work[688 + k] = _688
+            work[704 + k] = UNREACHABLE if _576 != _576 else OK
+            work[720 + k] = UNREACHABLE if _576 != _576 else OK
+            work[736 + k] = UNREACHABLE if _656 != _656 else OK
+            work[752 + k] = UNREACHABLE if _656 != _656 else OK
+            work[256 + k] = 1.0 if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -633,18 +633,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
         v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15), v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18),
         v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16)), v29 = v3 * (X3 - v18);
 
-    /* joint values */
-    const wide_mask doubt1 = (v4 <= m2) | (v2 <= m1) | (v10 <= m4) | (v13 <= m4) | (m6 < v21 * v21 +
-        v23 * v23 + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29) | (m5 < v20 * v20 + v24 * v24 +
-        v27 * v27);
-
     q[0] = q1_p; q[1] = angle1; q[2] = angle2; q[3] = angle3; q[4] = angle4;
     kind[0] = kind_of(q[0], 0);
     q[5] = q1_p; q[6] = angle1; q[7] = angle2 - signed_wide(half_turn, -v7); q[8] = -angle3;
     q[9] = angle4 - signed_wide(half_turn, -v16);
     kind[1] = kind_of(q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v4 <= m2) | (v2 <= m1) | (v10 <= m4) | (v13 <= m4) | (m6 < v21 * v21 +
+        v23 * v23 + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29) | (m5 < v20 * v20 + v24 * v24 +
+        v27 * v27));
 }
 
 #if LANES > 1
@@ -688,12 +685,9 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
         v29 = v3 * (C2 * T21 + s2 * T11 + s4 * v17), v30 = v3 * (T24 * s2 - C2 * v22 - d5 * v21),
         v31 = v3 * (v14 - (v25 * (v8 * c4) - v7 * v18)), v32 = v3 * (X3 - v21);
 
-    /* joint values */
-    const int doubt1 = (v4 <= m2) | (v2 <= m1) | (v12 <= m4) | (v15 <= m4) | (m6 < v24 * v24 + v26 *
-        v26 + v28 * v28 + v29 * v29 + v31 * v31 + v32 * v32) | (m5 < v23 * v23 + v27 * v27 + v30 *
-        v30);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v4 <= m2) | (v2 <= m1) |
+        (v12 <= m4) | (v15 <= m4) | (m6 < v24 * v24 + v26 * v26 + v28 * v28 + v29 * v29 + v31 * v31
+        + v32 * v32) | (m5 < v23 * v23 + v27 * v27 + v30 * v30)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ v1, -v7, s4, -v18 }, (four){ -wy, -v8, v3 * c4,

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 5ed35cae43d9c2a8"
+_KEY = "rail_5dof 1dd55ca6df70ed84"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1194,14 +1194,10 @@ def _regular(pose, q, status):
     v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
     v29 = v3 * (X3 - v18)
 
-    # joint values
-    doubt1 = (
+    if (
         v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23 + v25 * v25 +
         v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27 * v27
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1444,10 +1440,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [464, 480, 496, 512, 528],
-    [464, 480, 544, 560, 576],
+    [656, 672, 688, 704, 720],
+    [656, 672, 736, 752, 768],
 ])
-_KINDS = np.array([592, 608])
+_KINDS = np.array([784, 800])
 
 
 @intrinsic(prefer_literal=True)
@@ -1474,7 +1470,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(624), 624)
+    work = carray(_tile(816), 816)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1551,54 +1547,78 @@ def _in_tiles(T, q, status):
             v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18)
             v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
             v29 = v3 * (X3 - v18)
-            doubt1 = (
-                v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23 + v25 *
-                v25 + v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27 * v27
-            )
             work[272 + k] = q1_p
-            work[288 + k] = v7
-            work[304 + k] = v16
-            work[320 + k] = doubt1
-            work[336 + k] = v1
-            work[352 + k] = -v7
-            work[368 + k] = s4
-            work[384 + k] = -v16
-            work[400 + k] = -wy
-            work[416 + k] = -v8
-            work[432 + k] = v3 * c4
-            work[448 + k] = -v15
-        for k in range(336, 400):
+            work[288 + k] = v2
+            work[304 + k] = v4
+            work[320 + k] = v7
+            work[336 + k] = v10
+            work[352 + k] = v13
+            work[368 + k] = v16
+            work[384 + k] = v20
+            work[400 + k] = v21
+            work[416 + k] = v23
+            work[432 + k] = v24
+            work[448 + k] = v25
+            work[464 + k] = v26
+            work[480 + k] = v27
+            work[496 + k] = v28
+            work[512 + k] = v29
+            work[528 + k] = v1
+            work[544 + k] = -v7
+            work[560 + k] = s4
+            work[576 + k] = -v16
+            work[592 + k] = -wy
+            work[608 + k] = -v8
+            work[624 + k] = v3 * c4
+            work[640 + k] = -v15
+        for k in range(528, 592):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
             q1_p = work[272 + k]
-            v7 = work[288 + k]
-            v16 = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
-            angle1 = work[336 + k]
-            angle2 = work[352 + k]
-            angle3 = work[368 + k]
-            angle4 = work[384 + k]
+            v2 = work[288 + k]
+            v4 = work[304 + k]
+            v7 = work[320 + k]
+            v10 = work[336 + k]
+            v13 = work[352 + k]
+            v16 = work[368 + k]
+            v20 = work[384 + k]
+            v21 = work[400 + k]
+            v23 = work[416 + k]
+            v24 = work[432 + k]
+            v25 = work[448 + k]
+            v26 = work[464 + k]
+            v27 = work[480 + k]
+            v28 = work[496 + k]
+            v29 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
             q3_m = angle2 - math.copysign(half_turn, -v7)
             q5_m = angle4 - math.copysign(half_turn, -v16)
-            _464 = q1_p
-            work[464 + k] = _464
-            _480 = angle1
-            work[480 + k] = _480
-            _496 = angle2
-            work[496 + k] = _496
-            _512 = angle3
-            work[512 + k] = _512
-            _528 = angle4
-            work[528 + k] = _528
-            _544 = q3_m
-            work[544 + k] = _544
-            _560 = -angle3
-            work[560 + k] = _560
-            _576 = q5_m
-            work[576 + k] = _576
-            work[592 + k] = UNREACHABLE if _464 != _464 else OK
-            work[608 + k] = UNREACHABLE if _464 != _464 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _656 = q1_p
+            work[656 + k] = _656
+            _672 = angle1
+            work[672 + k] = _672
+            _688 = angle2
+            work[688 + k] = _688
+            _704 = angle3
+            work[704 + k] = _704
+            _720 = angle4
+            work[720 + k] = _720
+            _736 = q3_m
+            work[736 + k] = _736
+            _752 = -angle3
+            work[752 + k] = _752
+            _768 = q5_m
+            work[768 + k] = _768
+            work[784 + k] = UNREACHABLE if _656 != _656 else OK
+            work[800 + k] = UNREACHABLE if _656 != _656 else OK
+            work[256 + k] = (
+                1.0 if v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23
+                + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27
+                * v27 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

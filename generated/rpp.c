@@ -275,16 +275,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide q3_p = T34 - d1;
 
     /* theta1, r2 */
-    const wide v1 = T14 * T14 + T24 * T24, q2_p = sqrt_wide(v1);
-    const wide_mask doubt1 = v1 <= m1;
-    const wide angle1 = atan2_wide(-T14, T24);
+    const wide v1 = T14 * T14 + T24 * T24, q2_p = sqrt_wide(v1), angle1 = atan2_wide(-T14, T24);
 
     q[0] = angle1; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0], 0);
     q[3] = angle1 - signed_wide(half_turn, -T14); q[4] = -q2_p; q[5] = q3_p;
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (v1 <= m1);
 }
 
 #if LANES > 1
@@ -302,14 +300,12 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double q3 = T34 - d1;
 
     /* theta1, r2 */
-    const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = copysign(half_turn, -T14);
+    const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1), v2 = copysign(half_turn, -T14);
 
     /* joint values */
     const four q2 = e1 * w2;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T14, -T14, -T14, -T14 }, (four){ T24, T24, T24,

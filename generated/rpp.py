@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp 22fb4a0c46cbe86d"
+_KEY = "rpp a7cd050d5f05e241"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -572,10 +572,8 @@ def _regular(pose, q, status):
     # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
     v1 = T14 * T14 + T24 * T24
     q2_p = math.sqrt(v1)
-    doubt1 = v1 <= m1
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1:
         return False
     angle1 = _atan2(-T14, T24)
 
@@ -846,10 +844,9 @@ def _in_tiles(T, q, status):
             q3_p = T34 - d1
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
-            doubt1 = v1 <= m1
             work[272 + k] = q3_p
-            work[288 + k] = q2_p
-            work[304 + k] = doubt1
+            work[288 + k] = v1
+            work[304 + k] = q2_p
             work[320 + k] = -T14
             work[336 + k] = T24
         for k in range(320, 336):
@@ -857,8 +854,8 @@ def _in_tiles(T, q, status):
         for k in range(0, 16):
             T14 = work[48 + k]
             q3_p = work[272 + k]
-            q2_p = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
+            v1 = work[288 + k]
+            q2_p = work[304 + k]
             angle1 = work[320 + k]
             q1_m = angle1 - math.copysign(half_turn, -T14)
             _352 = angle1
@@ -873,7 +870,7 @@ def _in_tiles(T, q, status):
             work[416 + k] = _416
             work[432 + k] = UNREACHABLE if _352 != _352 else OK
             work[448 + k] = UNREACHABLE if _400 != _400 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -292,8 +292,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q1_pp = angle1 + v2, q1_mp = v2 + (angle1 - signed_wide(half_turn, -T14));
-    const wide_mask doubt1 = (v1 <= m1) | (abs_wide(D3) <= m3 * (merge_slack1 + 2.0 *
-        abs_wide(Z3)));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = angle2;
     kind[0] = kind_of(q[0], 0);
@@ -304,7 +302,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     q[9] = q1_mp; q[10] = -q2_pp; q[11] = -angle2;
     kind[3] = kind_of(q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v1 <= m1) | (abs_wide(D3) <= m3 * (merge_slack1 + 2.0 * abs_wide(Z3))));
 }
 
 #if LANES > 1
@@ -328,10 +326,8 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     /* r2 */
     const four v4 = e1 * w1, v5 = e2 * w3, q2 = v4 + v5;
 
-    /* joint values */
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3 * (merge_slack1 + 2.0 * fabs(Z3)));
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3
+        * (merge_slack1 + 2.0 * fabs(Z3)))))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T14, -(a3 * w3), -T14, -T14 }, (four){ T24, -(a3 *

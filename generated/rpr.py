@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr 854c38a6e5f9cf2f"
+_KEY = "rpr 95507b085e47630d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -625,11 +625,7 @@ def _regular(pose, q, status):
     q2_pp = w1 + w3
     q2_pm = w1 - w3
 
-    # joint values
-    doubt1 = v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3))
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3)):
         return False
 
     # angles, side by side
@@ -868,12 +864,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [400, 416, 432],
-    [400, 448, 464],
-    [480, 496, 432],
-    [480, 512, 464],
+    [432, 448, 464],
+    [432, 480, 496],
+    [512, 528, 464],
+    [512, 544, 496],
 ])
-_KINDS = np.array([528, 544, 560, 576])
+_KINDS = np.array([560, 576, 592, 608])
 
 
 @intrinsic(prefer_literal=True)
@@ -900,7 +896,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(592), 592)
+    work = carray(_tile(624), 624)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -927,48 +923,53 @@ def _in_tiles(T, q, status):
             v2 = w3 - w3
             q2_pp = w1 + w3
             q2_pm = w1 - w3
-            doubt1 = v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3))
-            work[272 + k] = v2
-            work[288 + k] = q2_pp
-            work[304 + k] = q2_pm
-            work[320 + k] = doubt1
-            work[336 + k] = -T14
-            work[352 + k] = -(a3 * w3)
-            work[368 + k] = T24
-            work[384 + k] = -(a3 * Z3)
-        for k in range(336, 368):
+            work[272 + k] = v1
+            work[288 + k] = Z3
+            work[304 + k] = D3
+            work[320 + k] = v2
+            work[336 + k] = q2_pp
+            work[352 + k] = q2_pm
+            work[368 + k] = -T14
+            work[384 + k] = -(a3 * w3)
+            work[400 + k] = T24
+            work[416 + k] = -(a3 * Z3)
+        for k in range(368, 400):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 16):
             T14 = work[48 + k]
-            v2 = work[272 + k]
-            q2_pp = work[288 + k]
-            q2_pm = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
-            angle1 = work[336 + k]
-            angle2 = work[352 + k]
+            v1 = work[272 + k]
+            Z3 = work[288 + k]
+            D3 = work[304 + k]
+            v2 = work[320 + k]
+            q2_pp = work[336 + k]
+            q2_pm = work[352 + k]
+            angle1 = work[368 + k]
+            angle2 = work[384 + k]
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14))
-            _400 = q1_pp
-            work[400 + k] = _400
-            _416 = q2_pp
-            work[416 + k] = _416
-            _432 = angle2
+            _432 = q1_pp
             work[432 + k] = _432
-            _448 = q2_pm
+            _448 = q2_pp
             work[448 + k] = _448
-            _464 = -angle2
+            _464 = angle2
             work[464 + k] = _464
-            _480 = q1_mp
+            _480 = q2_pm
             work[480 + k] = _480
-            _496 = -q2_pm
+            _496 = -angle2
             work[496 + k] = _496
-            _512 = -q2_pp
+            _512 = q1_mp
             work[512 + k] = _512
-            work[528 + k] = UNREACHABLE if _400 != _400 else OK
-            work[544 + k] = UNREACHABLE if _400 != _400 else OK
-            work[560 + k] = UNREACHABLE if _480 != _480 else OK
-            work[576 + k] = UNREACHABLE if _480 != _480 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _528 = -q2_pm
+            work[528 + k] = _528
+            _544 = -q2_pp
+            work[544 + k] = _544
+            work[560 + k] = UNREACHABLE if _432 != _432 else OK
+            work[576 + k] = UNREACHABLE if _432 != _432 else OK
+            work[592 + k] = UNREACHABLE if _512 != _512 else OK
+            work[608 + k] = UNREACHABLE if _512 != _512 else OK
+            work[256 + k] = (
+                1.0 if v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3)) else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

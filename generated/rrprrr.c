@@ -363,9 +363,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle5 = atan2_wide(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 +
             T24 * T22)) - v4 * T32)), q6_ppm = angle5 - signed_wide(half_turn, v9);
 
-    /* joint values */
-    const wide_mask doubt1 = (v2 <= m1) | (v6 <= m1) | (v1 <= m1);
-
     q[0] = angle1; q[1] = angle2; q[2] = q3_ppp; q[3] = angle3; q[4] = angle4; q[5] = angle5;
     kind[0] = kind_of(q[0], 0);
     q[6] = angle1; q[7] = angle2; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle4; q[11] = q6_ppm;
@@ -388,7 +385,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle5;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v2 <= m1) | (v6 <= m1) | (v1 <= m1));
 }
 
 #if LANES > 1
@@ -426,9 +423,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four q3_p = e2 * w3;
-    const int doubt1 = (v2 <= m1) | (v8 <= m1) | (v1 <= m1);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v2 <= m1) | (v8 <= m1) | (v1
+        <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T24, -w1, v10, -w4 }, (four){ -T14, -T34, -v9, v3

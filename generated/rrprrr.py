@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rrprrr a16c30b31aba1f92"
+_KEY = "rrprrr 988e26a94813cd2b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -750,11 +750,7 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 * T31)
 
-    # joint values
-    doubt1 = v2 <= m1 or v6 <= m1 or v1 <= m1
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if v2 <= m1 or v6 <= m1 or v1 <= m1:
         return False
 
     # angles, side by side
@@ -1055,16 +1051,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [528, 544, 560, 576, 592, 608],
-    [528, 544, 560, 624, 640, 656],
-    [528, 672, 688, 704, 720, 656],
-    [528, 672, 688, 736, 752, 608],
-    [768, 784, 560, 624, 592, 608],
-    [768, 784, 560, 576, 640, 656],
-    [768, 800, 688, 736, 720, 656],
-    [768, 800, 688, 704, 752, 608],
+    [560, 576, 592, 608, 624, 640],
+    [560, 576, 592, 656, 672, 688],
+    [560, 704, 720, 736, 752, 688],
+    [560, 704, 720, 768, 784, 640],
+    [800, 816, 592, 656, 624, 640],
+    [800, 816, 592, 608, 672, 688],
+    [800, 832, 720, 768, 752, 688],
+    [800, 832, 720, 736, 784, 640],
 ])
-_KINDS = np.array([816, 832, 848, 864, 880, 896, 912, 928])
+_KINDS = np.array([848, 864, 880, 896, 912, 928, 944, 960])
 
 
 @intrinsic(prefer_literal=True)
@@ -1091,7 +1087,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(944), 944)
+    work = carray(_tile(976), 976)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1149,91 +1145,94 @@ def _in_tiles(T, q, status):
                 v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 *
                 T31)
             )
-            doubt1 = v2 <= m1 or v6 <= m1 or v1 <= m1
-            work[272 + k] = w1
-            work[288 + k] = q3_ppp
-            work[304 + k] = w4
-            work[320 + k] = v8
-            work[336 + k] = v9
-            work[352 + k] = doubt1
-            work[368 + k] = -T24
-            work[384 + k] = -w1
-            work[400 + k] = v8
-            work[416 + k] = -w4
-            work[432 + k] = v9
-            work[448 + k] = -T14
-            work[464 + k] = -T34
-            work[480 + k] = -v7
-            work[496 + k] = v3 * T33 + factor1 * (v4 * v5)
-            work[512 + k] = (
+            work[272 + k] = v1
+            work[288 + k] = w1
+            work[304 + k] = v2
+            work[320 + k] = q3_ppp
+            work[336 + k] = v6
+            work[352 + k] = w4
+            work[368 + k] = v8
+            work[384 + k] = v9
+            work[400 + k] = -T24
+            work[416 + k] = -w1
+            work[432 + k] = v8
+            work[448 + k] = -w4
+            work[464 + k] = v9
+            work[480 + k] = -T14
+            work[496 + k] = -T34
+            work[512 + k] = -v7
+            work[528 + k] = v3 * T33 + factor1 * (v4 * v5)
+            work[544 + k] = (
                 v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 *
                 T32)
             )
-        for k in range(368, 448):
+        for k in range(400, 480):
             work[k] = _atan2(work[k], work[k + 80])
         for k in range(0, 16):
             T24 = work[112 + k]
-            w1 = work[272 + k]
-            q3_ppp = work[288 + k]
-            w4 = work[304 + k]
-            v8 = work[320 + k]
-            v9 = work[336 + k]
-            doubt1 = work[352 + k] != 0.0
-            angle1 = work[368 + k]
-            angle2 = work[384 + k]
-            angle3 = work[400 + k]
-            angle4 = work[416 + k]
-            angle5 = work[432 + k]
+            v1 = work[272 + k]
+            w1 = work[288 + k]
+            v2 = work[304 + k]
+            q3_ppp = work[320 + k]
+            v6 = work[336 + k]
+            w4 = work[352 + k]
+            v8 = work[368 + k]
+            v9 = work[384 + k]
+            angle1 = work[400 + k]
+            angle2 = work[416 + k]
+            angle3 = work[432 + k]
+            angle4 = work[448 + k]
+            angle5 = work[464 + k]
             q1_mpp = angle1 - math.copysign(half_turn, -T24)
             q2_pmp = angle2 - math.copysign(half_turn, -w1)
             q4_ppm = angle3 - math.copysign(half_turn, v8)
             q5_pmp = math.copysign(half_turn, -w4) - angle4
             q6_ppm = angle5 - math.copysign(half_turn, v9)
-            _528 = angle1
-            work[528 + k] = _528
-            _544 = angle2
-            work[544 + k] = _544
-            _560 = q3_ppp
+            _560 = angle1
             work[560 + k] = _560
-            _576 = angle3
+            _576 = angle2
             work[576 + k] = _576
-            _592 = angle4
+            _592 = q3_ppp
             work[592 + k] = _592
-            _608 = angle5
+            _608 = angle3
             work[608 + k] = _608
-            _624 = q4_ppm
+            _624 = angle4
             work[624 + k] = _624
-            _640 = -angle4
+            _640 = angle5
             work[640 + k] = _640
-            _656 = q6_ppm
+            _656 = q4_ppm
             work[656 + k] = _656
-            _672 = q2_pmp
+            _672 = -angle4
             work[672 + k] = _672
-            _688 = -q3_ppp
+            _688 = q6_ppm
             work[688 + k] = _688
-            _704 = -q4_ppm
+            _704 = q2_pmp
             work[704 + k] = _704
-            _720 = q5_pmp
+            _720 = -q3_ppp
             work[720 + k] = _720
-            _736 = -angle3
+            _736 = -q4_ppm
             work[736 + k] = _736
-            _752 = -q5_pmp
+            _752 = q5_pmp
             work[752 + k] = _752
-            _768 = q1_mpp
+            _768 = -angle3
             work[768 + k] = _768
-            _784 = -angle2
+            _784 = -q5_pmp
             work[784 + k] = _784
-            _800 = -q2_pmp
+            _800 = q1_mpp
             work[800 + k] = _800
-            work[816 + k] = UNREACHABLE if _528 != _528 else OK
-            work[832 + k] = UNREACHABLE if _528 != _528 else OK
-            work[848 + k] = UNREACHABLE if _528 != _528 else OK
-            work[864 + k] = UNREACHABLE if _528 != _528 else OK
-            work[880 + k] = UNREACHABLE if _768 != _768 else OK
-            work[896 + k] = UNREACHABLE if _768 != _768 else OK
-            work[912 + k] = UNREACHABLE if _768 != _768 else OK
-            work[928 + k] = UNREACHABLE if _768 != _768 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _816 = -angle2
+            work[816 + k] = _816
+            _832 = -q2_pmp
+            work[832 + k] = _832
+            work[848 + k] = UNREACHABLE if _560 != _560 else OK
+            work[864 + k] = UNREACHABLE if _560 != _560 else OK
+            work[880 + k] = UNREACHABLE if _560 != _560 else OK
+            work[896 + k] = UNREACHABLE if _560 != _560 else OK
+            work[912 + k] = UNREACHABLE if _800 != _800 else OK
+            work[928 + k] = UNREACHABLE if _800 != _800 else OK
+            work[944 + k] = UNREACHABLE if _800 != _800 else OK
+            work[960 + k] = UNREACHABLE if _800 != _800 else OK
+            work[256 + k] = 1.0 if v2 <= m1 or v6 <= m1 or v1 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

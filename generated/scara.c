@@ -234,12 +234,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -266,6 +267,7 @@ static const double
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
 static const double m2 = 1.25, m3 = 0.08750000000000001;
+static const double per_size = 1.25;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -403,18 +405,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v4 = T33 - 1.0, v5 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2);
-    const wide_mask v8 = exceeds(angle2, 2), v9 = beyond(t34, 3);
-    const wide q3_p = t34 + (w2 - w2);
-    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
-        T13 + v5 * v5);
+    const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2),
+        q3_p = t34 + (w2 - w2), v8 = maximum_wide(exceeds(angle2, 2), per_size * beyond(t34, 3)),
+        excess_p = maximum_wide(v8, exceeds(angle3, 1)),
+        excess_m = maximum_wide(v8, exceeds(angle4, 1));
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = centred_wide(v6);
-    kind[0] = kind_of(q[0], v9 | v8 | exceeds(angle3, 1));
+    kind[0] = kind_of(q[0], 0.0 < excess_p);
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = centred_wide(v7);
-    kind[1] = kind_of(q[4], v9 | v8 | exceeds(angle4, 1));
+    kind[1] = kind_of(q[4], 0.0 < excess_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13
+        + v5 * v5)) | (grazes(excess_p) | grazes(excess_m));
 }
 
 #if LANES > 1
@@ -440,12 +442,10 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v4 = T33 - 1.0, v5 = T21 * T21 + T11 * T11 - 1.0;
 
     /* joint values */
-    const int v8 = beyond(t34, 3);
     const double q3 = t34 + (w2 - w2);
-    const int doubt1 = (fabs(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 *
-        v5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((fabs(D2) <= m1) | (m4 < v4 *
+        v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w2 * (m2 * (e1 * t14)), all_four(T21),
@@ -454,9 +454,12 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = e1 * angle2, v6 = angle1 - (angle3 + q2), q4 = centred_four(v6);
-    const four_mask v7 = exceeds_four(angle2, 2),
-        outside = where_four(v8) | v7 | exceeds_four(angle3, 1);
+    const four q2 = e1 * angle2, v6 = angle1 - (angle3 + q2), q4 = centred_four(v6),
+        v7 = maximum_four(exceeds_four(angle2, 2), all_four(per_size * maximum_double(low(3) - t34,
+            t34 - high(3)))), excess = maximum_four(v7, exceeds_four(angle3, 1));
+    const four_mask outside = 0.0 < excess;
+    if (bits_four(grazes_four(excess)))
+        return -1;
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
     const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
@@ -868,18 +871,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[2][4], const unsigned char status[2])
 {
-    double x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[4], half[4], to[4], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
-        if (status[k] != SCARA_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != SCARA_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -129,8 +129,10 @@ TURNS(wide)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 0.005f) <= 0.005f)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -157,6 +159,7 @@ static const float
     m4 = 1e-10f; /* pose_slack^2 */
 /* coefficients */
 static const float m2 = 1.25f, m3 = 0.0875f;
+static const float per_size = 1.25f;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -296,18 +299,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v4 = T33 - 1.0f, v5 = T21 * T21 + T11 * T11 - 1.0f;
 
     /* joint values */
-    const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2);
-    const wide_mask v8 = exceeds(angle2, 2), v9 = beyond(t34, 3);
-    const wide q3_p = t34 + (w2 - w2);
-    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 *
-        T13 + v5 * v5);
+    const wide v6 = angle1 - (angle2 + angle3), v7 = angle1 - (angle4 - angle2),
+        q3_p = t34 + (w2 - w2), v8 = maximum_wide(exceeds(angle2, 2), per_size * beyond(t34, 3)),
+        excess_p = maximum_wide(v8, exceeds(angle3, 1)),
+        excess_m = maximum_wide(v8, exceeds(angle4, 1));
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = centred_wide(v6);
-    kind[0] = kind_of(q[0], v9 | v8 | exceeds(angle3, 1));
+    kind[0] = kind_of(q[0], 0.0f < excess_p);
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = centred_wide(v7);
-    kind[1] = kind_of(q[4], v9 | v8 | exceeds(angle4, 1));
+    kind[1] = kind_of(q[4], 0.0f < excess_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13
+        + v5 * v5)) | (grazes(excess_p) | grazes(excess_m));
 }
 
 HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[2])
@@ -317,8 +320,6 @@ HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[
     if (solve_wide(T, &q[0][0], kind))
         return -1;
     for (int row = 0; row < 2; row++) {
-        if (kind[row] == SCARA_F32_OUT_OF_LIMITS && beyond_limits(q[row]) < 0.01f)
-            return -1; /* by rounding, perhaps */
         status[row] = (unsigned char)kind[row];
         count += kind[row] == 0;
     }
@@ -683,18 +684,19 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const float T[16], int row, float rows[2][4], const unsigned char status[2])
 {
-    float x[4], half[4], to[4], *q = rows[row], off = past_ends(q);
-    if (!(0.0f < off && off < 0.01f))
+    float x[4], half[4], to[4], *q = rows[row];
+    const float beyond = past_ends(q);
+    if (!(0.0f < beyond && beyond < 0.01f))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+    if (!lead_inside(T, NAN, 0.15f, x))
         return;
-    off = half_way(q, x, half);
+    const float off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
-        if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
+        if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))

@@ -361,15 +361,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* joint values */
     const wide v8 = angle1 - (angle2 + angle3), v9 = angle1 - (angle4 - angle2),
         q1_p = w3 - w3 + T34;
-    const wide_mask doubt1 = (abs_wide(D3) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 *
-        T13 + v7 * v7);
 
     q[0] = q1_p; q[1] = angle3; q[2] = angle2; q[3] = centred_wide(v8);
     kind[0] = kind_of(q[0], 0);
     q[4] = q1_p; q[5] = angle4; q[6] = -angle2; q[7] = centred_wide(v9);
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D3) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13
+        + v7 * v7));
 }
 
 #if LANES > 1
@@ -392,10 +391,9 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* joint values */
     const double q1 = w3 - w3 + T34;
-    const int doubt1 = (fabs(D3) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 *
-        v5);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((fabs(D3) <= m1) | (m4 < v4 *
+        v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(v2 - w3 * (m2 * (e1 * T14)), all_four(T21),

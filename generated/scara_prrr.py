@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr 65182abafa7a621e"
+_KEY = "scara_prrr a2110d9e5ca537f8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -705,10 +705,8 @@ def _regular(pose, q, status):
 
     # joint values
     q1_p = w3 - w3 + T34
-    doubt1 = abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7:
         return False
 
     # angles, side by side
@@ -949,10 +947,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [432, 448, 464, 480],
-    [432, 496, 512, 528],
+    [464, 480, 496, 512],
+    [464, 528, 544, 560],
 ])
-_KINDS = np.array([544, 560])
+_KINDS = np.array([576, 592])
 
 
 @intrinsic(prefer_literal=True)
@@ -979,7 +977,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(576), 576)
+    work = carray(_tile(608), 608)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1005,12 +1003,9 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             N3 = T14 * T14 + T24 * T24
@@ -1024,47 +1019,56 @@ def _in_tiles(T, q, status):
             v6 = 1.0 + T33
             v7 = T21 * T21 + T11 * T11 - 1.0
             q1_p = w3 - w3 + T34
-            doubt1 = abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
-            work[272 + k] = q1_p
-            work[288 + k] = doubt1
-            work[304 + k] = T21
-            work[320 + k] = w3
-            work[336 + k] = v2 - v4
-            work[352 + k] = v2 + v4
-            work[368 + k] = T11
-            work[384 + k] = N3 - k1
-            work[400 + k] = v3 + v5
-            work[416 + k] = v3 - v5
-        for k in range(304, 368):
+            work[272 + k] = D3
+            work[288 + k] = v6
+            work[304 + k] = v7
+            work[320 + k] = q1_p
+            work[336 + k] = T21
+            work[352 + k] = w3
+            work[368 + k] = v2 - v4
+            work[384 + k] = v2 + v4
+            work[400 + k] = T11
+            work[416 + k] = N3 - k1
+            work[432 + k] = v3 + v5
+            work[448 + k] = v3 - v5
+        for k in range(336, 400):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            q1_p = work[272 + k]
-            doubt1 = work[288 + k] != 0.0
-            angle1 = work[304 + k]
-            angle2 = work[320 + k]
-            angle3 = work[336 + k]
-            angle4 = work[352 + k]
+            T13 = work[32 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            D3 = work[272 + k]
+            v6 = work[288 + k]
+            v7 = work[304 + k]
+            q1_p = work[320 + k]
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
+            angle3 = work[368 + k]
+            angle4 = work[384 + k]
             v8 = angle1 - (angle2 + angle3)
             v9 = angle1 - (angle4 - angle2)
             q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
             q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-            _432 = q1_p
-            work[432 + k] = _432
-            _448 = angle3
-            work[448 + k] = _448
-            _464 = angle2
+            _464 = q1_p
             work[464 + k] = _464
-            _480 = q4_p
+            _480 = angle3
             work[480 + k] = _480
-            _496 = angle4
+            _496 = angle2
             work[496 + k] = _496
-            _512 = -angle2
+            _512 = q4_p
             work[512 + k] = _512
-            _528 = q4_m
+            _528 = angle4
             work[528 + k] = _528
-            work[544 + k] = UNREACHABLE if _432 != _432 else OK
-            work[560 + k] = UNREACHABLE if _432 != _432 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _544 = -angle2
+            work[544 + k] = _544
+            _560 = q4_m
+            work[560 + k] = _560
+            work[576 + k] = UNREACHABLE if _464 != _464 else OK
+            work[592 + k] = UNREACHABLE if _464 != _464 else OK
+            work[256 + k] = (
+                1.0 if abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7
+                else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_rrp 56c4b33664c90fcd"
+_KEY = "scara_rrp f93a7d780c4d84b9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -613,7 +613,6 @@ def _regular(pose, q, status):
     N2 = T14 * T14 + T24 * T24
     D2 = (longest2 - N2) * (N2 - shortest2)
     w2 = math.sqrt(D2)
-    doubt1 = abs(D2) <= m1
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     v1 = m3 + m2 * N2
@@ -625,8 +624,7 @@ def _regular(pose, q, status):
     # joint values
     q3_p = T34 - d1 + (w2 - w2)
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D2) <= m1:
         return False
 
     # angles, side by side
@@ -908,14 +906,13 @@ def _in_tiles(T, q, status):
             N2 = T14 * T14 + T24 * T24
             D2 = (longest2 - N2) * (N2 - shortest2)
             w2 = math.sqrt(D2)
-            doubt1 = abs(D2) <= m1
             v1 = m3 + m2 * N2
             v2 = T24 * v1
             v3 = T14 * v1
             v4 = w2 * (m2 * T14)
             v5 = w2 * (m2 * T24)
             q3_p = T34 - d1 + (w2 - w2)
-            work[272 + k] = doubt1
+            work[272 + k] = D2
             work[288 + k] = q3_p
             work[304 + k] = w2
             work[320 + k] = v2 - v4
@@ -926,7 +923,7 @@ def _in_tiles(T, q, status):
         for k in range(304, 352):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
-            doubt1 = work[272 + k] != 0.0
+            D2 = work[272 + k]
             q3_p = work[288 + k]
             angle1 = work[304 + k]
             angle2 = work[320 + k]
@@ -943,7 +940,7 @@ def _in_tiles(T, q, status):
             work[464 + k] = _464
             work[480 + k] = UNREACHABLE if _400 != _400 else OK
             work[496 + k] = UNREACHABLE if _448 != _448 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if abs(D2) <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -395,7 +395,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         v9 = v6 - angle6, v10 = v6 - v8, v11 = v7 - angle6, v12 = v7 - v8,
         q3_pp = v1 + (T34 - d6 * T33 - d1), q5_pp = v1 + angle4, q5_pm = v1 - angle4,
         q6_pp = v1 + angle5, q6_pm = v1 + (angle5 - signed_wide(half_turn, s6));
-    const wide_mask doubt1 = (abs_wide(D2) <= m1) | (v5 <= m4);
 
     q[0] = angle2; q[1] = angle1; q[2] = q3_pp; q[3] = centred_wide(v9); q[4] = q5_pp; q[5] = q6_pp;
     kind[0] = kind_of(q[0], 0);
@@ -409,7 +408,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     q[23] = q6_pm;
     kind[3] = kind_of(q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D2) <= m1) | (v5 <= m4));
 }
 
 #if LANES > 1
@@ -440,9 +439,9 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 
     /* joint values */
     const double v9 = copysign(half_turn, -T23), q3 = v1 + (T34 - d6 * T33 - d1);
-    const int doubt1 = (fabs(D2) <= m1) | (v5 <= m4);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((fabs(D2) <= m1) | (v5 <=
+        m4)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12,

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_wrist bdc1f8747e6814bc"
+_KEY = "scara_wrist 07d981ebcdb65c40"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -769,10 +769,8 @@ def _regular(pose, q, status):
 
     # joint values
     q3_pp = v1 + (T34 - d6 * T33 - d1)
-    doubt1 = abs(D2) <= m1 or v5 <= m4
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D2) <= m1 or v5 <= m4:
         return False
 
     # angles, side by side
@@ -1050,12 +1048,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [528, 544, 560, 576, 592, 608],
-    [528, 544, 560, 624, 640, 656],
-    [672, 688, 560, 704, 592, 608],
-    [672, 688, 560, 720, 640, 656],
+    [544, 560, 576, 592, 608, 624],
+    [544, 560, 576, 640, 656, 672],
+    [688, 704, 576, 720, 608, 624],
+    [688, 704, 576, 736, 656, 672],
 ])
-_KINDS = np.array([736, 752, 768, 784])
+_KINDS = np.array([752, 768, 784, 800])
 
 
 @intrinsic(prefer_literal=True)
@@ -1082,7 +1080,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(800), 800)
+    work = carray(_tile(816), 816)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1129,37 +1127,38 @@ def _in_tiles(T, q, status):
             v5 = T13 * T13 + T23 * T23
             s6 = T13 * T21 - T23 * T11
             q3_pp = v1 + (T34 - d6 * T33 - d1)
-            doubt1 = abs(D2) <= m1 or v5 <= m4
-            work[272 + k] = v1
-            work[288 + k] = s6
-            work[304 + k] = q3_pp
-            work[320 + k] = doubt1
-            work[336 + k] = w2
-            work[352 + k] = v3 - w2 * (m2 * wx)
-            work[368 + k] = v3 - w2 * (m2 * -wx)
-            work[384 + k] = math.sqrt(v5)
-            work[400 + k] = s6
-            work[416 + k] = -T23
-            work[432 + k] = N2 - k1
-            work[448 + k] = v4 + w2 * (m2 * wy)
-            work[464 + k] = v4 + w2 * (m2 * -wy)
-            work[480 + k] = -T33
-            work[496 + k] = T13 * T22 - T23 * T12
-            work[512 + k] = -T13
-        for k in range(336, 432):
+            work[272 + k] = D2
+            work[288 + k] = v1
+            work[304 + k] = v5
+            work[320 + k] = s6
+            work[336 + k] = q3_pp
+            work[352 + k] = w2
+            work[368 + k] = v3 - w2 * (m2 * wx)
+            work[384 + k] = v3 - w2 * (m2 * -wx)
+            work[400 + k] = math.sqrt(v5)
+            work[416 + k] = s6
+            work[432 + k] = -T23
+            work[448 + k] = N2 - k1
+            work[464 + k] = v4 + w2 * (m2 * wy)
+            work[480 + k] = v4 + w2 * (m2 * -wy)
+            work[496 + k] = -T33
+            work[512 + k] = T13 * T22 - T23 * T12
+            work[528 + k] = -T13
+        for k in range(352, 448):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 16):
             T23 = work[96 + k]
-            v1 = work[272 + k]
-            s6 = work[288 + k]
-            q3_pp = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
-            angle1 = work[336 + k]
-            angle2 = work[352 + k]
-            angle3 = work[368 + k]
-            angle4 = work[384 + k]
-            angle5 = work[400 + k]
-            angle6 = work[416 + k]
+            D2 = work[272 + k]
+            v1 = work[288 + k]
+            v5 = work[304 + k]
+            s6 = work[320 + k]
+            q3_pp = work[336 + k]
+            angle1 = work[352 + k]
+            angle2 = work[368 + k]
+            angle3 = work[384 + k]
+            angle4 = work[400 + k]
+            angle5 = work[416 + k]
+            angle6 = work[432 + k]
             v6 = angle1 + angle2
             v7 = angle3 - angle1
             v8 = angle6 - math.copysign(half_turn, -T23)
@@ -1175,37 +1174,37 @@ def _in_tiles(T, q, status):
             q5_pm = v1 - angle4
             q6_pp = v1 + angle5
             q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
-            _528 = angle2
-            work[528 + k] = _528
-            _544 = angle1
+            _544 = angle2
             work[544 + k] = _544
-            _560 = q3_pp
+            _560 = angle1
             work[560 + k] = _560
-            _576 = q4_pp
+            _576 = q3_pp
             work[576 + k] = _576
-            _592 = q5_pp
+            _592 = q4_pp
             work[592 + k] = _592
-            _608 = q6_pp
+            _608 = q5_pp
             work[608 + k] = _608
-            _624 = q4_pm
+            _624 = q6_pp
             work[624 + k] = _624
-            _640 = q5_pm
+            _640 = q4_pm
             work[640 + k] = _640
-            _656 = q6_pm
+            _656 = q5_pm
             work[656 + k] = _656
-            _672 = angle3
+            _672 = q6_pm
             work[672 + k] = _672
-            _688 = -angle1
+            _688 = angle3
             work[688 + k] = _688
-            _704 = q4_mp
+            _704 = -angle1
             work[704 + k] = _704
-            _720 = q4_mm
+            _720 = q4_mp
             work[720 + k] = _720
-            work[736 + k] = UNREACHABLE if _528 != _528 else OK
-            work[752 + k] = UNREACHABLE if _528 != _528 else OK
-            work[768 + k] = UNREACHABLE if _672 != _672 else OK
-            work[784 + k] = UNREACHABLE if _672 != _672 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _736 = q4_mm
+            work[736 + k] = _736
+            work[752 + k] = UNREACHABLE if _544 != _544 else OK
+            work[768 + k] = UNREACHABLE if _544 != _544 else OK
+            work[784 + k] = UNREACHABLE if _688 != _688 else OK
+            work[800 + k] = UNREACHABLE if _688 != _688 else OK
+            work[256 + k] = 1.0 if abs(D2) <= m1 or v5 <= m4 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -679,10 +679,6 @@ HELPER wide_mask solve_wide(
         v87 = only_wide((v74 <= m10) == 0, v84), v88 = only_wide((v75 <= m10) == 0, v84),
         v89 = angle1 + v24, v90 = v25 + (angle1 - signed_wide(half_turn, -v3)),
         v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
-    const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
-        ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
-        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
-        ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <= m5));
 
     q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85; q[3] = v85 + raised_wide(v80);
     q[4] = v85 + v91;
@@ -697,7 +693,10 @@ HELPER wide_mask solve_wide(
     q[19] = v88 + v92;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
+        ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
+        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
+        ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <= m5)));
 }
 
 #if LANES > 1
@@ -730,9 +729,7 @@ HELPER int solve_regular(
     const four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16, Z2_3 = w234 * (v11 * v22) - v18;
     const double v23 = Z1_3 * Z1_3;
     const four N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt_four(D3), v24 = w3 - w3;
-    const four_mask doubt2 = (-m4 <= D3) & (D3 <= m5);
-    const four s3 = k2 * w3, c3 = k2 * K3;
+        w3 = sqrt_four(D3), v24 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
     const double v25 = v13 * v14, v26 = v11 * (v13 * v13 + v16 * v16), v27 = v14 * v14;
@@ -753,11 +750,10 @@ HELPER int solve_regular(
     /* joint values */
     const double v48 = NAN;
     const four v49 = only_four((v43 <= m10) == 0, v48), v51 = v24 + free_joints[0], q5 = v49 + v51;
-    const four_mask doubt3 = (v32 <= m8) | ((m10 < v43) & (v43 <= m11));
-    const int doubt1 = (v10 <= m3) | (m9 < v37 * v37 + v38 * v38 + v39 * v39) | (v4 <= m1);
 
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
-        (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | ((-m4 <= D3) & (D3 <= m5)) |
+        ((v32 <= m8) | ((m10 < v43) & (v43 <= m11)))) | (unsigned)((v10 <= m3) | (m9 < v37 * v37 +
+        v38 * v38 + v39 * v39) | (v4 <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(shuffle(w3, all_four(-v3), 0, 5, 2, 3),

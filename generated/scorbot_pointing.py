@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing b2286511a2e384e5"
+_KEY = "scorbot_pointing e1619ba8c4414a43"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1522,15 +1522,13 @@ def _regular(pose, q_free, q, status):
     q5_pm = v86 + v91
     q5_mp = v87 + v92
     q5_mm = v88 + v92
-    doubt1 = (
+
+    if (
         v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and v74 <=
         m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72 and v72 <= m11)
         or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4 <= D3_p and D3_p <= m5) or
         (-m4 <= D3_m and D3_m <= m5)
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1823,12 +1821,12 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [736, 752, 768, 784, 800],
-    [816, 832, 848, 864, 880],
-    [896, 912, 928, 944, 960],
-    [976, 992, 1008, 1024, 1040],
+    [960, 976, 992, 1008, 1024],
+    [1040, 1056, 1072, 1088, 1104],
+    [1120, 1136, 1152, 1168, 1184],
+    [1200, 1216, 1232, 1248, 1264],
 ])
-_KINDS = np.array([1056, 1072, 1088, 1104])
+_KINDS = np.array([1280, 1296, 1312, 1328])
 
 
 @intrinsic(prefer_literal=True)
@@ -1855,7 +1853,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1120), 1120)
+    work = carray(_tile(1344), 1344)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -2009,63 +2007,85 @@ def _in_tiles(T, q_free, q, status):
             q5_pm = v86 + v91
             q5_mp = v87 + v92
             q5_mm = v88 + v92
-            doubt1 = (
-                v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and
-                v74 <= m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72
-                and v72 <= m11) or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4 <=
-                D3_p and D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5)
-            )
             work[288 + k] = v3
-            work[304 + k] = v24
-            work[320 + k] = v25
-            work[336 + k] = v85
-            work[352 + k] = v86
-            work[368 + k] = v87
-            work[384 + k] = v88
-            work[400 + k] = q5_pp
-            work[416 + k] = q5_pm
-            work[432 + k] = q5_mp
-            work[448 + k] = q5_mm
-            work[464 + k] = doubt1
-            work[480 + k] = -v3
-            work[496 + k] = -v8
-            work[512 + k] = w3_p
-            work[528 + k] = w3_m
-            work[544 + k] = -v31
-            work[560 + k] = -v32
-            work[576 + k] = -v34
-            work[592 + k] = -v35
-            work[608 + k] = -v2
-            work[624 + k] = T33
-            work[640 + k] = K3_p
-            work[656 + k] = K3_m
-            work[672 + k] = C2_pp
-            work[688 + k] = C2_pm
-            work[704 + k] = -v40
-            work[720 + k] = -v41
-        for k in range(480, 608):
+            work[304 + k] = v4
+            work[320 + k] = v9
+            work[336 + k] = D3_p
+            work[352 + k] = D3_m
+            work[368 + k] = v24
+            work[384 + k] = v25
+            work[400 + k] = v42
+            work[416 + k] = v43
+            work[432 + k] = v44
+            work[448 + k] = v45
+            work[464 + k] = v57
+            work[480 + k] = v58
+            work[496 + k] = v59
+            work[512 + k] = v72
+            work[528 + k] = v73
+            work[544 + k] = v74
+            work[560 + k] = v75
+            work[576 + k] = v85
+            work[592 + k] = v86
+            work[608 + k] = v87
+            work[624 + k] = v88
+            work[640 + k] = q5_pp
+            work[656 + k] = q5_pm
+            work[672 + k] = q5_mp
+            work[688 + k] = q5_mm
+            work[704 + k] = -v3
+            work[720 + k] = -v8
+            work[736 + k] = w3_p
+            work[752 + k] = w3_m
+            work[768 + k] = -v31
+            work[784 + k] = -v32
+            work[800 + k] = -v34
+            work[816 + k] = -v35
+            work[832 + k] = -v2
+            work[848 + k] = T33
+            work[864 + k] = K3_p
+            work[880 + k] = K3_m
+            work[896 + k] = C2_pp
+            work[912 + k] = C2_pm
+            work[928 + k] = -v40
+            work[944 + k] = -v41
+        for k in range(704, 832):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 16):
             v3 = work[288 + k]
-            v24 = work[304 + k]
-            v25 = work[320 + k]
-            v85 = work[336 + k]
-            v86 = work[352 + k]
-            v87 = work[368 + k]
-            v88 = work[384 + k]
-            q5_pp = work[400 + k]
-            q5_pm = work[416 + k]
-            q5_mp = work[432 + k]
-            q5_mm = work[448 + k]
-            doubt1 = work[464 + k] != 0.0
-            angle1 = work[480 + k]
-            angle2 = work[496 + k]
-            angle3 = work[512 + k]
-            angle4 = work[528 + k]
-            angle5 = work[544 + k]
-            angle6 = work[560 + k]
-            angle7 = work[576 + k]
-            angle8 = work[592 + k]
+            v4 = work[304 + k]
+            v9 = work[320 + k]
+            D3_p = work[336 + k]
+            D3_m = work[352 + k]
+            v24 = work[368 + k]
+            v25 = work[384 + k]
+            v42 = work[400 + k]
+            v43 = work[416 + k]
+            v44 = work[432 + k]
+            v45 = work[448 + k]
+            v57 = work[464 + k]
+            v58 = work[480 + k]
+            v59 = work[496 + k]
+            v72 = work[512 + k]
+            v73 = work[528 + k]
+            v74 = work[544 + k]
+            v75 = work[560 + k]
+            v85 = work[576 + k]
+            v86 = work[592 + k]
+            v87 = work[608 + k]
+            v88 = work[624 + k]
+            q5_pp = work[640 + k]
+            q5_pm = work[656 + k]
+            q5_mp = work[672 + k]
+            q5_mm = work[688 + k]
+            angle1 = work[704 + k]
+            angle2 = work[720 + k]
+            angle3 = work[736 + k]
+            angle4 = work[752 + k]
+            angle5 = work[768 + k]
+            angle6 = work[784 + k]
+            angle7 = work[800 + k]
+            angle8 = work[816 + k]
             v76 = angle2 - (angle3 + angle5) - offset4
             v77 = angle2 - (angle6 - angle3) - offset4
             v78 = offset4 + (angle2 + (angle4 + angle7))
@@ -2092,51 +2112,56 @@ def _in_tiles(T, q_free, q, status):
             q4_pm = v86 + (v81 + (turn if v81 <= -half_turn else 0.0))
             q4_mp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
             q4_mm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
-            _736 = q1_pp
-            work[736 + k] = _736
-            _752 = q2_pp
-            work[752 + k] = _752
-            _768 = q3_pp
-            work[768 + k] = _768
-            _784 = q4_pp
-            work[784 + k] = _784
-            _800 = q5_pp
-            work[800 + k] = _800
-            _816 = q1_pm
-            work[816 + k] = _816
-            _832 = q2_pm
-            work[832 + k] = _832
-            _848 = q3_pm
-            work[848 + k] = _848
-            _864 = q4_pm
-            work[864 + k] = _864
-            _880 = q5_pm
-            work[880 + k] = _880
-            _896 = q1_mp
-            work[896 + k] = _896
-            _912 = q2_mp
-            work[912 + k] = _912
-            _928 = q3_mp
-            work[928 + k] = _928
-            _944 = q4_mp
-            work[944 + k] = _944
-            _960 = q5_mp
+            _960 = q1_pp
             work[960 + k] = _960
-            _976 = q1_mm
+            _976 = q2_pp
             work[976 + k] = _976
-            _992 = q2_mm
+            _992 = q3_pp
             work[992 + k] = _992
-            _1008 = q3_mm
+            _1008 = q4_pp
             work[1008 + k] = _1008
-            _1024 = q4_mm
+            _1024 = q5_pp
             work[1024 + k] = _1024
-            _1040 = q5_mm
+            _1040 = q1_pm
             work[1040 + k] = _1040
-            work[1056 + k] = UNREACHABLE if _736 != _736 else OK
-            work[1072 + k] = UNREACHABLE if _816 != _816 else OK
-            work[1088 + k] = UNREACHABLE if _896 != _896 else OK
-            work[1104 + k] = UNREACHABLE if _976 != _976 else OK
-            work[272 + k] = 1.0 if doubt1 else work[272 + k]
+            _1056 = q2_pm
+            work[1056 + k] = _1056
+            _1072 = q3_pm
+            work[1072 + k] = _1072
+            _1088 = q4_pm
+            work[1088 + k] = _1088
+            _1104 = q5_pm
+            work[1104 + k] = _1104
+            _1120 = q1_mp
+            work[1120 + k] = _1120
+            _1136 = q2_mp
+            work[1136 + k] = _1136
+            _1152 = q3_mp
+            work[1152 + k] = _1152
+            _1168 = q4_mp
+            work[1168 + k] = _1168
+            _1184 = q5_mp
+            work[1184 + k] = _1184
+            _1200 = q1_mm
+            work[1200 + k] = _1200
+            _1216 = q2_mm
+            work[1216 + k] = _1216
+            _1232 = q3_mm
+            work[1232 + k] = _1232
+            _1248 = q4_mm
+            work[1248 + k] = _1248
+            _1264 = q5_mm
+            work[1264 + k] = _1264
+            work[1280 + k] = UNREACHABLE if _960 != _960 else OK
+            work[1296 + k] = UNREACHABLE if _1040 != _1040 else OK
+            work[1312 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1328 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[272 + k] = (
+                1.0 if v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74
+                and v74 <= m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 <
+                v72 and v72 <= m11) or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4
+                <= D3_p and D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5) else work[272 + k]
+            )
         for k in range(first, first + count):
             if work[272 + k - first] != 0.0:
                 _unseeded(T[k], q_free[k], q[k], status[k])

@@ -284,9 +284,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         angle2 = atan2_wide(-sqrt_wide(v1), Y2_2),
         q2_pm = angle2 - signed_wide(half_turn, -sqrt_wide(v1));
 
-    /* joint values */
-    const wide_mask doubt1 = (v1 <= m1) | (v2 <= m1);
-
     q[0] = angle1; q[1] = angle2; q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
     q[3] = angle1; q[4] = q2_pm; q[5] = -q3_pp;
@@ -296,7 +293,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     q[9] = q1_mp; q[10] = -q2_pm; q[11] = -q3_pp;
     kind[3] = kind_of(q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v1 <= m1) | (v2 <= m1));
 }
 
 #if LANES > 1
@@ -320,9 +317,8 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* joint values */
     const four q3 = e2 * w3;
-    const int doubt1 = (v1 <= m1) | (v3 <= m1);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v1 <= m1) | (v3 <= m1)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ T24, -sqrt(v1), T24, T24 }, (four){ T14, Y2_2, T14,

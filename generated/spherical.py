@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical cdd04dc0687ba96d"
+_KEY = "spherical e04d319d2c53d1cf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -613,11 +613,7 @@ def _regular(pose, q, status):
     v2 = v1 + Y2_2 * Y2_2
     q3_pp = math.sqrt(v2)
 
-    # joint values
-    doubt1 = v1 <= m1 or v2 <= m1
-
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1 or v2 <= m1:
         return False
 
     # angles, side by side
@@ -913,10 +909,9 @@ def _in_tiles(T, q, status):
             Y2_2 = T34 - d1
             v2 = v1 + Y2_2 * Y2_2
             q3_pp = math.sqrt(v2)
-            doubt1 = v1 <= m1 or v2 <= m1
             work[272 + k] = v1
-            work[288 + k] = q3_pp
-            work[304 + k] = doubt1
+            work[288 + k] = v2
+            work[304 + k] = q3_pp
             work[320 + k] = T24
             work[336 + k] = -math.sqrt(v1)
             work[352 + k] = T14
@@ -926,8 +921,8 @@ def _in_tiles(T, q, status):
         for k in range(0, 16):
             T24 = work[112 + k]
             v1 = work[272 + k]
-            q3_pp = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
+            v2 = work[288 + k]
+            q3_pp = work[304 + k]
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             q1_mp = angle1 - math.copysign(half_turn, T24)
@@ -952,7 +947,7 @@ def _in_tiles(T, q, status):
             work[528 + k] = UNREACHABLE if _384 != _384 else OK
             work[544 + k] = UNREACHABLE if _464 != _464 else OK
             work[560 + k] = UNREACHABLE if _464 != _464 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 or v2 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -292,7 +292,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q3_pp = v1 + w3, q3_pm = v1 - w3;
-    const wide_mask doubt1 = (abs_wide(D1) <= m1) | (v6 <= m2);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_pp;
     kind[0] = kind_of(q[0], 0);
@@ -303,7 +302,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     q[9] = angle2; q[10] = -q2_pm; q[11] = q3_pm;
     kind[3] = kind_of(q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(D1) <= m1) | (v6 <= m2));
 }
 
 #if LANES > 1
@@ -327,9 +326,9 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* joint values */
     const four q3 = v1 + e2 * w3;
-    const int doubt1 = (fabs(D1) <= m1) | (v6 <= m2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((fabs(D1) <= m1) | (v6 <=
+        m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(-(v2 + e1 * v5), all_four(-w1), 0, 5, 2, 3),

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset bbccdf8b42cce5eb"
+_KEY = "spherical_offset c8eb34daa9a6890f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -633,10 +633,8 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt1 = abs(D1) <= m1 or v6 <= m2
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if abs(D1) <= m1 or v6 <= m2:
         return False
 
     # angles, side by side
@@ -877,12 +875,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [432, 448, 464],
-    [432, 480, 496],
-    [512, 528, 464],
-    [512, 544, 496],
+    [448, 464, 480],
+    [448, 496, 512],
+    [528, 544, 480],
+    [528, 560, 512],
 ])
-_KINDS = np.array([560, 576, 592, 608])
+_KINDS = np.array([576, 592, 608, 624])
 
 
 @intrinsic(prefer_literal=True)
@@ -909,7 +907,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(624), 624)
+    work = carray(_tile(640), 640)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -939,49 +937,50 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt1 = abs(D1) <= m1 or v6 <= m2
-            work[272 + k] = w1
-            work[288 + k] = q3_pp
-            work[304 + k] = q3_pm
-            work[320 + k] = doubt1
-            work[336 + k] = -(v2 + v5)
-            work[352 + k] = v5 - v2
-            work[368 + k] = -w1
-            work[384 + k] = v3 - v4
-            work[400 + k] = v3 + v4
-            work[416 + k] = T34
-        for k in range(336, 384):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v6
+            work[320 + k] = q3_pp
+            work[336 + k] = q3_pm
+            work[352 + k] = -(v2 + v5)
+            work[368 + k] = v5 - v2
+            work[384 + k] = -w1
+            work[400 + k] = v3 - v4
+            work[416 + k] = v3 + v4
+            work[432 + k] = T34
+        for k in range(352, 400):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
-            w1 = work[272 + k]
-            q3_pp = work[288 + k]
-            q3_pm = work[304 + k]
-            doubt1 = work[320 + k] != 0.0
-            angle1 = work[336 + k]
-            angle2 = work[352 + k]
-            angle3 = work[368 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v6 = work[304 + k]
+            q3_pp = work[320 + k]
+            q3_pm = work[336 + k]
+            angle1 = work[352 + k]
+            angle2 = work[368 + k]
+            angle3 = work[384 + k]
             q2_pm = angle3 - math.copysign(half_turn, -w1)
-            _432 = angle1
-            work[432 + k] = _432
-            _448 = angle3
+            _448 = angle1
             work[448 + k] = _448
-            _464 = q3_pp
+            _464 = angle3
             work[464 + k] = _464
-            _480 = q2_pm
+            _480 = q3_pp
             work[480 + k] = _480
-            _496 = q3_pm
+            _496 = q2_pm
             work[496 + k] = _496
-            _512 = angle2
+            _512 = q3_pm
             work[512 + k] = _512
-            _528 = -angle3
+            _528 = angle2
             work[528 + k] = _528
-            _544 = -q2_pm
+            _544 = -angle3
             work[544 + k] = _544
-            work[560 + k] = UNREACHABLE if _432 != _432 else OK
-            work[576 + k] = UNREACHABLE if _432 != _432 else OK
-            work[592 + k] = UNREACHABLE if _512 != _512 else OK
-            work[608 + k] = UNREACHABLE if _512 != _512 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _560 = -q2_pm
+            work[560 + k] = _560
+            work[576 + k] = UNREACHABLE if _448 != _448 else OK
+            work[592 + k] = UNREACHABLE if _448 != _448 else OK
+            work[608 + k] = UNREACHABLE if _528 != _528 else OK
+            work[624 + k] = UNREACHABLE if _528 != _528 else OK
+            work[256 + k] = 1.0 if abs(D1) <= m1 or v6 <= m2 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -458,8 +458,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_mpp = lowered_wide(q3__mp), q3_mmp = only_wide(half_turn < -v10, -turn) - v10,
         angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
         angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (v37 <= m9) | (v36 <= m9) | (v35 <= m9) | (v34 <= m9) | (abs_wide(D3_m
-        * v8) <= m2) | (abs_wide(D1) <= m1) | (abs_wide(D3_p * v8) <= m2);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -489,7 +487,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         T31)));
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v37 <= m9) | (v36 <= m9) | (v35 <= m9) | (v34 <= m9) | (abs_wide(D3_m *
+        v8) <= m2) | (abs_wide(D1) <= m1) | (abs_wide(D3_p * v8) <= m2));
 }
 
 #if LANES > 1
@@ -504,9 +503,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = sqrt(D1);
-    const int doubt1 = fabs(D1) <= m1;
-    const double inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * wx));
     const double v3 = inverse1 * (k1 * wx);
     const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -518,7 +515,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
     const double v6 = k5 * w1;
     const four w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3 * v6) <= m2;
 
     /* theta2 */
     const four v7 = Z1_3 * (m4 + m3 * N3), v8 = e2 * Z1_3, factor2 = 1.0 / N3,
@@ -531,15 +527,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v15 = m6 * Z1_3;
     const four v16 = v15 - m5 * v4, v17 = Z1_3 * v13 + v4 * -v12,
         s23 = v17 + w3 * (factor2 * (e2 * v16)), v18 = T23 * s1 - T13 * v2,
-        X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v19 = Y4 * Y4, v20 = v19 + X4 * X4;
-    const four_mask doubt3 = v20 <= m9;
-    const four v21 = signed_four(half_turn, Y4);
+        X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v19 = Y4 * Y4, v20 = v19 + X4 * X4,
+        v21 = signed_four(half_turn, Y4);
 
     /* theta6 */
     const four v22 = s1 * T12 + v2 * T22, v23 = s1 * T22 - v2 * T12, v24 = s1 * T11 + v2 * T21,
         v25 = s1 * T21 - v2 * T11;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3 * v6) <= m2) | (v20 <= m9))
+        | (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k8, -v2, 0, 5, 2,

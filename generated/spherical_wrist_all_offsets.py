@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets ab09d6e420251e6f"
+_KEY = "spherical_wrist_all_offsets 520a50dcca705b79"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -970,14 +970,10 @@ def _regular(pose, q, status):
     v46 = s1_p * T21 - v2 * T11
     v47 = s1_m * T21 - v3 * T11
 
-    # joint values
-    doubt1 = (
+    if (
         v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or
         abs(D3_p * v8) <= m2
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1338,16 +1334,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1280, 1296, 1312, 1328, 1344, 1360],
-    [1280, 1296, 1312, 1376, 1392, 1408],
-    [1280, 1424, 1440, 1456, 1472, 1488],
-    [1280, 1424, 1440, 1504, 1520, 1536],
-    [1552, 1568, 1584, 1600, 1616, 1632],
-    [1552, 1568, 1584, 1648, 1664, 1680],
-    [1552, 1696, 1712, 1728, 1744, 1760],
-    [1552, 1696, 1712, 1776, 1792, 1808],
+    [1392, 1408, 1424, 1440, 1456, 1472],
+    [1392, 1408, 1424, 1488, 1504, 1520],
+    [1392, 1536, 1552, 1568, 1584, 1600],
+    [1392, 1536, 1552, 1616, 1632, 1648],
+    [1664, 1680, 1696, 1712, 1728, 1744],
+    [1664, 1680, 1696, 1760, 1776, 1792],
+    [1664, 1808, 1824, 1840, 1856, 1872],
+    [1664, 1808, 1824, 1888, 1904, 1920],
 ])
-_KINDS = np.array([1824, 1840, 1856, 1872, 1888, 1904, 1920, 1936])
+_KINDS = np.array([1936, 1952, 1968, 1984, 2000, 2016, 2032, 2048])
 
 
 @intrinsic(prefer_literal=True)
@@ -1374,7 +1370,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1952), 1952)
+    work = carray(_tile(2064), 2064)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1486,120 +1482,130 @@ def _in_tiles(T, q, status):
             v45 = s1_m * T11 + v3 * T21
             v46 = s1_p * T21 - v2 * T11
             v47 = s1_m * T21 - v3 * T11
-            doubt1 = (
-                v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or abs(D1)
-                <= m1 or abs(D3_p * v8) <= m2
-            )
-            work[272 + k] = w3_p
-            work[288 + k] = w3_m
-            work[304 + k] = c23_pp
-            work[320 + k] = c23_pm
-            work[336 + k] = c23_mp
-            work[352 + k] = c23_mm
-            work[368 + k] = s23_pp
-            work[384 + k] = s23_pm
-            work[400 + k] = s23_mp
-            work[416 + k] = s23_mm
-            work[432 + k] = X4_pp
-            work[448 + k] = X4_pm
-            work[464 + k] = X4_mp
-            work[480 + k] = X4_mm
-            work[496 + k] = Y4_p
-            work[512 + k] = Y4_m
-            work[528 + k] = v38
-            work[544 + k] = v39
-            work[560 + k] = v44
-            work[576 + k] = v45
-            work[592 + k] = v46
-            work[608 + k] = v47
-            work[624 + k] = doubt1
-            work[640 + k] = w3_p
-            work[656 + k] = w3_m
-            work[672 + k] = -(factor2_p * (v11 - v15))
-            work[688 + k] = -(factor2_p * (v11 + v15))
-            work[704 + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
-            work[720 + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6)))
-            work[736 + k] = Y4_p
-            work[752 + k] = Y4_p
-            work[768 + k] = Y4_m
-            work[784 + k] = Y4_m
-            work[800 + k] = -math.sqrt(v34)
-            work[816 + k] = -math.sqrt(v35)
-            work[832 + k] = -math.sqrt(v36)
-            work[848 + k] = -math.sqrt(v37)
-            work[864 + k] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
-            work[880 + k] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
-            work[896 + k] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
-            work[912 + k] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
-            work[928 + k] = s1_p
-            work[944 + k] = s1_m
-            work[960 + k] = N3_p - k8
-            work[976 + k] = N3_m - k8
-            work[992 + k] = -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
-            work[1008 + k] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
-            work[1024 + k] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
-            work[1040 + k] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m)))
-            work[1056 + k] = -X4_pp
-            work[1072 + k] = -X4_pm
-            work[1088 + k] = -X4_mp
-            work[1104 + k] = -X4_mm
-            work[1120 + k] = T33 * c23_pp + s23_pp * v30
-            work[1136 + k] = T33 * c23_pm + s23_pm * v30
-            work[1152 + k] = T33 * c23_mp + s23_mp * v31
-            work[1168 + k] = T33 * c23_mm + s23_mm * v31
-            work[1184 + k] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
-            work[1200 + k] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
-            work[1216 + k] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
-            work[1232 + k] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
-            work[1248 + k] = -v2
-            work[1264 + k] = -v3
-        for k in range(640, 960):
+            work[272 + k] = D1
+            work[288 + k] = D3_p
+            work[304 + k] = D3_m
+            work[320 + k] = v8
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = c23_pp
+            work[384 + k] = c23_pm
+            work[400 + k] = c23_mp
+            work[416 + k] = c23_mm
+            work[432 + k] = s23_pp
+            work[448 + k] = s23_pm
+            work[464 + k] = s23_mp
+            work[480 + k] = s23_mm
+            work[496 + k] = X4_pp
+            work[512 + k] = X4_pm
+            work[528 + k] = X4_mp
+            work[544 + k] = X4_mm
+            work[560 + k] = Y4_p
+            work[576 + k] = Y4_m
+            work[592 + k] = v34
+            work[608 + k] = v35
+            work[624 + k] = v36
+            work[640 + k] = v37
+            work[656 + k] = v38
+            work[672 + k] = v39
+            work[688 + k] = v44
+            work[704 + k] = v45
+            work[720 + k] = v46
+            work[736 + k] = v47
+            work[752 + k] = w3_p
+            work[768 + k] = w3_m
+            work[784 + k] = -(factor2_p * (v11 - v15))
+            work[800 + k] = -(factor2_p * (v11 + v15))
+            work[816 + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
+            work[832 + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6)))
+            work[848 + k] = Y4_p
+            work[864 + k] = Y4_p
+            work[880 + k] = Y4_m
+            work[896 + k] = Y4_m
+            work[912 + k] = -math.sqrt(v34)
+            work[928 + k] = -math.sqrt(v35)
+            work[944 + k] = -math.sqrt(v36)
+            work[960 + k] = -math.sqrt(v37)
+            work[976 + k] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
+            work[992 + k] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
+            work[1008 + k] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
+            work[1024 + k] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
+            work[1040 + k] = s1_p
+            work[1056 + k] = s1_m
+            work[1072 + k] = N3_p - k8
+            work[1088 + k] = N3_m - k8
+            work[1104 + k] = -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
+            work[1120 + k] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
+            work[1136 + k] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
+            work[1152 + k] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m)))
+            work[1168 + k] = -X4_pp
+            work[1184 + k] = -X4_pm
+            work[1200 + k] = -X4_mp
+            work[1216 + k] = -X4_mm
+            work[1232 + k] = T33 * c23_pp + s23_pp * v30
+            work[1248 + k] = T33 * c23_pm + s23_pm * v30
+            work[1264 + k] = T33 * c23_mp + s23_mp * v31
+            work[1280 + k] = T33 * c23_mm + s23_mm * v31
+            work[1296 + k] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
+            work[1312 + k] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
+            work[1328 + k] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
+            work[1344 + k] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
+            work[1360 + k] = -v2
+            work[1376 + k] = -v3
+        for k in range(752, 1072):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
             T31 = work[128 + k]
-            w3_p = work[272 + k]
-            w3_m = work[288 + k]
-            c23_pp = work[304 + k]
-            c23_pm = work[320 + k]
-            c23_mp = work[336 + k]
-            c23_mm = work[352 + k]
-            s23_pp = work[368 + k]
-            s23_pm = work[384 + k]
-            s23_mp = work[400 + k]
-            s23_mm = work[416 + k]
-            X4_pp = work[432 + k]
-            X4_pm = work[448 + k]
-            X4_mp = work[464 + k]
-            X4_mm = work[480 + k]
-            Y4_p = work[496 + k]
-            Y4_m = work[512 + k]
-            v38 = work[528 + k]
-            v39 = work[544 + k]
-            v44 = work[560 + k]
-            v45 = work[576 + k]
-            v46 = work[592 + k]
-            v47 = work[608 + k]
-            doubt1 = work[624 + k] != 0.0
-            angle1 = work[640 + k]
-            angle2 = work[656 + k]
-            angle3 = work[672 + k]
-            angle4 = work[688 + k]
-            angle5 = work[704 + k]
-            angle6 = work[720 + k]
-            angle7 = work[736 + k]
-            angle8 = work[752 + k]
-            angle9 = work[768 + k]
-            angle10 = work[784 + k]
-            angle11 = work[800 + k]
-            angle12 = work[816 + k]
-            angle13 = work[832 + k]
-            angle14 = work[848 + k]
-            angle15 = work[864 + k]
-            angle16 = work[880 + k]
-            angle17 = work[896 + k]
-            angle18 = work[912 + k]
-            angle19 = work[928 + k]
-            angle20 = work[944 + k]
+            D1 = work[272 + k]
+            D3_p = work[288 + k]
+            D3_m = work[304 + k]
+            v8 = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            c23_pp = work[368 + k]
+            c23_pm = work[384 + k]
+            c23_mp = work[400 + k]
+            c23_mm = work[416 + k]
+            s23_pp = work[432 + k]
+            s23_pm = work[448 + k]
+            s23_mp = work[464 + k]
+            s23_mm = work[480 + k]
+            X4_pp = work[496 + k]
+            X4_pm = work[512 + k]
+            X4_mp = work[528 + k]
+            X4_mm = work[544 + k]
+            Y4_p = work[560 + k]
+            Y4_m = work[576 + k]
+            v34 = work[592 + k]
+            v35 = work[608 + k]
+            v36 = work[624 + k]
+            v37 = work[640 + k]
+            v38 = work[656 + k]
+            v39 = work[672 + k]
+            v44 = work[688 + k]
+            v45 = work[704 + k]
+            v46 = work[720 + k]
+            v47 = work[736 + k]
+            angle1 = work[752 + k]
+            angle2 = work[768 + k]
+            angle3 = work[784 + k]
+            angle4 = work[800 + k]
+            angle5 = work[816 + k]
+            angle6 = work[832 + k]
+            angle7 = work[848 + k]
+            angle8 = work[864 + k]
+            angle9 = work[880 + k]
+            angle10 = work[896 + k]
+            angle11 = work[912 + k]
+            angle12 = work[928 + k]
+            angle13 = work[944 + k]
+            angle14 = work[960 + k]
+            angle15 = work[976 + k]
+            angle16 = work[992 + k]
+            angle17 = work[1008 + k]
+            angle18 = work[1024 + k]
+            angle19 = work[1040 + k]
+            angle20 = work[1056 + k]
             q3__pp = angle1 - turn1
             v9 = turn1 + angle1
             q3__mp = angle2 - turn1
@@ -1630,83 +1636,86 @@ def _in_tiles(T, q, status):
             q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
-            _1280 = q1_ppp
-            work[1280 + k] = _1280
-            _1296 = angle3
-            work[1296 + k] = _1296
-            _1312 = q3_ppp
-            work[1312 + k] = _1312
-            _1328 = angle7
-            work[1328 + k] = _1328
-            _1344 = angle11
-            work[1344 + k] = _1344
-            _1360 = angle15
-            work[1360 + k] = _1360
-            _1376 = q4_ppm
-            work[1376 + k] = _1376
-            _1392 = -angle11
+            _1392 = q1_ppp
             work[1392 + k] = _1392
-            _1408 = q6_ppm
+            _1408 = angle3
             work[1408 + k] = _1408
-            _1424 = angle4
+            _1424 = q3_ppp
             work[1424 + k] = _1424
-            _1440 = q3_pmp
+            _1440 = angle7
             work[1440 + k] = _1440
-            _1456 = angle8
+            _1456 = angle11
             work[1456 + k] = _1456
-            _1472 = angle12
+            _1472 = angle15
             work[1472 + k] = _1472
-            _1488 = angle16
+            _1488 = q4_ppm
             work[1488 + k] = _1488
-            _1504 = q4_pmm
+            _1504 = -angle11
             work[1504 + k] = _1504
-            _1520 = -angle12
+            _1520 = q6_ppm
             work[1520 + k] = _1520
-            _1536 = q6_pmm
+            _1536 = angle4
             work[1536 + k] = _1536
-            _1552 = q1_mpp
+            _1552 = q3_pmp
             work[1552 + k] = _1552
-            _1568 = angle5
+            _1568 = angle8
             work[1568 + k] = _1568
-            _1584 = q3_mpp
+            _1584 = angle12
             work[1584 + k] = _1584
-            _1600 = angle9
+            _1600 = angle16
             work[1600 + k] = _1600
-            _1616 = angle13
+            _1616 = q4_pmm
             work[1616 + k] = _1616
-            _1632 = angle17
+            _1632 = -angle12
             work[1632 + k] = _1632
-            _1648 = q4_mpm
+            _1648 = q6_pmm
             work[1648 + k] = _1648
-            _1664 = -angle13
+            _1664 = q1_mpp
             work[1664 + k] = _1664
-            _1680 = q6_mpm
+            _1680 = angle5
             work[1680 + k] = _1680
-            _1696 = angle6
+            _1696 = q3_mpp
             work[1696 + k] = _1696
-            _1712 = q3_mmp
+            _1712 = angle9
             work[1712 + k] = _1712
-            _1728 = angle10
+            _1728 = angle13
             work[1728 + k] = _1728
-            _1744 = angle14
+            _1744 = angle17
             work[1744 + k] = _1744
-            _1760 = angle18
+            _1760 = q4_mpm
             work[1760 + k] = _1760
-            _1776 = q4_mmm
+            _1776 = -angle13
             work[1776 + k] = _1776
-            _1792 = -angle14
+            _1792 = q6_mpm
             work[1792 + k] = _1792
-            _1808 = q6_mmm
+            _1808 = angle6
             work[1808 + k] = _1808
-            work[1824 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1840 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1856 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1872 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1888 + k] = UNREACHABLE if _1552 != _1552 else OK
-            work[1904 + k] = UNREACHABLE if _1552 != _1552 else OK
-            work[1920 + k] = UNREACHABLE if _1552 != _1552 else OK
-            work[1936 + k] = UNREACHABLE if _1552 != _1552 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1824 = q3_mmp
+            work[1824 + k] = _1824
+            _1840 = angle10
+            work[1840 + k] = _1840
+            _1856 = angle14
+            work[1856 + k] = _1856
+            _1872 = angle18
+            work[1872 + k] = _1872
+            _1888 = q4_mmm
+            work[1888 + k] = _1888
+            _1904 = -angle14
+            work[1904 + k] = _1904
+            _1920 = q6_mmm
+            work[1920 + k] = _1920
+            work[1936 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[1952 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[1968 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[1984 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[2000 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2016 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2032 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2048 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[256 + k] = (
+                1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or
+                abs(D1) <= m1 or abs(D3_p * v8) <= m2 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

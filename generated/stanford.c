@@ -228,12 +228,13 @@ HELPER void transpose(wide x[LANES])
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -253,6 +254,7 @@ static const double
     m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
     m2 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+static const double per_size = 0.7874015748031495;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -431,39 +433,52 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q6_mpm = angle9 - signed_wide(half_turn, s6_m);
 
     /* joint values */
-    const wide_mask v22 = exceeds(angle1, 1), v23 = exceeds(angle2, 1), v24 = exceeds(angle3, 2),
-        v25 = exceeds(q2_pmp, 2), v26 = beyond(w3, 3), v27 = beyond(-w3, 3),
-        v28 = exceeds(angle4, 4), v29 = exceeds(q4_ppm, 4), v30 = exceeds(angle5, 4),
-        v31 = exceeds(q4_mpm, 4), v32 = exceeds(angle6, 5), v33 = exceeds(q5_pmp, 5),
-        v34 = exceeds(angle7, 5), v35 = exceeds(q5_mmp, 5);
-    const wide q3_ppp = v1 + w3, q3_pmp = v1 - w3;
-    const wide_mask v36 = v26 | v22 | v24, v37 = v27 | v22 | v25, v38 = v26 | v23 | v24,
-        v39 = v27 | v23 | v25, v40 = exceeds(angle8, 6), v41 = exceeds(q6_ppm, 6),
-        v42 = exceeds(angle9, 6), v43 = exceeds(q6_mpm, 6),
-        doubt1 = (v10 <= m2) | (abs_wide(D1) <= m1) | (v15 <= m4) | (v16 <= m4);
+    const wide v22 = exceeds(angle1, 1), v23 = exceeds(angle2, 1), v24 = exceeds(angle3, 2),
+        v25 = exceeds(q2_pmp, 2), v26 = per_size * beyond(w3, 3),
+        v27 = per_size * maximum_wide(low(3) + w3, -(high(3) + w3)), v28 = exceeds(angle4, 4),
+        v29 = exceeds(q4_ppm, 4), v30 = exceeds(angle5, 4), v31 = exceeds(q4_mpm, 4),
+        v32 = exceeds(angle6, 5), v33 = exceeds(q5_pmp, 5), v34 = exceeds(angle7, 5),
+        v35 = exceeds(q5_mmp, 5), q3_ppp = v1 + w3, q3_pmp = v1 - w3,
+        v36 = maximum_wide(v26, maximum_wide(v22, v24)),
+        v37 = maximum_wide(v27, maximum_wide(v22, v25)),
+        v38 = maximum_wide(v26, maximum_wide(v23, v24)),
+        v39 = maximum_wide(v27, maximum_wide(v23, v25)), v40 = exceeds(angle8, 6),
+        excess_ppp = maximum_wide(v40, maximum_wide(v32, maximum_wide(v28, v36))),
+        v41 = exceeds(q6_ppm, 6),
+        excess_ppm = maximum_wide(v41, maximum_wide(v32, maximum_wide(v29, v36))),
+        excess_pmp = maximum_wide(v41, maximum_wide(v33, maximum_wide(v28, v37))),
+        excess_pmm = maximum_wide(v40, maximum_wide(v33, maximum_wide(v29, v37))),
+        v42 = exceeds(angle9, 6),
+        excess_mpp = maximum_wide(v42, maximum_wide(v34, maximum_wide(v30, v38))),
+        v43 = exceeds(q6_mpm, 6),
+        excess_mpm = maximum_wide(v43, maximum_wide(v34, maximum_wide(v31, v38))),
+        excess_mmp = maximum_wide(v43, maximum_wide(v35, maximum_wide(v30, v39))),
+        excess_mmm = maximum_wide(v42, maximum_wide(v35, maximum_wide(v31, v39)));
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
-    kind[0] = kind_of(q[0], v40 | v32 | v28 | v36);
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = angle1; q[7] = angle3; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle6; q[11] = q6_ppm;
-    kind[1] = kind_of(q[6], v41 | v32 | v29 | v36);
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = angle1; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = -angle4; q[16] = q5_pmp; q[17] = q6_ppm;
-    kind[2] = kind_of(q[12], v41 | v33 | v28 | v37);
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = angle1; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = -q4_ppm; q[22] = -q5_pmp;
     q[23] = angle8;
-    kind[3] = kind_of(q[18], v40 | v33 | v29 | v37);
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = angle2; q[25] = -angle3; q[26] = q3_ppp; q[27] = angle5; q[28] = angle7; q[29] = angle9;
-    kind[4] = kind_of(q[24], v42 | v34 | v30 | v38);
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = angle2; q[31] = -angle3; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle7;
     q[35] = q6_mpm;
-    kind[5] = kind_of(q[30], v43 | v34 | v31 | v38);
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = angle2; q[37] = -q2_pmp; q[38] = q3_pmp; q[39] = -angle5; q[40] = q5_mmp;
     q[41] = q6_mpm;
-    kind[6] = kind_of(q[36], v43 | v35 | v30 | v39);
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = angle2; q[43] = -q2_pmp; q[44] = q3_pmp; q[45] = -q4_mpm; q[46] = -q5_mmp;
     q[47] = angle9;
-    kind[7] = kind_of(q[42], v42 | v35 | v31 | v39);
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v10 <= m2) | (abs_wide(D1) <= m1) | (v15 <= m4) | (v16 <= m4)) |
+        (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
+        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -495,7 +510,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33,
         v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
     const four Y4 = v12 + w1 * (e1 * v11), v13 = factor2 * Y4, v14 = c4 * c4 + factor2 * (Y4 * v13);
-    const four_mask doubt2 = v14 <= m4;
 
     /* theta5 */
     const double v15 = Y2_2 * T33;
@@ -510,12 +524,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v22 = signed_four(half_turn, s6), v23 = m3 * (e2 + 1.0);
 
     /* joint values */
-    const four v24 = e2 * w3;
-    const four_mask v27 = beyond_four(v24, 3);
-    const four q3_p = v1 + v24;
-    const int doubt1 = (fabs(D1) <= m1) | (v7 <= m2);
+    const four v24 = e2 * w3, v27 = per_size * beyond_four(v24, 3), q3_p = v1 + v24;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v14 <= m4)) | (unsigned)((fabs(D1) <=
+        m1) | (v7 <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2,
@@ -530,11 +542,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed3, packed3, 1, 1, 3, 3);
     const four q2_ = angle2 + v8 * v10, q4__m = angle3 - signed_four(half_turn, v13),
         q5_p = e2 * angle4 + v16 * v17, q6_p = angle5 + v10 * v22, q6_m = angle5 - v22 * v23,
-        q2_p = e1 * q2_, q4_p = e2 * angle3, q4_m = e2 * q4__m;
-    const four_mask v25 = exceeds_four(angle1, 1), v26 = exceeds_four(q2_, 2),
-        v28 = exceeds_four(angle3, 4), v29 = exceeds_four(q4__m, 4), v30 = exceeds_four(q5_p, 5),
-        v31 = v27 | v25 | v26, outside_p = exceeds_four(q6_p, 6) | v30 | v28 | v31,
-        outside_m = exceeds_four(q6_m, 6) | v30 | v29 | v31;
+        q2_p = e1 * q2_, q4_p = e2 * angle3, q4_m = e2 * q4__m, v25 = exceeds_four(angle1, 1),
+        v26 = exceeds_four(q2_, 2), v28 = exceeds_four(angle3, 4), v29 = exceeds_four(q4__m, 4),
+        v30 = exceeds_four(q5_p, 5), v31 = maximum_four(v27, maximum_four(v25, v26)),
+        excess_p = maximum_four(exceeds_four(q6_p, 6), maximum_four(v30, maximum_four(v28, v31))),
+        excess_m = maximum_four(exceeds_four(q6_m, 6), maximum_four(v30, maximum_four(v29, v31)));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -913,18 +928,19 @@ static int settle(const double T[16], double enough, double most, double q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = beyond_limits(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = beyond_limits(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!settle(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != STANFORD_UNREACHABLE && beyond_limits(rows[k]) <= 0.0
+        if (status[k] != STANFORD_UNREACHABLE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

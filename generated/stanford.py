@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 439325e1134b9b36"
+_KEY = "stanford e1feef2c050e7382"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -170,9 +170,11 @@ high1 = 2.9670597293903604
 high2 = 2.9670597293903604
 low3 = 0.30479999873
 high3 = 1.2700000012700001
+per_size = 0.7874015748031495
 high4 = 2.9670597293903604
 high5 = 1.5707963277948966
 high6 = 2.9670597293903604
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 3.3959800000001614e-12  # 1000 * k4 [m^2]
 m2 = 1.6129e-08  # doubt_limit1^2 [m^2]
 m4 = 9.999999999999999e-09  # doubt_limit^2
@@ -892,20 +894,19 @@ def _settle(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _beyond_limits(q)
-    if not 0.0 < off < 0.01:
+    beyond = _beyond_limits(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _settle(pose, math.nan, most, x):
+    if not _settle(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1025,14 +1026,12 @@ def _regular(pose, q, status):
     s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
 
     # joint values
-    v26 = w3 < low3 or high3 < w3
-    v27 = -w3 < low3 or high3 < -w3
+    v26 = per_size * max(low3 - w3, w3 - high3)
+    v27 = per_size * max(low3 + w3, -(high3 + w3))
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
-    doubt1 = v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4:
         return False
 
     # angles, side by side
@@ -1084,34 +1083,50 @@ def _regular(pose, q, status):
     q6_mpm = angle9 - math.copysign(half_turn, s6_m)
 
     # joint values
-    v22 = high1 < abs(angle1)
-    v23 = high1 < abs(angle2)
-    v24 = high2 < abs(angle3)
-    v25 = high2 < abs(q2_pmp)
-    v28 = high4 < abs(angle4)
-    v29 = high4 < abs(q4_ppm)
-    v30 = high4 < abs(angle5)
-    v31 = high4 < abs(q4_mpm)
-    v32 = high5 < abs(angle6)
-    v33 = high5 < abs(q5_pmp)
-    v34 = high5 < abs(angle7)
-    v35 = high5 < abs(q5_mmp)
-    v36 = v26 or v22 or v24
-    v37 = v27 or v22 or v25
-    v38 = v26 or v23 or v24
-    v39 = v27 or v23 or v25
-    v40 = high6 < abs(angle8)
-    outside_ppp = v40 or v32 or v28 or v36
-    v41 = high6 < abs(q6_ppm)
-    outside_ppm = v41 or v32 or v29 or v36
-    outside_pmp = v41 or v33 or v28 or v37
-    outside_pmm = v40 or v33 or v29 or v37
-    v42 = high6 < abs(angle9)
-    outside_mpp = v42 or v34 or v30 or v38
-    v43 = high6 < abs(q6_mpm)
-    outside_mpm = v43 or v34 or v31 or v38
-    outside_mmp = v43 or v35 or v30 or v39
-    outside_mmm = v42 or v35 or v31 or v39
+    v22 = abs(angle1) - high1
+    v23 = abs(angle2) - high1
+    v24 = abs(angle3) - high2
+    v25 = abs(q2_pmp) - high2
+    v28 = abs(angle4) - high4
+    v29 = abs(q4_ppm) - high4
+    v30 = abs(angle5) - high4
+    v31 = abs(q4_mpm) - high4
+    v32 = abs(angle6) - high5
+    v33 = abs(q5_pmp) - high5
+    v34 = abs(angle7) - high5
+    v35 = abs(q5_mmp) - high5
+    v36 = max(v26, max(v22, v24))
+    v37 = max(v27, max(v22, v25))
+    v38 = max(v26, max(v23, v24))
+    v39 = max(v27, max(v23, v25))
+    v40 = abs(angle8) - high6
+    excess_ppp = max(v40, max(v32, max(v28, v36)))
+    v41 = abs(q6_ppm) - high6
+    excess_ppm = max(v41, max(v32, max(v29, v36)))
+    excess_pmp = max(v41, max(v33, max(v28, v37)))
+    excess_pmm = max(v40, max(v33, max(v29, v37)))
+    v42 = abs(angle9) - high6
+    excess_mpp = max(v42, max(v34, max(v30, v38)))
+    v43 = abs(q6_mpm) - high6
+    excess_mpm = max(v43, max(v34, max(v31, v38)))
+    excess_mmp = max(v43, max(v35, max(v30, v39)))
+    excess_mmm = max(v42, max(v35, max(v31, v39)))
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = angle1
     q[0, 1] = angle3
@@ -1373,16 +1388,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [752, 768, 784, 800, 816, 832],
-    [752, 768, 784, 848, 864, 880],
-    [752, 896, 912, 928, 944, 880],
-    [752, 896, 912, 960, 976, 832],
-    [992, 1008, 784, 1024, 1040, 1056],
-    [992, 1008, 784, 1072, 1088, 1104],
-    [992, 1120, 912, 1136, 1152, 1104],
-    [992, 1120, 912, 1168, 1184, 1056],
+    [768, 784, 800, 816, 832, 848],
+    [768, 784, 800, 864, 880, 896],
+    [768, 912, 928, 944, 960, 896],
+    [768, 912, 928, 976, 992, 848],
+    [1008, 1024, 800, 1040, 1056, 1072],
+    [1008, 1024, 800, 1088, 1104, 1120],
+    [1008, 1136, 928, 1152, 1168, 1120],
+    [1008, 1136, 928, 1184, 1200, 1072],
 ])
-_KINDS = np.array([1200, 1216, 1232, 1248, 1264, 1280, 1296, 1312])
+_KINDS = np.array([1216, 1232, 1248, 1264, 1280, 1296, 1312, 1328])
 
 
 @intrinsic(prefer_literal=True)
@@ -1409,7 +1424,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1328), 1328)
+    work = carray(_tile(1344), 1344)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1482,65 +1497,66 @@ def _in_tiles(T, q, status):
             v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21))
             s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11)
             s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
-            v26 = w3 < low3 or high3 < w3
-            v27 = -w3 < low3 or high3 < -w3
+            v26 = per_size * max(low3 - w3, w3 - high3)
+            v27 = per_size * max(low3 + w3, -(high3 + w3))
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
-            doubt1 = v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4
-            work[272 + k] = w1
-            work[288 + k] = v13
-            work[304 + k] = v14
-            work[320 + k] = v15
-            work[336 + k] = v16
-            work[352 + k] = s6_p
-            work[368 + k] = s6_m
-            work[384 + k] = v26
-            work[400 + k] = v27
-            work[416 + k] = q3_ppp
-            work[432 + k] = q3_pmp
-            work[448 + k] = doubt1
-            work[464 + k] = -v8
-            work[480 + k] = -v9
-            work[496 + k] = -w1
-            work[512 + k] = v13
-            work[528 + k] = v14
-            work[544 + k] = -math.sqrt(v15)
-            work[560 + k] = -math.sqrt(v16)
-            work[576 + k] = s6_p
-            work[592 + k] = s6_m
-            work[608 + k] = c1_p
-            work[624 + k] = c1_m
-            work[640 + k] = Y2_2
-            work[656 + k] = c4_p
-            work[672 + k] = c4_m
-            work[688 + k] = factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
-            work[704 + k] = factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))
-            work[720 + k] = c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)
-            work[736 + k] = c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)
-        for k in range(464, 608):
+            work[272 + k] = D1
+            work[288 + k] = w1
+            work[304 + k] = v10
+            work[320 + k] = v13
+            work[336 + k] = v14
+            work[352 + k] = v15
+            work[368 + k] = v16
+            work[384 + k] = s6_p
+            work[400 + k] = s6_m
+            work[416 + k] = v26
+            work[432 + k] = v27
+            work[448 + k] = q3_ppp
+            work[464 + k] = q3_pmp
+            work[480 + k] = -v8
+            work[496 + k] = -v9
+            work[512 + k] = -w1
+            work[528 + k] = v13
+            work[544 + k] = v14
+            work[560 + k] = -math.sqrt(v15)
+            work[576 + k] = -math.sqrt(v16)
+            work[592 + k] = s6_p
+            work[608 + k] = s6_m
+            work[624 + k] = c1_p
+            work[640 + k] = c1_m
+            work[656 + k] = Y2_2
+            work[672 + k] = c4_p
+            work[688 + k] = c4_m
+            work[704 + k] = factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
+            work[720 + k] = factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))
+            work[736 + k] = c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)
+            work[752 + k] = c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)
+        for k in range(480, 624):
             work[k] = _atan2(work[k], work[k + 144])
         for k in range(0, 16):
-            w1 = work[272 + k]
-            v13 = work[288 + k]
-            v14 = work[304 + k]
-            v15 = work[320 + k]
-            v16 = work[336 + k]
-            s6_p = work[352 + k]
-            s6_m = work[368 + k]
-            v26 = work[384 + k] != 0.0
-            v27 = work[400 + k] != 0.0
-            q3_ppp = work[416 + k]
-            q3_pmp = work[432 + k]
-            doubt1 = work[448 + k] != 0.0
-            angle1 = work[464 + k]
-            angle2 = work[480 + k]
-            angle3 = work[496 + k]
-            angle4 = work[512 + k]
-            angle5 = work[528 + k]
-            angle6 = work[544 + k]
-            angle7 = work[560 + k]
-            angle8 = work[576 + k]
-            angle9 = work[592 + k]
+            D1 = work[272 + k]
+            w1 = work[288 + k]
+            v10 = work[304 + k]
+            v13 = work[320 + k]
+            v14 = work[336 + k]
+            v15 = work[352 + k]
+            v16 = work[368 + k]
+            s6_p = work[384 + k]
+            s6_m = work[400 + k]
+            v26 = work[416 + k]
+            v27 = work[432 + k]
+            q3_ppp = work[448 + k]
+            q3_pmp = work[464 + k]
+            angle1 = work[480 + k]
+            angle2 = work[496 + k]
+            angle3 = work[512 + k]
+            angle4 = work[528 + k]
+            angle5 = work[544 + k]
+            angle6 = work[560 + k]
+            angle7 = work[576 + k]
+            angle8 = work[592 + k]
+            angle9 = work[608 + k]
             q2_pmp = angle3 - math.copysign(half_turn, -w1)
             q4_ppm = angle4 - math.copysign(half_turn, v13)
             q4_mpm = angle5 - math.copysign(half_turn, v14)
@@ -1548,99 +1564,124 @@ def _in_tiles(T, q, status):
             q5_mmp = math.copysign(half_turn, -math.sqrt(v16)) - angle7
             q6_ppm = angle8 - math.copysign(half_turn, s6_p)
             q6_mpm = angle9 - math.copysign(half_turn, s6_m)
-            v22 = high1 < abs(angle1)
-            v23 = high1 < abs(angle2)
-            v24 = high2 < abs(angle3)
-            v25 = high2 < abs(q2_pmp)
-            v28 = high4 < abs(angle4)
-            v29 = high4 < abs(q4_ppm)
-            v30 = high4 < abs(angle5)
-            v31 = high4 < abs(q4_mpm)
-            v32 = high5 < abs(angle6)
-            v33 = high5 < abs(q5_pmp)
-            v34 = high5 < abs(angle7)
-            v35 = high5 < abs(q5_mmp)
-            v36 = v26 or v22 or v24
-            v37 = v27 or v22 or v25
-            v38 = v26 or v23 or v24
-            v39 = v27 or v23 or v25
-            v40 = high6 < abs(angle8)
-            outside_ppp = v40 or v32 or v28 or v36
-            v41 = high6 < abs(q6_ppm)
-            outside_ppm = v41 or v32 or v29 or v36
-            outside_pmp = v41 or v33 or v28 or v37
-            outside_pmm = v40 or v33 or v29 or v37
-            v42 = high6 < abs(angle9)
-            outside_mpp = v42 or v34 or v30 or v38
-            v43 = high6 < abs(q6_mpm)
-            outside_mpm = v43 or v34 or v31 or v38
-            outside_mmp = v43 or v35 or v30 or v39
-            outside_mmm = v42 or v35 or v31 or v39
-            _752 = angle1
-            work[752 + k] = _752
-            _768 = angle3
+            v22 = abs(angle1) - high1
+            v23 = abs(angle2) - high1
+            v24 = abs(angle3) - high2
+            v25 = abs(q2_pmp) - high2
+            v28 = abs(angle4) - high4
+            v29 = abs(q4_ppm) - high4
+            v30 = abs(angle5) - high4
+            v31 = abs(q4_mpm) - high4
+            v32 = abs(angle6) - high5
+            v33 = abs(q5_pmp) - high5
+            v34 = abs(angle7) - high5
+            v35 = abs(q5_mmp) - high5
+            v36 = max(v26, max(v22, v24))
+            v37 = max(v27, max(v22, v25))
+            v38 = max(v26, max(v23, v24))
+            v39 = max(v27, max(v23, v25))
+            v40 = abs(angle8) - high6
+            excess_ppp = max(v40, max(v32, max(v28, v36)))
+            v41 = abs(q6_ppm) - high6
+            excess_ppm = max(v41, max(v32, max(v29, v36)))
+            excess_pmp = max(v41, max(v33, max(v28, v37)))
+            excess_pmm = max(v40, max(v33, max(v29, v37)))
+            v42 = abs(angle9) - high6
+            excess_mpp = max(v42, max(v34, max(v30, v38)))
+            v43 = abs(q6_mpm) - high6
+            excess_mpm = max(v43, max(v34, max(v31, v38)))
+            excess_mmp = max(v43, max(v35, max(v30, v39)))
+            excess_mmm = max(v42, max(v35, max(v31, v39)))
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _768 = angle1
             work[768 + k] = _768
-            _784 = q3_ppp
+            _784 = angle3
             work[784 + k] = _784
-            _800 = angle4
+            _800 = q3_ppp
             work[800 + k] = _800
-            _816 = angle6
+            _816 = angle4
             work[816 + k] = _816
-            _832 = angle8
+            _832 = angle6
             work[832 + k] = _832
-            _848 = q4_ppm
+            _848 = angle8
             work[848 + k] = _848
-            _864 = -angle6
+            _864 = q4_ppm
             work[864 + k] = _864
-            _880 = q6_ppm
+            _880 = -angle6
             work[880 + k] = _880
-            _896 = q2_pmp
+            _896 = q6_ppm
             work[896 + k] = _896
-            _912 = q3_pmp
+            _912 = q2_pmp
             work[912 + k] = _912
-            _928 = -angle4
+            _928 = q3_pmp
             work[928 + k] = _928
-            _944 = q5_pmp
+            _944 = -angle4
             work[944 + k] = _944
-            _960 = -q4_ppm
+            _960 = q5_pmp
             work[960 + k] = _960
-            _976 = -q5_pmp
+            _976 = -q4_ppm
             work[976 + k] = _976
-            _992 = angle2
+            _992 = -q5_pmp
             work[992 + k] = _992
-            _1008 = -angle3
+            _1008 = angle2
             work[1008 + k] = _1008
-            _1024 = angle5
+            _1024 = -angle3
             work[1024 + k] = _1024
-            _1040 = angle7
+            _1040 = angle5
             work[1040 + k] = _1040
-            _1056 = angle9
+            _1056 = angle7
             work[1056 + k] = _1056
-            _1072 = q4_mpm
+            _1072 = angle9
             work[1072 + k] = _1072
-            _1088 = -angle7
+            _1088 = q4_mpm
             work[1088 + k] = _1088
-            _1104 = q6_mpm
+            _1104 = -angle7
             work[1104 + k] = _1104
-            _1120 = -q2_pmp
+            _1120 = q6_mpm
             work[1120 + k] = _1120
-            _1136 = -angle5
+            _1136 = -q2_pmp
             work[1136 + k] = _1136
-            _1152 = q5_mmp
+            _1152 = -angle5
             work[1152 + k] = _1152
-            _1168 = -q4_mpm
+            _1168 = q5_mmp
             work[1168 + k] = _1168
-            _1184 = -q5_mmp
+            _1184 = -q4_mpm
             work[1184 + k] = _1184
-            work[1200 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_ppp else OK)
-            work[1216 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_ppm else OK)
-            work[1232 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_pmp else OK)
-            work[1248 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_pmm else OK)
-            work[1264 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mpp else OK)
-            work[1280 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mpm else OK)
-            work[1296 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mmp else OK)
-            work[1312 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mmm else OK)
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1200 = -q5_mmp
+            work[1200 + k] = _1200
+            work[1216 + k] = UNREACHABLE if _768 != _768 else (OUT_OF_LIMITS if outside_ppp else OK)
+            work[1232 + k] = UNREACHABLE if _768 != _768 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1248 + k] = UNREACHABLE if _768 != _768 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1264 + k] = UNREACHABLE if _768 != _768 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1280 + k] = (
+                UNREACHABLE if _1008 != _1008 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1296 + k] = (
+                UNREACHABLE if _1008 != _1008 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[1312 + k] = (
+                UNREACHABLE if _1008 != _1008 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1328 + k] = (
+                UNREACHABLE if _1008 != _1008 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[256 + k] = (
+                1.0 if v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

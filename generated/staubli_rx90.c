@@ -418,8 +418,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide q1_ppp = angle1 + v3, q1_mpp = v3 + (angle1 - signed_wide(half_turn, -T24));
-    const wide_mask doubt1 = (v36 <= m6) | (v22 <= m5) | (v35 <= m6) | (v34 <= m6) | (v21 <= m5) |
-        (v33 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m3) | (v20 <= m5);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0], 0);
@@ -445,7 +443,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle18 - signed_wide(half_turn, v52);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v36 <= m6) | (v22 <= m5) | (v35 <= m6) | (v34 <= m6) | (v21 <= m5) |
+        (v33 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m3) | (v20 <= m5));
 }
 
 #if LANES > 1
@@ -494,11 +493,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v33 = w1 * (v2 * (T14 * T11 + T24 * T21));
     const four v34 = e1 * (v27 * v32 - s4 * (s23 * T31 - e1 * (c23 * v33)));
 
-    /* joint values */
-    const int doubt1 = (v1 <= m1) | (fabs(D3) <= m3);
-    const four_mask doubt2 = (v21 <= m5) | (v26 <= m6);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v21 <= m5) | (v26 <= m6))) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14,

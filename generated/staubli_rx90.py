@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 2f1a198df78904d7"
+_KEY = "staubli_rx90 555a40734b895b5c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -882,14 +882,10 @@ def _regular(pose, q, status):
     v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
     v53 = c23_pm * v45
 
-    # joint values
-    doubt1 = (
+    if (
         v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1 <= m1 or
         abs(D3) <= m3 or v20 <= m5
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1229,16 +1225,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1008, 1024, 1040, 1056, 1072],
-    [992, 1008, 1024, 1088, 1104, 1120],
-    [992, 1136, 1152, 1168, 1184, 1200],
-    [992, 1136, 1152, 1216, 1232, 1248],
-    [1264, 1280, 1024, 1296, 1312, 1328],
-    [1264, 1280, 1024, 1344, 1360, 1376],
-    [1264, 1392, 1152, 1408, 1424, 1440],
-    [1264, 1392, 1152, 1456, 1472, 1488],
+    [1120, 1136, 1152, 1168, 1184, 1200],
+    [1120, 1136, 1152, 1216, 1232, 1248],
+    [1120, 1264, 1280, 1296, 1312, 1328],
+    [1120, 1264, 1280, 1344, 1360, 1376],
+    [1392, 1408, 1152, 1424, 1440, 1456],
+    [1392, 1408, 1152, 1472, 1488, 1504],
+    [1392, 1520, 1280, 1536, 1552, 1568],
+    [1392, 1520, 1280, 1584, 1600, 1616],
 ])
-_KINDS = np.array([1504, 1520, 1536, 1552, 1568, 1584, 1600, 1616])
+_KINDS = np.array([1632, 1648, 1664, 1680, 1696, 1712, 1728, 1744])
 
 
 @intrinsic(prefer_literal=True)
@@ -1265,7 +1261,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1632), 1632)
+    work = carray(_tile(1760), 1760)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1391,86 +1387,98 @@ def _in_tiles(T, q, status):
             v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46
             v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
             v53 = c23_pm * v45
-            doubt1 = (
-                v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1 <=
-                m1 or abs(D3) <= m3 or v20 <= m5
-            )
-            work[272 + k] = v3
-            work[288 + k] = v4
-            work[304 + k] = v41
-            work[320 + k] = v42
-            work[336 + k] = v48
-            work[352 + k] = v50
-            work[368 + k] = v51
-            work[384 + k] = v52
-            work[400 + k] = doubt1
-            work[416 + k] = -T24
-            work[432 + k] = -v4
-            work[448 + k] = S2_pp
-            work[464 + k] = S2_pm
-            work[480 + k] = S2_pm
-            work[496 + k] = S2_pp
-            work[512 + k] = Y4
-            work[528 + k] = Y4
-            work[544 + k] = -Y4
-            work[560 + k] = -Y4
-            work[576 + k] = w4_pp
-            work[592 + k] = w4_pm
-            work[608 + k] = w4_mp
-            work[624 + k] = w4_mm
-            work[640 + k] = v48
-            work[656 + k] = v50
-            work[672 + k] = v51
-            work[688 + k] = v52
-            work[704 + k] = -T14
-            work[720 + k] = v6
-            work[736 + k] = C2_pp
-            work[752 + k] = -C2_mp
-            work[768 + k] = C2_mp
-            work[784 + k] = -C2_pp
-            work[800 + k] = -X4_pp
-            work[816 + k] = -X4_pm
-            work[832 + k] = -X4_mp
-            work[848 + k] = -X4_mm
-            work[864 + k] = c23_pp * T33 + s23_pp * v30
-            work[880 + k] = v43 + s23_pm * v30
-            work[896 + k] = v43 - s23_mp * v30
-            work[912 + k] = c23_mm * T33 + v29 * v30
-            work[928 + k] = v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)
-            work[944 + k] = v38 * v44 - s4_pm * (s23_pm * T32 - v53)
-            work[960 + k] = s4_mp * (v53 + s23_mp * T32) - v39 * v44
-            work[976 + k] = s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44
-        for k in range(416, 704):
+            work[272 + k] = v1
+            work[288 + k] = D3
+            work[304 + k] = v3
+            work[320 + k] = v4
+            work[336 + k] = v20
+            work[352 + k] = v21
+            work[368 + k] = v22
+            work[384 + k] = v33
+            work[400 + k] = v34
+            work[416 + k] = v35
+            work[432 + k] = v36
+            work[448 + k] = v41
+            work[464 + k] = v42
+            work[480 + k] = v48
+            work[496 + k] = v50
+            work[512 + k] = v51
+            work[528 + k] = v52
+            work[544 + k] = -T24
+            work[560 + k] = -v4
+            work[576 + k] = S2_pp
+            work[592 + k] = S2_pm
+            work[608 + k] = S2_pm
+            work[624 + k] = S2_pp
+            work[640 + k] = Y4
+            work[656 + k] = Y4
+            work[672 + k] = -Y4
+            work[688 + k] = -Y4
+            work[704 + k] = w4_pp
+            work[720 + k] = w4_pm
+            work[736 + k] = w4_mp
+            work[752 + k] = w4_mm
+            work[768 + k] = v48
+            work[784 + k] = v50
+            work[800 + k] = v51
+            work[816 + k] = v52
+            work[832 + k] = -T14
+            work[848 + k] = v6
+            work[864 + k] = C2_pp
+            work[880 + k] = -C2_mp
+            work[896 + k] = C2_mp
+            work[912 + k] = -C2_pp
+            work[928 + k] = -X4_pp
+            work[944 + k] = -X4_pm
+            work[960 + k] = -X4_mp
+            work[976 + k] = -X4_mm
+            work[992 + k] = c23_pp * T33 + s23_pp * v30
+            work[1008 + k] = v43 + s23_pm * v30
+            work[1024 + k] = v43 - s23_mp * v30
+            work[1040 + k] = c23_mm * T33 + v29 * v30
+            work[1056 + k] = v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)
+            work[1072 + k] = v38 * v44 - s4_pm * (s23_pm * T32 - v53)
+            work[1088 + k] = s4_mp * (v53 + s23_mp * T32) - v39 * v44
+            work[1104 + k] = s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44
+        for k in range(544, 832):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 16):
             T24 = work[112 + k]
-            v3 = work[272 + k]
-            v4 = work[288 + k]
-            v41 = work[304 + k]
-            v42 = work[320 + k]
-            v48 = work[336 + k]
-            v50 = work[352 + k]
-            v51 = work[368 + k]
-            v52 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
-            angle10 = work[560 + k]
-            angle11 = work[576 + k]
-            angle12 = work[592 + k]
-            angle13 = work[608 + k]
-            angle14 = work[624 + k]
-            angle15 = work[640 + k]
-            angle16 = work[656 + k]
-            angle17 = work[672 + k]
-            angle18 = work[688 + k]
+            v1 = work[272 + k]
+            D3 = work[288 + k]
+            v3 = work[304 + k]
+            v4 = work[320 + k]
+            v20 = work[336 + k]
+            v21 = work[352 + k]
+            v22 = work[368 + k]
+            v33 = work[384 + k]
+            v34 = work[400 + k]
+            v35 = work[416 + k]
+            v36 = work[432 + k]
+            v41 = work[448 + k]
+            v42 = work[464 + k]
+            v48 = work[480 + k]
+            v50 = work[496 + k]
+            v51 = work[512 + k]
+            v52 = work[528 + k]
+            angle1 = work[544 + k]
+            angle2 = work[560 + k]
+            angle3 = work[576 + k]
+            angle4 = work[592 + k]
+            angle5 = work[608 + k]
+            angle6 = work[624 + k]
+            angle7 = work[640 + k]
+            angle8 = work[656 + k]
+            angle9 = work[672 + k]
+            angle10 = work[688 + k]
+            angle11 = work[704 + k]
+            angle12 = work[720 + k]
+            angle13 = work[736 + k]
+            angle14 = work[752 + k]
+            angle15 = work[768 + k]
+            angle16 = work[784 + k]
+            angle17 = work[800 + k]
+            angle18 = work[816 + k]
             q3_pmp = math.copysign(half_turn, -v4) - angle2
             q4_ppm = angle7 - v41
             q4_pmm = angle8 - v41
@@ -1482,79 +1490,82 @@ def _in_tiles(T, q, status):
             q6_mmm = angle18 - math.copysign(half_turn, v52)
             q1_ppp = angle1 + v3
             q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24))
-            _992 = q1_ppp
-            work[992 + k] = _992
-            _1008 = angle3
-            work[1008 + k] = _1008
-            _1024 = angle2
-            work[1024 + k] = _1024
-            _1040 = angle7
-            work[1040 + k] = _1040
-            _1056 = angle11
-            work[1056 + k] = _1056
-            _1072 = angle15
-            work[1072 + k] = _1072
-            _1088 = q4_ppm
-            work[1088 + k] = _1088
-            _1104 = -angle11
-            work[1104 + k] = _1104
-            _1120 = q6_ppm
+            _1120 = q1_ppp
             work[1120 + k] = _1120
-            _1136 = angle4
+            _1136 = angle3
             work[1136 + k] = _1136
-            _1152 = q3_pmp
+            _1152 = angle2
             work[1152 + k] = _1152
-            _1168 = angle8
+            _1168 = angle7
             work[1168 + k] = _1168
-            _1184 = angle12
+            _1184 = angle11
             work[1184 + k] = _1184
-            _1200 = angle16
+            _1200 = angle15
             work[1200 + k] = _1200
-            _1216 = q4_pmm
+            _1216 = q4_ppm
             work[1216 + k] = _1216
-            _1232 = -angle12
+            _1232 = -angle11
             work[1232 + k] = _1232
-            _1248 = q6_pmm
+            _1248 = q6_ppm
             work[1248 + k] = _1248
-            _1264 = q1_mpp
+            _1264 = angle4
             work[1264 + k] = _1264
-            _1280 = angle5
+            _1280 = q3_pmp
             work[1280 + k] = _1280
-            _1296 = angle9
+            _1296 = angle8
             work[1296 + k] = _1296
-            _1312 = angle13
+            _1312 = angle12
             work[1312 + k] = _1312
-            _1328 = angle17
+            _1328 = angle16
             work[1328 + k] = _1328
-            _1344 = q4_mpm
+            _1344 = q4_pmm
             work[1344 + k] = _1344
-            _1360 = -angle13
+            _1360 = -angle12
             work[1360 + k] = _1360
-            _1376 = q6_mpm
+            _1376 = q6_pmm
             work[1376 + k] = _1376
-            _1392 = angle6
+            _1392 = q1_mpp
             work[1392 + k] = _1392
-            _1408 = angle10
+            _1408 = angle5
             work[1408 + k] = _1408
-            _1424 = angle14
+            _1424 = angle9
             work[1424 + k] = _1424
-            _1440 = angle18
+            _1440 = angle13
             work[1440 + k] = _1440
-            _1456 = q4_mmm
+            _1456 = angle17
             work[1456 + k] = _1456
-            _1472 = -angle14
+            _1472 = q4_mpm
             work[1472 + k] = _1472
-            _1488 = q6_mmm
+            _1488 = -angle13
             work[1488 + k] = _1488
-            work[1504 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1520 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1536 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1552 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1568 + k] = UNREACHABLE if _1264 != _1264 else OK
-            work[1584 + k] = UNREACHABLE if _1264 != _1264 else OK
-            work[1600 + k] = UNREACHABLE if _1264 != _1264 else OK
-            work[1616 + k] = UNREACHABLE if _1264 != _1264 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1504 = q6_mpm
+            work[1504 + k] = _1504
+            _1520 = angle6
+            work[1520 + k] = _1520
+            _1536 = angle10
+            work[1536 + k] = _1536
+            _1552 = angle14
+            work[1552 + k] = _1552
+            _1568 = angle18
+            work[1568 + k] = _1568
+            _1584 = q4_mmm
+            work[1584 + k] = _1584
+            _1600 = -angle14
+            work[1600 + k] = _1600
+            _1616 = q6_mmm
+            work[1616 + k] = _1616
+            work[1632 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1648 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1664 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1680 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1696 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[1712 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[1728 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[1744 + k] = UNREACHABLE if _1392 != _1392 else OK
+            work[256 + k] = (
+                1.0 if v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or
+                v1 <= m1 or abs(D3) <= m3 or v20 <= m5 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

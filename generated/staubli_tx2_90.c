@@ -245,12 +245,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -507,40 +508,49 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mpm = only_wide(-v78 <= -half_turn, turn) - v78, q5_mmp = raised_wide(v79),
         q5_mmm = only_wide(-v80 <= -half_turn, turn) - v80, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
-        q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask v81 = beyond(q2_ppp, 2) | exceeds(q3_ppp, 3),
-        v82 = beyond(q2_pmp, 2) | exceeds(q3_pmp, 3), v83 = beyond(q2_mpp, 2) | exceeds(q3_mpp, 3),
-        v84 = beyond(q2_mmp, 2) | exceeds(q3_mmp, 3),
-        doubt1 = (v46 <= m7) | (v28 <= m6) | (v45 <= m7) | (v27 <= m6) | (v44 <= m7) | (v26 <= m6) |
-            (v43 <= m7) | (v25 <= m6) | (abs_wide(D3_m * v8) <= m2) | (abs_wide(D1) <= m1) |
-            (abs_wide(D3_p * v8) <= m2);
+        q1_mpp = angle20 + (w3_m - w3_m), v81 = maximum_wide(beyond(q2_ppp, 2), exceeds(q3_ppp, 3)),
+        v82 = maximum_wide(beyond(q2_pmp, 2), exceeds(q3_pmp, 3)),
+        v83 = maximum_wide(beyond(q2_mpp, 2), exceeds(q3_mpp, 3)),
+        v84 = maximum_wide(beyond(q2_mmp, 2), exceeds(q3_mmp, 3)),
+        excess_ppp = maximum_wide(v81, beyond(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v81, beyond(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v82, beyond(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v82, beyond(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v83, beyond(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v83, beyond(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v84, beyond(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v84, beyond(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v65); q[4] = q5_ppp;
     q[5] = angle1;
-    kind[0] = kind_of(q[0], v81 | beyond(q5_ppp, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v66); q[10] = q5_ppm;
     q[11] = angle1 - signed_wide(half_turn, -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)));
-    kind[1] = kind_of(q[6], v81 | beyond(q5_ppm, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v67); q[16] = q5_pmp;
     q[17] = angle2;
-    kind[2] = kind_of(q[12], v82 | beyond(q5_pmp, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v68); q[22] = q5_pmm;
     q[23] = angle2 - signed_wide(half_turn, -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33)));
-    kind[3] = kind_of(q[18], v82 | beyond(q5_pmm, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = raised_wide(v69); q[28] = q5_mpp;
     q[29] = angle3;
-    kind[4] = kind_of(q[24], v83 | beyond(q5_mpp, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = raised_wide(v70); q[34] = q5_mpm;
     q[35] = angle3 - signed_wide(half_turn, -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33)));
-    kind[5] = kind_of(q[30], v83 | beyond(q5_mpm, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = raised_wide(v71); q[40] = q5_mmp;
     q[41] = angle4;
-    kind[6] = kind_of(q[36], v84 | beyond(q5_mmp, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = raised_wide(v72); q[46] = q5_mmm;
     q[47] = angle4 - signed_wide(half_turn, -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33)));
-    kind[7] = kind_of(q[42], v84 | beyond(q5_mmm, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v46 <= m7) | (v28 <= m6) | (v45 <= m7) | (v27 <= m6) | (v44 <= m7) |
+        (v26 <= m6) | (v43 <= m7) | (v25 <= m6) | (abs_wide(D3_m * v8) <= m2) | (abs_wide(D1) <= m1)
+        | (abs_wide(D3_p * v8) <= m2)) | (grazes(excess_mmm) | grazes(excess_mmp) |
+        grazes(excess_mpm) | grazes(excess_mpp) | grazes(excess_pmm) | grazes(excess_pmp) |
+        grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -557,9 +567,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
-        w1 = sqrt(D1);
-    const int doubt1 = fabs(D1) <= m1;
-    const double inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * t14));
     const double v3 = inverse1 * (d2 * t14);
     const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -571,7 +579,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
     const double v6 = k4 * w1;
     const four w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3 * v6) <= m2;
     const double v7 = m4 * v5 + (m4 * N1 - 1.0);
     const four s3 = v7 + w1 * (m3 * e1), v8 = k6 * (k5 * w3);
 
@@ -592,9 +599,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const four v25 = signed_four(half_turn, s3), v26 = m8 * (1.0 - e2),
         v28 = signed_four(half_turn, -v17);
-    const four_mask doubt3 = (v13 <= m6) | (v19 <= m7);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3 * v6) <= m2) | ((v13 <= m6)
+        | (v19 <= m7))) | (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(S2, -v12),
@@ -611,9 +618,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q3_p = raised_four(v27), v29 = angle4 - offset4, v30 = angle4 - v28 - offset4,
         q4_p = raised_four(v29), q4_m = raised_four(v30), v31 = angle5 - offset5,
         v32 = offset5 + angle5, q5_p = raised_four(v31),
-        q5_m = only_four(-v32 <= -half_turn, turn) - v32, q1_p = angle6 + (w3 - w3);
-    const four_mask v33 = beyond_four(q2_p, 2) | exceeds_four(q3_p, 3),
-        outside_p = v33 | beyond_four(q5_p, 5), outside_m = v33 | beyond_four(q5_m, 5);
+        q5_m = only_four(-v32 <= -half_turn, turn) - v32, q1_p = angle6 + (w3 - w3),
+        v33 = maximum_four(beyond_four(q2_p, 2), exceeds_four(q3_p, 3)),
+        excess_p = maximum_four(v33, beyond_four(q5_p, 5)),
+        excess_m = maximum_four(v33, beyond_four(q5_m, 5));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
@@ -1077,18 +1088,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != STAUBLI_TX2_90_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != STAUBLI_TX2_90_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

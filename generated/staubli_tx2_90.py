@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 10028b5c9488989d"
+_KEY = "staubli_tx2_90 b485eda4fcff8958"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,6 +186,7 @@ high2 = 2.5743606476916363
 high3 = 2.530727416391778
 low5 = -2.007128640793479
 high5 = 2.4434609537920613
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 1.5280000000002338e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.876998556582453e-11
@@ -1057,20 +1058,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1291,13 +1291,11 @@ def _regular(pose, q, status):
     # joint values
     v63 = math.copysign(half_turn, -v39)
     v64 = math.copysign(half_turn, -v40)
-    doubt1 = (
+
+    if (
         v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43 <= m7 or
         v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1423,18 +1421,34 @@ def _regular(pose, q, status):
     q5_mmm = (turn if -v80 <= -half_turn else 0.0) - v80
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
-    v81 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
-    v82 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
-    v83 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
-    v84 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
-    outside_ppp = v81 or q5_ppp < low5 or high5 < q5_ppp
-    outside_ppm = v81 or q5_ppm < low5 or high5 < q5_ppm
-    outside_pmp = v82 or q5_pmp < low5 or high5 < q5_pmp
-    outside_pmm = v82 or q5_pmm < low5 or high5 < q5_pmm
-    outside_mpp = v83 or q5_mpp < low5 or high5 < q5_mpp
-    outside_mpm = v83 or q5_mpm < low5 or high5 < q5_mpm
-    outside_mmp = v84 or q5_mmp < low5 or high5 < q5_mmp
-    outside_mmm = v84 or q5_mmm < low5 or high5 < q5_mmm
+    v81 = max(max(low2 - q2_ppp, q2_ppp - high2), abs(q3_ppp) - high3)
+    v82 = max(max(low2 - q2_pmp, q2_pmp - high2), abs(q3_pmp) - high3)
+    v83 = max(max(low2 - q2_mpp, q2_mpp - high2), abs(q3_mpp) - high3)
+    v84 = max(max(low2 - q2_mmp, q2_mmp - high2), abs(q3_mmp) - high3)
+    excess_ppp = max(v81, max(low5 - q5_ppp, q5_ppp - high5))
+    excess_ppm = max(v81, max(low5 - q5_ppm, q5_ppm - high5))
+    excess_pmp = max(v82, max(low5 - q5_pmp, q5_pmp - high5))
+    excess_pmm = max(v82, max(low5 - q5_pmm, q5_pmm - high5))
+    excess_mpp = max(v83, max(low5 - q5_mpp, q5_mpp - high5))
+    excess_mpm = max(v83, max(low5 - q5_mpm, q5_mpm - high5))
+    excess_mmp = max(v84, max(low5 - q5_mmp, q5_mmp - high5))
+    excess_mmm = max(v84, max(low5 - q5_mmm, q5_mmm - high5))
+    outside_ppp = 0.0 < excess_ppp
+    outside_ppm = 0.0 < excess_ppm
+    outside_pmp = 0.0 < excess_pmp
+    outside_pmm = 0.0 < excess_pmm
+    outside_mpp = 0.0 < excess_mpp
+    outside_mpm = 0.0 < excess_mpm
+    outside_mmp = 0.0 < excess_mmp
+    outside_mmm = 0.0 < excess_mmm
+
+    if (
+        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
+        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
+        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
+        graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1694,16 +1708,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1312, 1328, 1344, 1360, 1376, 1392],
-    [1312, 1328, 1344, 1408, 1424, 1440],
-    [1312, 1456, 1472, 1488, 1504, 1520],
-    [1312, 1456, 1472, 1536, 1552, 1568],
-    [1584, 1600, 1616, 1632, 1648, 1664],
-    [1584, 1600, 1616, 1680, 1696, 1712],
-    [1584, 1728, 1744, 1760, 1776, 1792],
-    [1584, 1728, 1744, 1808, 1824, 1840],
+    [1488, 1504, 1520, 1536, 1552, 1568],
+    [1488, 1504, 1520, 1584, 1600, 1616],
+    [1488, 1632, 1648, 1664, 1680, 1696],
+    [1488, 1632, 1648, 1712, 1728, 1744],
+    [1760, 1776, 1792, 1808, 1824, 1840],
+    [1760, 1776, 1792, 1856, 1872, 1888],
+    [1760, 1904, 1920, 1936, 1952, 1968],
+    [1760, 1904, 1920, 1984, 2000, 2016],
 ])
-_KINDS = np.array([1856, 1872, 1888, 1904, 1920, 1936, 1952, 1968])
+_KINDS = np.array([2032, 2048, 2064, 2080, 2096, 2112, 2128, 2144])
 
 
 @intrinsic(prefer_literal=True)
@@ -1730,7 +1744,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1984), 1984)
+    work = carray(_tile(2160), 2160)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1852,124 +1866,142 @@ def _in_tiles(T, q, status):
             v54 = s1_m * T23 - v3 * T13
             v63 = math.copysign(half_turn, -v39)
             v64 = math.copysign(half_turn, -v40)
-            doubt1 = (
-                v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43 <=
-                m7 or v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2
-            )
-            work[272 + k] = w3_p
-            work[288 + k] = w3_m
-            work[304 + k] = s3_p
-            work[320 + k] = s3_m
-            work[336 + k] = v29
-            work[352 + k] = v30
-            work[368 + k] = v31
-            work[384 + k] = v32
-            work[400 + k] = v33
-            work[416 + k] = v34
-            work[432 + k] = v35
-            work[448 + k] = v36
-            work[464 + k] = X4_pp
-            work[480 + k] = X4_pm
-            work[496 + k] = X4_mp
-            work[512 + k] = X4_mm
-            work[528 + k] = v39
-            work[544 + k] = v40
-            work[560 + k] = v51
-            work[576 + k] = v52
-            work[592 + k] = v53
-            work[608 + k] = v54
-            work[624 + k] = v63
-            work[640 + k] = v64
-            work[656 + k] = doubt1
-            work[672 + k] = -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33))
-            work[688 + k] = -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33))
-            work[704 + k] = -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33))
-            work[720 + k] = -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33))
-            work[736 + k] = S2_pp
-            work[752 + k] = -v16
-            work[768 + k] = S2_mp
-            work[784 + k] = S2_mm
-            work[800 + k] = s3_p
-            work[816 + k] = s3_m
-            work[832 + k] = -v39
-            work[848 + k] = -v39
-            work[864 + k] = -v40
-            work[880 + k] = -v40
-            work[896 + k] = math.sqrt(v43)
-            work[912 + k] = math.sqrt(v44)
-            work[928 + k] = math.sqrt(v45)
-            work[944 + k] = math.sqrt(v46)
-            work[960 + k] = s1_p
-            work[976 + k] = s1_m
-            work[992 + k] = v47 * -X4_pp + v39 * (v29 * v49 - v33 * T32)
-            work[1008 + k] = v47 * -X4_pm + v39 * (v30 * v49 - v34 * T32)
-            work[1024 + k] = v48 * -X4_mp + v40 * (v31 * v50 - v35 * T32)
-            work[1040 + k] = v48 * -X4_mm + v40 * (v32 * v50 - v36 * T32)
-            work[1056 + k] = -v21
-            work[1072 + k] = -v22
-            work[1088 + k] = -v23
-            work[1104 + k] = -v24
-            work[1120 + k] = -v11
-            work[1136 + k] = -v12
-            work[1152 + k] = factor2_pp * -X4_pp
-            work[1168 + k] = factor2_pm * -X4_pm
-            work[1184 + k] = factor2_mp * -X4_mp
-            work[1200 + k] = factor2_mm * -X4_mm
-            work[1216 + k] = factor2_pp * (T31 * v29 + v33 * v37)
-            work[1232 + k] = factor2_pm * (T31 * v30 + v34 * v37)
-            work[1248 + k] = factor2_mp * (T31 * v31 + v35 * v38)
-            work[1264 + k] = factor2_mm * (T31 * v32 + v36 * v38)
-            work[1280 + k] = -v2
-            work[1296 + k] = -v3
-        for k in range(672, 992):
+            work[272 + k] = D1
+            work[288 + k] = D3_p
+            work[304 + k] = D3_m
+            work[320 + k] = v8
+            work[336 + k] = w3_p
+            work[352 + k] = w3_m
+            work[368 + k] = s3_p
+            work[384 + k] = s3_m
+            work[400 + k] = v25
+            work[416 + k] = v26
+            work[432 + k] = v27
+            work[448 + k] = v28
+            work[464 + k] = v29
+            work[480 + k] = v30
+            work[496 + k] = v31
+            work[512 + k] = v32
+            work[528 + k] = v33
+            work[544 + k] = v34
+            work[560 + k] = v35
+            work[576 + k] = v36
+            work[592 + k] = X4_pp
+            work[608 + k] = X4_pm
+            work[624 + k] = X4_mp
+            work[640 + k] = X4_mm
+            work[656 + k] = v39
+            work[672 + k] = v40
+            work[688 + k] = v43
+            work[704 + k] = v44
+            work[720 + k] = v45
+            work[736 + k] = v46
+            work[752 + k] = v51
+            work[768 + k] = v52
+            work[784 + k] = v53
+            work[800 + k] = v54
+            work[816 + k] = v63
+            work[832 + k] = v64
+            work[848 + k] = -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33))
+            work[864 + k] = -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33))
+            work[880 + k] = -(v52 * -X4_mp + v40 * (v31 * v54 - v35 * T33))
+            work[896 + k] = -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33))
+            work[912 + k] = S2_pp
+            work[928 + k] = -v16
+            work[944 + k] = S2_mp
+            work[960 + k] = S2_mm
+            work[976 + k] = s3_p
+            work[992 + k] = s3_m
+            work[1008 + k] = -v39
+            work[1024 + k] = -v39
+            work[1040 + k] = -v40
+            work[1056 + k] = -v40
+            work[1072 + k] = math.sqrt(v43)
+            work[1088 + k] = math.sqrt(v44)
+            work[1104 + k] = math.sqrt(v45)
+            work[1120 + k] = math.sqrt(v46)
+            work[1136 + k] = s1_p
+            work[1152 + k] = s1_m
+            work[1168 + k] = v47 * -X4_pp + v39 * (v29 * v49 - v33 * T32)
+            work[1184 + k] = v47 * -X4_pm + v39 * (v30 * v49 - v34 * T32)
+            work[1200 + k] = v48 * -X4_mp + v40 * (v31 * v50 - v35 * T32)
+            work[1216 + k] = v48 * -X4_mm + v40 * (v32 * v50 - v36 * T32)
+            work[1232 + k] = -v21
+            work[1248 + k] = -v22
+            work[1264 + k] = -v23
+            work[1280 + k] = -v24
+            work[1296 + k] = -v11
+            work[1312 + k] = -v12
+            work[1328 + k] = factor2_pp * -X4_pp
+            work[1344 + k] = factor2_pm * -X4_pm
+            work[1360 + k] = factor2_mp * -X4_mp
+            work[1376 + k] = factor2_mm * -X4_mm
+            work[1392 + k] = factor2_pp * (T31 * v29 + v33 * v37)
+            work[1408 + k] = factor2_pm * (T31 * v30 + v34 * v37)
+            work[1424 + k] = factor2_mp * (T31 * v31 + v35 * v38)
+            work[1440 + k] = factor2_mm * (T31 * v32 + v36 * v38)
+            work[1456 + k] = -v2
+            work[1472 + k] = -v3
+        for k in range(848, 1168):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
             T33 = work[160 + k]
-            w3_p = work[272 + k]
-            w3_m = work[288 + k]
-            s3_p = work[304 + k]
-            s3_m = work[320 + k]
-            v29 = work[336 + k]
-            v30 = work[352 + k]
-            v31 = work[368 + k]
-            v32 = work[384 + k]
-            v33 = work[400 + k]
-            v34 = work[416 + k]
-            v35 = work[432 + k]
-            v36 = work[448 + k]
-            X4_pp = work[464 + k]
-            X4_pm = work[480 + k]
-            X4_mp = work[496 + k]
-            X4_mm = work[512 + k]
-            v39 = work[528 + k]
-            v40 = work[544 + k]
-            v51 = work[560 + k]
-            v52 = work[576 + k]
-            v53 = work[592 + k]
-            v54 = work[608 + k]
-            v63 = work[624 + k]
-            v64 = work[640 + k]
-            doubt1 = work[656 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[688 + k]
-            angle3 = work[704 + k]
-            angle4 = work[720 + k]
-            angle5 = work[736 + k]
-            angle6 = work[752 + k]
-            angle7 = work[768 + k]
-            angle8 = work[784 + k]
-            angle9 = work[800 + k]
-            angle10 = work[816 + k]
-            angle11 = work[832 + k]
-            angle12 = work[848 + k]
-            angle13 = work[864 + k]
-            angle14 = work[880 + k]
-            angle15 = work[896 + k]
-            angle16 = work[912 + k]
-            angle17 = work[928 + k]
-            angle18 = work[944 + k]
-            angle19 = work[960 + k]
-            angle20 = work[976 + k]
+            D1 = work[272 + k]
+            D3_p = work[288 + k]
+            D3_m = work[304 + k]
+            v8 = work[320 + k]
+            w3_p = work[336 + k]
+            w3_m = work[352 + k]
+            s3_p = work[368 + k]
+            s3_m = work[384 + k]
+            v25 = work[400 + k]
+            v26 = work[416 + k]
+            v27 = work[432 + k]
+            v28 = work[448 + k]
+            v29 = work[464 + k]
+            v30 = work[480 + k]
+            v31 = work[496 + k]
+            v32 = work[512 + k]
+            v33 = work[528 + k]
+            v34 = work[544 + k]
+            v35 = work[560 + k]
+            v36 = work[576 + k]
+            X4_pp = work[592 + k]
+            X4_pm = work[608 + k]
+            X4_mp = work[624 + k]
+            X4_mm = work[640 + k]
+            v39 = work[656 + k]
+            v40 = work[672 + k]
+            v43 = work[688 + k]
+            v44 = work[704 + k]
+            v45 = work[720 + k]
+            v46 = work[736 + k]
+            v51 = work[752 + k]
+            v52 = work[768 + k]
+            v53 = work[784 + k]
+            v54 = work[800 + k]
+            v63 = work[816 + k]
+            v64 = work[832 + k]
+            angle1 = work[848 + k]
+            angle2 = work[864 + k]
+            angle3 = work[880 + k]
+            angle4 = work[896 + k]
+            angle5 = work[912 + k]
+            angle6 = work[928 + k]
+            angle7 = work[944 + k]
+            angle8 = work[960 + k]
+            angle9 = work[976 + k]
+            angle10 = work[992 + k]
+            angle11 = work[1008 + k]
+            angle12 = work[1024 + k]
+            angle13 = work[1040 + k]
+            angle14 = work[1056 + k]
+            angle15 = work[1072 + k]
+            angle16 = work[1088 + k]
+            angle17 = work[1104 + k]
+            angle18 = work[1120 + k]
+            angle19 = work[1136 + k]
+            angle20 = work[1152 + k]
             q6_ppm = (
                 angle1 - math.copysign(half_turn, -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)))
             )
@@ -2032,111 +2064,130 @@ def _in_tiles(T, q, status):
             q5_mmm = (turn if -v80 <= -half_turn else 0.0) - v80
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
-            v81 = q2_ppp < low2 or high2 < q2_ppp or high3 < abs(q3_ppp)
-            v82 = q2_pmp < low2 or high2 < q2_pmp or high3 < abs(q3_pmp)
-            v83 = q2_mpp < low2 or high2 < q2_mpp or high3 < abs(q3_mpp)
-            v84 = q2_mmp < low2 or high2 < q2_mmp or high3 < abs(q3_mmp)
-            outside_ppp = v81 or q5_ppp < low5 or high5 < q5_ppp
-            outside_ppm = v81 or q5_ppm < low5 or high5 < q5_ppm
-            outside_pmp = v82 or q5_pmp < low5 or high5 < q5_pmp
-            outside_pmm = v82 or q5_pmm < low5 or high5 < q5_pmm
-            outside_mpp = v83 or q5_mpp < low5 or high5 < q5_mpp
-            outside_mpm = v83 or q5_mpm < low5 or high5 < q5_mpm
-            outside_mmp = v84 or q5_mmp < low5 or high5 < q5_mmp
-            outside_mmm = v84 or q5_mmm < low5 or high5 < q5_mmm
-            _1312 = q1_ppp
-            work[1312 + k] = _1312
-            _1328 = q2_ppp
-            work[1328 + k] = _1328
-            _1344 = q3_ppp
-            work[1344 + k] = _1344
-            _1360 = q4_ppp
-            work[1360 + k] = _1360
-            _1376 = q5_ppp
-            work[1376 + k] = _1376
-            _1392 = angle1
-            work[1392 + k] = _1392
-            _1408 = q4_ppm
-            work[1408 + k] = _1408
-            _1424 = q5_ppm
-            work[1424 + k] = _1424
-            _1440 = q6_ppm
-            work[1440 + k] = _1440
-            _1456 = q2_pmp
-            work[1456 + k] = _1456
-            _1472 = q3_pmp
-            work[1472 + k] = _1472
-            _1488 = q4_pmp
+            v81 = max(max(low2 - q2_ppp, q2_ppp - high2), abs(q3_ppp) - high3)
+            v82 = max(max(low2 - q2_pmp, q2_pmp - high2), abs(q3_pmp) - high3)
+            v83 = max(max(low2 - q2_mpp, q2_mpp - high2), abs(q3_mpp) - high3)
+            v84 = max(max(low2 - q2_mmp, q2_mmp - high2), abs(q3_mmp) - high3)
+            excess_ppp = max(v81, max(low5 - q5_ppp, q5_ppp - high5))
+            excess_ppm = max(v81, max(low5 - q5_ppm, q5_ppm - high5))
+            excess_pmp = max(v82, max(low5 - q5_pmp, q5_pmp - high5))
+            excess_pmm = max(v82, max(low5 - q5_pmm, q5_pmm - high5))
+            excess_mpp = max(v83, max(low5 - q5_mpp, q5_mpp - high5))
+            excess_mpm = max(v83, max(low5 - q5_mpm, q5_mpm - high5))
+            excess_mmp = max(v84, max(low5 - q5_mmp, q5_mmp - high5))
+            excess_mmm = max(v84, max(low5 - q5_mmm, q5_mmm - high5))
+            outside_ppp = 0.0 < excess_ppp
+            outside_ppm = 0.0 < excess_ppm
+            outside_pmp = 0.0 < excess_pmp
+            outside_pmm = 0.0 < excess_pmm
+            outside_mpp = 0.0 < excess_mpp
+            outside_mpm = 0.0 < excess_mpm
+            outside_mmp = 0.0 < excess_mmp
+            outside_mmm = 0.0 < excess_mmm
+            _1488 = q1_ppp
             work[1488 + k] = _1488
-            _1504 = q5_pmp
+            _1504 = q2_ppp
             work[1504 + k] = _1504
-            _1520 = angle2
+            _1520 = q3_ppp
             work[1520 + k] = _1520
-            _1536 = q4_pmm
+            _1536 = q4_ppp
             work[1536 + k] = _1536
-            _1552 = q5_pmm
+            _1552 = q5_ppp
             work[1552 + k] = _1552
-            _1568 = q6_pmm
+            _1568 = angle1
             work[1568 + k] = _1568
-            _1584 = q1_mpp
+            _1584 = q4_ppm
             work[1584 + k] = _1584
-            _1600 = q2_mpp
+            _1600 = q5_ppm
             work[1600 + k] = _1600
-            _1616 = q3_mpp
+            _1616 = q6_ppm
             work[1616 + k] = _1616
-            _1632 = q4_mpp
+            _1632 = q2_pmp
             work[1632 + k] = _1632
-            _1648 = q5_mpp
+            _1648 = q3_pmp
             work[1648 + k] = _1648
-            _1664 = angle3
+            _1664 = q4_pmp
             work[1664 + k] = _1664
-            _1680 = q4_mpm
+            _1680 = q5_pmp
             work[1680 + k] = _1680
-            _1696 = q5_mpm
+            _1696 = angle2
             work[1696 + k] = _1696
-            _1712 = q6_mpm
+            _1712 = q4_pmm
             work[1712 + k] = _1712
-            _1728 = q2_mmp
+            _1728 = q5_pmm
             work[1728 + k] = _1728
-            _1744 = q3_mmp
+            _1744 = q6_pmm
             work[1744 + k] = _1744
-            _1760 = q4_mmp
+            _1760 = q1_mpp
             work[1760 + k] = _1760
-            _1776 = q5_mmp
+            _1776 = q2_mpp
             work[1776 + k] = _1776
-            _1792 = angle4
+            _1792 = q3_mpp
             work[1792 + k] = _1792
-            _1808 = q4_mmm
+            _1808 = q4_mpp
             work[1808 + k] = _1808
-            _1824 = q5_mmm
+            _1824 = q5_mpp
             work[1824 + k] = _1824
-            _1840 = q6_mmm
+            _1840 = angle3
             work[1840 + k] = _1840
-            work[1856 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1856 = q4_mpm
+            work[1856 + k] = _1856
+            _1872 = q5_mpm
+            work[1872 + k] = _1872
+            _1888 = q6_mpm
+            work[1888 + k] = _1888
+            _1904 = q2_mmp
+            work[1904 + k] = _1904
+            _1920 = q3_mmp
+            work[1920 + k] = _1920
+            _1936 = q4_mmp
+            work[1936 + k] = _1936
+            _1952 = q5_mmp
+            work[1952 + k] = _1952
+            _1968 = angle4
+            work[1968 + k] = _1968
+            _1984 = q4_mmm
+            work[1984 + k] = _1984
+            _2000 = q5_mmm
+            work[2000 + k] = _2000
+            _2016 = q6_mmm
+            work[2016 + k] = _2016
+            work[2032 + k] = (
+                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[1872 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[2048 + k] = (
+                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[1888 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[2064 + k] = (
+                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[1904 + k] = (
-                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[2080 + k] = (
+                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[1920 + k] = (
-                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[2096 + k] = (
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[1936 + k] = (
-                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[2112 + k] = (
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[1952 + k] = (
-                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[2128 + k] = (
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[1968 + k] = (
-                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[2144 + k] = (
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = (
+                1.0 if v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or
+                v43 <= m7 or v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <=
+                m2 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
+                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
+                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -464,9 +464,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v66 = angle19 - offset5, v67 = offset5 + angle19, q1_ppp = v6 + raised_wide(v40),
         q1_mpp = v6 + raised_wide(v41), q3_ppp = v1 + raised_wide(v46),
         q3_pmp = v1 + raised_wide(v47);
-    const wide_mask doubt1 = (v31 <= m7) | (v18 <= m4) | (v30 <= m7) | (v17 <= m4) | (v29 <= m7) |
-        (v16 <= m4) | (v28 <= m7) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2) | (v14
-        <= m4);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v50); q[4] = raised_wide(v60);
     q[5] = angle1;
@@ -497,7 +494,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle4 - signed_wide(half_turn, s6_mm);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v31 <= m7) | (v18 <= m4) | (v30 <= m7) | (v17 <= m4) | (v29 <= m7) |
+        (v16 <= m4) | (v28 <= m7) | (abs_wide(D1) <= m1) | (abs_wide(D3 * (k4 * w1)) <= m2) | (v14
+        <= m4));
 }
 
 #if LANES > 1
@@ -546,10 +545,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v27 = copysign(half_turn, v6);
     const four v29 = signed_four(half_turn, Y4);
-    const int doubt1 = (fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2);
-    const four_mask doubt2 = (v11 <= m4) | (v20 <= m7);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v11 <= m4) | (v20 <= m7))) |
+        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(v6), 0, 5, 2, 3), shuffle(-v3,

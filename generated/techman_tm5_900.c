@@ -246,11 +246,12 @@ TURNS(wide)
 TURNS(four)
 #endif
 
-#define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -503,17 +504,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v62 = theta234_mm - (angle18 - angle10) - offset4, v63 = centred_wide(v55),
         v64 = centred_wide(v56), v65 = centred_wide(v57), v66 = centred_wide(v58),
         v67 = centred_wide(v59), v68 = centred_wide(v60), v69 = centred_wide(v61),
-        v70 = centred_wide(v62);
-    const wide_mask outside_ppp = exceeds(angle7, 3), outside_pmp = exceeds(angle8, 3),
-        outside_mpp = exceeds(angle9, 3), outside_mmp = exceeds(angle10, 3);
+        v70 = centred_wide(v62), excess_pp = exceeds(angle7, 3), excess_pm = exceeds(angle8, 3),
+        excess_mp = exceeds(angle9, 3), excess_mm = exceeds(angle10, 3);
+    const wide_mask outside_ppp = 0.0 < excess_pp, outside_pmp = 0.0 < excess_pm,
+        outside_mpp = 0.0 < excess_mp, outside_mmp = 0.0 < excess_mm;
     const wide q1_ppp = v25 + q1__p, q1_pmp = v26 + q1__p, q1_mpp = v27 + q1__m,
         q1_mmp = v28 + q1__m, q5_ppp = angle3 + v25, q5_pmp = v26 - angle3, q5_mpp = angle4 + v27,
         q5_mmp = v28 - angle4, q6_ppp = angle1 + v25,
         q6_pmp = v26 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v27,
         q6_mmp = v28 + (angle2 - signed_wide(half_turn, Y6_m));
-    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
-        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) | (abs_wide(D1) <=
-        m1) | (v4 <= m2);
 
     q[0] = q1_ppp; q[1] = raised_wide(v47); q[2] = angle7; q[3] = raised_wide(v63); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -540,7 +539,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], outside_mmp);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
+        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) | (abs_wide(D1) <=
+        m1) | (v4 <= m2)) | (grazes(excess_mm) | grazes(excess_mp) | grazes(excess_pp) |
+        grazes(excess_pm));
 }
 
 #if LANES > 1
@@ -557,18 +559,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1;
-    const int doubt1 = fabs(D1) <= m1;
-    const double inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
+        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
     const four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (d3 * X1);
     const four s1 = v3 + w1 * (inverse1 * (e1 * wy));
 
     /* theta6 */
     const four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
-        w6 = sqrt_four(v4);
-    const four_mask doubt2 = v4 <= m2;
-    const four v5 = 1.0 / v4, v6 = signed_four(half_turn, Y6), v7 = m3 * (e2 - 1.0);
+        w6 = sqrt_four(v4), v5 = 1.0 / v4, v6 = signed_four(half_turn, Y6), v7 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T23 * c1 - T13 * s1;
@@ -585,12 +583,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
         Z2_3 = v15 + (v16 - e2 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v18 = w3 - w3;
-    const four_mask doubt3 = abs_four(v1 * D3) <= m4;
 
     /* theta2 */
     const four v19 = m6 + m5 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m5 * Z2_3);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v4 <= m2) | (abs_four(v1 * D3) <= m4)) |
+        (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(Y6, w6, 0, 5, 2, 7), shuffle(-X6, c5, 0, 5, 2, 7)),
@@ -606,9 +604,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = angle5 - offset2, v25 = angle6 - offset2, q2_p = raised_four(v24),
         q2_m = raised_four(v25), v26 = theta234 - (angle4 + angle5) - offset4,
         v27 = theta234 - (angle6 - angle4) - offset4, v28 = centred_four(v26),
-        v29 = centred_four(v27), q4_p = raised_four(v28), q4_m = raised_four(v29);
-    const four_mask outside_p = exceeds_four(angle4, 3);
+        v29 = centred_four(v27), q4_p = raised_four(v28), q4_m = raised_four(v29),
+        excess = exceeds_four(angle4, 3);
+    const four_mask outside_p = 0.0 < excess;
     const four q1_p = v18 + q1_, q5_p = v18 + e2 * angle2, q6_p = v18 + (angle1 + v6 * v7);
+    if (bits_four(grazes_four(excess)))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle4, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -1174,18 +1175,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != TECHMAN_TM5_900_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != TECHMAN_TM5_900_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

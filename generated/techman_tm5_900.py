@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 827b5cd05e831bf1"
+_KEY = "techman_tm5_900 c15cd38fda85163e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -184,6 +184,7 @@ k4 = 0.753494329955167  # 1 / arm_size1 [m^-1]
 k5 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k6 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 high3 = 2.705260341591211
+graze = 5e-07  # twice this beyond a limit is told with more care
 m1 = 3.246208900000177e-12  # 1000 * k3 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
@@ -1178,20 +1179,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1413,14 +1413,10 @@ def _regular(pose, q, status):
     v43 = w3_mp * (m5 * Z2_3_mp)
     v44 = w3_mm * (m5 * Z2_3_mm)
 
-    # joint values
-    doubt1 = (
+    if (
         abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 * D3_pp)
         <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1538,10 +1534,14 @@ def _regular(pose, q, status):
     q4_mpm = v68 + (turn if v68 <= -half_turn else 0.0)
     q4_mmp = v69 + (turn if v69 <= -half_turn else 0.0)
     q4_mmm = v70 + (turn if v70 <= -half_turn else 0.0)
-    outside_ppp = high3 < abs(angle7)
-    outside_pmp = high3 < abs(angle8)
-    outside_mpp = high3 < abs(angle9)
-    outside_mmp = high3 < abs(angle10)
+    excess_pp = abs(angle7) - high3
+    excess_pm = abs(angle8) - high3
+    excess_mp = abs(angle9) - high3
+    excess_mm = abs(angle10) - high3
+    outside_ppp = 0.0 < excess_pp
+    outside_pmp = 0.0 < excess_pm
+    outside_mpp = 0.0 < excess_mp
+    outside_mmp = 0.0 < excess_mm
     q1_ppp = v25 + q1__p
     q1_pmp = v26 + q1__p
     q1_mpp = v27 + q1__m
@@ -1554,6 +1554,12 @@ def _regular(pose, q, status):
     q6_pmp = v26 + (angle1 - math.copysign(half_turn, Y6_p))
     q6_mpp = angle2 + v27
     q6_mmp = v28 + (angle2 - math.copysign(half_turn, Y6_m))
+
+    if (
+        abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or abs(excess_pp - graze)
+        <= graze or abs(excess_pm - graze) <= graze
+    ):
+        return False
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1813,16 +1819,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1056, 1072, 1088, 1104, 1120, 1136],
-    [1056, 1152, 1168, 1184, 1120, 1136],
-    [1200, 1216, 1232, 1248, 1264, 1280],
-    [1200, 1296, 1312, 1328, 1264, 1280],
-    [1344, 1360, 1376, 1392, 1408, 1424],
-    [1344, 1440, 1456, 1472, 1408, 1424],
-    [1488, 1504, 1520, 1536, 1552, 1568],
-    [1488, 1584, 1600, 1616, 1552, 1568],
+    [1168, 1184, 1200, 1216, 1232, 1248],
+    [1168, 1264, 1280, 1296, 1232, 1248],
+    [1312, 1328, 1344, 1360, 1376, 1392],
+    [1312, 1408, 1424, 1440, 1376, 1392],
+    [1456, 1472, 1488, 1504, 1520, 1536],
+    [1456, 1552, 1568, 1584, 1520, 1536],
+    [1600, 1616, 1632, 1648, 1664, 1680],
+    [1600, 1696, 1712, 1728, 1664, 1680],
 ])
-_KINDS = np.array([1632, 1648, 1664, 1680, 1696, 1712, 1728, 1744])
+_KINDS = np.array([1744, 1760, 1776, 1792, 1808, 1824, 1840, 1856])
 
 
 @intrinsic(prefer_literal=True)
@@ -1849,7 +1855,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1760), 1760)
+    work = carray(_tile(1872), 1872)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1971,91 +1977,101 @@ def _in_tiles(T, q, status):
             v42 = w3_pm * (m5 * Z2_3_pm)
             v43 = w3_mp * (m5 * Z2_3_mp)
             v44 = w3_mm * (m5 * Z2_3_mm)
-            doubt1 = (
-                abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 *
-                D3_pp) <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2
-            )
-            work[272 + k] = Y6_p
-            work[288 + k] = Y6_m
-            work[304 + k] = v10
-            work[320 + k] = v11
-            work[336 + k] = v25
-            work[352 + k] = v26
-            work[368 + k] = v27
-            work[384 + k] = v28
-            work[400 + k] = doubt1
-            work[416 + k] = Y6_p
-            work[432 + k] = Y6_m
-            work[448 + k] = w6_p
-            work[464 + k] = w6_m
-            work[480 + k] = v10
-            work[496 + k] = v11
-            work[512 + k] = w3_pp
-            work[528 + k] = w3_pm
-            work[544 + k] = w3_mp
-            work[560 + k] = w3_mm
-            work[576 + k] = v33 - v41
-            work[592 + k] = v33 + v41
-            work[608 + k] = v34 - v42
-            work[624 + k] = v34 + v42
-            work[640 + k] = v35 - v43
-            work[656 + k] = v35 + v43
-            work[672 + k] = v36 - v44
-            work[688 + k] = v36 + v44
-            work[704 + k] = s1_p
-            work[720 + k] = s1_m
-            work[736 + k] = -X6_p
-            work[752 + k] = -X6_m
-            work[768 + k] = c5_p
-            work[784 + k] = c5_m
-            work[800 + k] = -v8
-            work[816 + k] = -v9
-            work[832 + k] = N3_pp - k5
-            work[848 + k] = N3_pm - k5
-            work[864 + k] = N3_mp - k5
-            work[880 + k] = N3_mm - k5
-            work[896 + k] = v37 + w3_pp * (m5 * Z1_3_pp)
-            work[912 + k] = v37 + w3_pp * (m5 * -Z1_3_pp)
-            work[928 + k] = v38 + w3_pm * (m5 * Z1_3_pm)
-            work[944 + k] = v38 + w3_pm * (m5 * -Z1_3_pm)
-            work[960 + k] = v39 + w3_mp * (m5 * Z1_3_mp)
-            work[976 + k] = v39 + w3_mp * (m5 * -Z1_3_mp)
-            work[992 + k] = v40 + w3_mm * (m5 * Z1_3_mm)
-            work[1008 + k] = v40 + w3_mm * (m5 * -Z1_3_mm)
-            work[1024 + k] = c1_p
-            work[1040 + k] = c1_m
-        for k in range(416, 736):
+            work[272 + k] = D1
+            work[288 + k] = v1
+            work[304 + k] = Y6_p
+            work[320 + k] = Y6_m
+            work[336 + k] = v4
+            work[352 + k] = v5
+            work[368 + k] = v10
+            work[384 + k] = v11
+            work[400 + k] = D3_pp
+            work[416 + k] = D3_pm
+            work[432 + k] = D3_mp
+            work[448 + k] = D3_mm
+            work[464 + k] = v25
+            work[480 + k] = v26
+            work[496 + k] = v27
+            work[512 + k] = v28
+            work[528 + k] = Y6_p
+            work[544 + k] = Y6_m
+            work[560 + k] = w6_p
+            work[576 + k] = w6_m
+            work[592 + k] = v10
+            work[608 + k] = v11
+            work[624 + k] = w3_pp
+            work[640 + k] = w3_pm
+            work[656 + k] = w3_mp
+            work[672 + k] = w3_mm
+            work[688 + k] = v33 - v41
+            work[704 + k] = v33 + v41
+            work[720 + k] = v34 - v42
+            work[736 + k] = v34 + v42
+            work[752 + k] = v35 - v43
+            work[768 + k] = v35 + v43
+            work[784 + k] = v36 - v44
+            work[800 + k] = v36 + v44
+            work[816 + k] = s1_p
+            work[832 + k] = s1_m
+            work[848 + k] = -X6_p
+            work[864 + k] = -X6_m
+            work[880 + k] = c5_p
+            work[896 + k] = c5_m
+            work[912 + k] = -v8
+            work[928 + k] = -v9
+            work[944 + k] = N3_pp - k5
+            work[960 + k] = N3_pm - k5
+            work[976 + k] = N3_mp - k5
+            work[992 + k] = N3_mm - k5
+            work[1008 + k] = v37 + w3_pp * (m5 * Z1_3_pp)
+            work[1024 + k] = v37 + w3_pp * (m5 * -Z1_3_pp)
+            work[1040 + k] = v38 + w3_pm * (m5 * Z1_3_pm)
+            work[1056 + k] = v38 + w3_pm * (m5 * -Z1_3_pm)
+            work[1072 + k] = v39 + w3_mp * (m5 * Z1_3_mp)
+            work[1088 + k] = v39 + w3_mp * (m5 * -Z1_3_mp)
+            work[1104 + k] = v40 + w3_mm * (m5 * Z1_3_mm)
+            work[1120 + k] = v40 + w3_mm * (m5 * -Z1_3_mm)
+            work[1136 + k] = c1_p
+            work[1152 + k] = c1_m
+        for k in range(528, 848):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
-            Y6_p = work[272 + k]
-            Y6_m = work[288 + k]
-            v10 = work[304 + k]
-            v11 = work[320 + k]
-            v25 = work[336 + k]
-            v26 = work[352 + k]
-            v27 = work[368 + k]
-            v28 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
-            angle10 = work[560 + k]
-            angle11 = work[576 + k]
-            angle12 = work[592 + k]
-            angle13 = work[608 + k]
-            angle14 = work[624 + k]
-            angle15 = work[640 + k]
-            angle16 = work[656 + k]
-            angle17 = work[672 + k]
-            angle18 = work[688 + k]
-            angle19 = work[704 + k]
-            angle20 = work[720 + k]
+            D1 = work[272 + k]
+            v1 = work[288 + k]
+            Y6_p = work[304 + k]
+            Y6_m = work[320 + k]
+            v4 = work[336 + k]
+            v5 = work[352 + k]
+            v10 = work[368 + k]
+            v11 = work[384 + k]
+            D3_pp = work[400 + k]
+            D3_pm = work[416 + k]
+            D3_mp = work[432 + k]
+            D3_mm = work[448 + k]
+            v25 = work[464 + k]
+            v26 = work[480 + k]
+            v27 = work[496 + k]
+            v28 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
+            angle20 = work[832 + k]
             theta234_pm = angle5 - math.copysign(half_turn, v10)
             theta234_mm = angle6 - math.copysign(half_turn, v11)
             v45 = angle19 - offset1
@@ -2102,10 +2118,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v68 + (turn if v68 <= -half_turn else 0.0)
             q4_mmp = v69 + (turn if v69 <= -half_turn else 0.0)
             q4_mmm = v70 + (turn if v70 <= -half_turn else 0.0)
-            outside_ppp = high3 < abs(angle7)
-            outside_pmp = high3 < abs(angle8)
-            outside_mpp = high3 < abs(angle9)
-            outside_mmp = high3 < abs(angle10)
+            excess_pp = abs(angle7) - high3
+            excess_pm = abs(angle8) - high3
+            excess_mp = abs(angle9) - high3
+            excess_mm = abs(angle10) - high3
+            outside_ppp = 0.0 < excess_pp
+            outside_pmp = 0.0 < excess_pm
+            outside_mpp = 0.0 < excess_mp
+            outside_mmp = 0.0 < excess_mm
             q1_ppp = v25 + q1__p
             q1_pmp = v26 + q1__p
             q1_mpp = v27 + q1__m
@@ -2118,103 +2138,111 @@ def _in_tiles(T, q, status):
             q6_pmp = v26 + (angle1 - math.copysign(half_turn, Y6_p))
             q6_mpp = angle2 + v27
             q6_mmp = v28 + (angle2 - math.copysign(half_turn, Y6_m))
-            _1056 = q1_ppp
-            work[1056 + k] = _1056
-            _1072 = q2_ppp
-            work[1072 + k] = _1072
-            _1088 = angle7
-            work[1088 + k] = _1088
-            _1104 = q4_ppp
-            work[1104 + k] = _1104
-            _1120 = q5_ppp
-            work[1120 + k] = _1120
-            _1136 = q6_ppp
-            work[1136 + k] = _1136
-            _1152 = q2_ppm
-            work[1152 + k] = _1152
-            _1168 = -angle7
+            _1168 = q1_ppp
             work[1168 + k] = _1168
-            _1184 = q4_ppm
+            _1184 = q2_ppp
             work[1184 + k] = _1184
-            _1200 = q1_pmp
+            _1200 = angle7
             work[1200 + k] = _1200
-            _1216 = q2_pmp
+            _1216 = q4_ppp
             work[1216 + k] = _1216
-            _1232 = angle8
+            _1232 = q5_ppp
             work[1232 + k] = _1232
-            _1248 = q4_pmp
+            _1248 = q6_ppp
             work[1248 + k] = _1248
-            _1264 = q5_pmp
+            _1264 = q2_ppm
             work[1264 + k] = _1264
-            _1280 = q6_pmp
+            _1280 = -angle7
             work[1280 + k] = _1280
-            _1296 = q2_pmm
+            _1296 = q4_ppm
             work[1296 + k] = _1296
-            _1312 = -angle8
+            _1312 = q1_pmp
             work[1312 + k] = _1312
-            _1328 = q4_pmm
+            _1328 = q2_pmp
             work[1328 + k] = _1328
-            _1344 = q1_mpp
+            _1344 = angle8
             work[1344 + k] = _1344
-            _1360 = q2_mpp
+            _1360 = q4_pmp
             work[1360 + k] = _1360
-            _1376 = angle9
+            _1376 = q5_pmp
             work[1376 + k] = _1376
-            _1392 = q4_mpp
+            _1392 = q6_pmp
             work[1392 + k] = _1392
-            _1408 = q5_mpp
+            _1408 = q2_pmm
             work[1408 + k] = _1408
-            _1424 = q6_mpp
+            _1424 = -angle8
             work[1424 + k] = _1424
-            _1440 = q2_mpm
+            _1440 = q4_pmm
             work[1440 + k] = _1440
-            _1456 = -angle9
+            _1456 = q1_mpp
             work[1456 + k] = _1456
-            _1472 = q4_mpm
+            _1472 = q2_mpp
             work[1472 + k] = _1472
-            _1488 = q1_mmp
+            _1488 = angle9
             work[1488 + k] = _1488
-            _1504 = q2_mmp
+            _1504 = q4_mpp
             work[1504 + k] = _1504
-            _1520 = angle10
+            _1520 = q5_mpp
             work[1520 + k] = _1520
-            _1536 = q4_mmp
+            _1536 = q6_mpp
             work[1536 + k] = _1536
-            _1552 = q5_mmp
+            _1552 = q2_mpm
             work[1552 + k] = _1552
-            _1568 = q6_mmp
+            _1568 = -angle9
             work[1568 + k] = _1568
-            _1584 = q2_mmm
+            _1584 = q4_mpm
             work[1584 + k] = _1584
-            _1600 = -angle10
+            _1600 = q1_mmp
             work[1600 + k] = _1600
-            _1616 = q4_mmm
+            _1616 = q2_mmp
             work[1616 + k] = _1616
-            work[1632 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1648 + k] = (
-                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1664 + k] = (
-                UNREACHABLE if _1200 != _1200 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1680 + k] = (
-                UNREACHABLE if _1200 != _1200 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1696 + k] = (
-                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1712 + k] = (
-                UNREACHABLE if _1344 != _1344 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1728 + k] = (
-                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
+            _1632 = angle10
+            work[1632 + k] = _1632
+            _1648 = q4_mmp
+            work[1648 + k] = _1648
+            _1664 = q5_mmp
+            work[1664 + k] = _1664
+            _1680 = q6_mmp
+            work[1680 + k] = _1680
+            _1696 = q2_mmm
+            work[1696 + k] = _1696
+            _1712 = -angle10
+            work[1712 + k] = _1712
+            _1728 = q4_mmm
+            work[1728 + k] = _1728
             work[1744 + k] = (
-                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _1168 != _1168 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[1760 + k] = (
+                UNREACHABLE if _1168 != _1168 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[1776 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1792 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[1808 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1824 + k] = (
+                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[1840 + k] = (
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[1856 + k] = (
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[256 + k] = (
+                1.0 if abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or
+                abs(v1 * D3_pp) <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2 else work[256 + k]
+            )
+            work[256 + k] = (
+                1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
+                abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else work[256 +
+                k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

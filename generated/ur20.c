@@ -485,9 +485,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle5 + v31, q5_pmp = v32 - angle5, q5_mpp = angle6 + v33, q5_mmp = v34 - angle6,
         q6_ppp = angle3 + v31, q6_pmp = v32 + (angle3 - signed_wide(half_turn, -v8)),
         q6_mpp = angle4 + v33, q6_mmp = v34 + (angle4 - signed_wide(half_turn, -v9));
-    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
-        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v11 <= m2) | (abs_wide(D1) <=
-        m1) | (v10 <= m2);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v55); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -514,7 +511,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
+        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v11 <= m2) | (abs_wide(D1) <=
+        m1) | (v10 <= m2));
 }
 
 #if LANES > 1
@@ -531,18 +530,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1;
-    const int doubt1 = fabs(D1) <= m1;
-    const double inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy);
+        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy);
     const four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d4 * X1);
     const four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta6 */
     const four v5 = v3 * T21 + s1 * T11, v6 = v3 * T22 + s1 * T12, v7 = v5 * v5 + v6 * v6,
-        w6 = sqrt_four(v7);
-    const four_mask doubt2 = v7 <= m2;
-    const four v8 = 1.0 / v7, v9 = signed_four(half_turn, -v6), v10 = m3 * (e2 - 1.0);
+        w6 = sqrt_four(v7), v8 = 1.0 / v7, v9 = signed_four(half_turn, -v6), v10 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T13 * s1 + T23 * v3;
@@ -559,13 +554,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v18 = T24 * s1 - T14 * v3, v19 = c234 * v14, v20 = d5 * s234, Z2_3 = v18 + (v19 - e2 * v20),
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v21 = w3 - w3;
-    const four_mask doubt3 = abs_four(v1 * D3) <= m4;
 
     /* theta2 */
     const four v22 = m6 + m5 * N3, v23 = Z1_3 * v22, v24 = Z2_3 * v22, v25 = w3 * (m5 * Z2_3),
         v26 = w3 * (m5 * Z1_3);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v7 <= m2) | (abs_four(v1 * D3) <= m4)) |
+        (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, -v6, 0, 5, 2, 7), shuffle(-v3, v5, 0, 5, 2,
@@ -1134,18 +1129,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != UR20_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != UR20_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

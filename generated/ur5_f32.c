@@ -366,9 +366,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_ppp = angle5 + v31, q5_pmp = v32 - angle5, q5_mpp = angle6 + v33, q5_mmp = v34 - angle6,
         q6_ppp = angle3 + v31, q6_pmp = v32 + (angle3 - signed_wide(half_turn, -v8)),
         q6_mpp = angle4 + v33, q6_mmp = v34 + (angle4 - signed_wide(half_turn, -v9));
-    const wide_mask doubt1 = (abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
-        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v11 <= m1) | (abs_wide(D1) <=
-        k2) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v55); q[4] = q5_ppp;
     q[5] = q6_ppp;
@@ -395,7 +392,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
+        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v11 <= m1) | (abs_wide(D1) <=
+        k2) | (v10 <= m1));
 }
 
 HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[8])
@@ -405,8 +404,6 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
     if (solve_wide(T, &q[0][0], kind))
         return -1;
     for (int row = 0; row < 8; row++) {
-        if (kind[row] == UR5_F32_OUT_OF_LIMITS && beyond_limits(q[row]) < 0.01f)
-            return -1; /* by rounding, perhaps */
         status[row] = (unsigned char)kind[row];
         count += kind[row] == 0;
     }
@@ -911,18 +908,19 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
 {
-    float x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0f < off && off < 0.01f))
+    float x[6], half[6], to[6], *q = rows[row];
+    const float beyond = past_ends(q);
+    if (!(0.0f < beyond && beyond < 0.01f))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+    if (!lead_inside(T, NAN, 0.15f, x))
         return;
-    off = half_way(q, x, half);
+    const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != UR5_F32_UNREACHABLE && past_ends(rows[k]) <= 0.0f
+        if (status[k] != UR5_F32_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))

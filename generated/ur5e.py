@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5e 11aff0c5e291ae5a"
+_KEY = "ur5e c3066e914a6e1f95"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1162,20 +1162,19 @@ def _lead_inside(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _past_ends(q)
-    if not 0.0 < off < 0.01:
+    beyond = _past_ends(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    most = max(10.0 * off, 0.001)
-    if not _lead_inside(pose, math.nan, most, x):
+    if not _lead_inside(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
@@ -1401,14 +1400,10 @@ def _regular(pose, q, status):
     v53 = w3_mm * (m5 * Z2_3_mm)
     v54 = w3_mm * (m5 * Z1_3_mm)
 
-    # joint values
-    doubt1 = (
+    if (
         abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 * D3_pp)
         <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1769,16 +1764,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1056, 1072, 1088, 1104, 1120, 1136],
-    [1056, 1152, 1168, 1184, 1120, 1136],
-    [1200, 1216, 1232, 1248, 1264, 1280],
-    [1200, 1296, 1312, 1328, 1264, 1280],
-    [1344, 1360, 1376, 1392, 1408, 1424],
-    [1344, 1440, 1456, 1472, 1408, 1424],
-    [1488, 1504, 1520, 1536, 1552, 1568],
-    [1488, 1584, 1600, 1616, 1552, 1568],
+    [1168, 1184, 1200, 1216, 1232, 1248],
+    [1168, 1264, 1280, 1296, 1232, 1248],
+    [1312, 1328, 1344, 1360, 1376, 1392],
+    [1312, 1408, 1424, 1440, 1376, 1392],
+    [1456, 1472, 1488, 1504, 1520, 1536],
+    [1456, 1552, 1568, 1584, 1520, 1536],
+    [1600, 1616, 1632, 1648, 1664, 1680],
+    [1600, 1696, 1712, 1728, 1664, 1680],
 ])
-_KINDS = np.array([1632, 1648, 1664, 1680, 1696, 1712, 1728, 1744])
+_KINDS = np.array([1744, 1760, 1776, 1792, 1808, 1824, 1840, 1856])
 
 
 @intrinsic(prefer_literal=True)
@@ -1805,7 +1800,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1760), 1760)
+    work = carray(_tile(1872), 1872)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1931,91 +1926,101 @@ def _in_tiles(T, q, status):
             v52 = w3_mp * (m5 * Z1_3_mp)
             v53 = w3_mm * (m5 * Z2_3_mm)
             v54 = w3_mm * (m5 * Z1_3_mm)
-            doubt1 = (
-                abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 *
-                D3_pp) <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2
-            )
-            work[272 + k] = v8
-            work[288 + k] = v9
-            work[304 + k] = v16
-            work[320 + k] = v17
-            work[336 + k] = v31
-            work[352 + k] = v32
-            work[368 + k] = v33
-            work[384 + k] = v34
-            work[400 + k] = doubt1
-            work[416 + k] = s1_p
-            work[432 + k] = s1_m
-            work[448 + k] = -v8
-            work[464 + k] = -v9
-            work[480 + k] = w6_p
-            work[496 + k] = w6_m
-            work[512 + k] = v16
-            work[528 + k] = v17
-            work[544 + k] = w3_pp
-            work[560 + k] = w3_pm
-            work[576 + k] = w3_mp
-            work[592 + k] = w3_mm
-            work[608 + k] = v47 - v39
-            work[624 + k] = -(v39 + v47)
-            work[640 + k] = v49 - v40
-            work[656 + k] = -(v40 + v49)
-            work[672 + k] = v51 - v41
-            work[688 + k] = -(v41 + v51)
-            work[704 + k] = v53 - v42
-            work[720 + k] = -(v42 + v53)
-            work[736 + k] = -v3
-            work[752 + k] = -v4
-            work[768 + k] = v6
-            work[784 + k] = v7
-            work[800 + k] = c5_p
-            work[816 + k] = c5_m
-            work[832 + k] = v14
-            work[848 + k] = v15
-            work[864 + k] = N3_pp - k5
-            work[880 + k] = N3_pm - k5
-            work[896 + k] = N3_mp - k5
-            work[912 + k] = N3_mm - k5
-            work[928 + k] = -(v43 + v48)
-            work[944 + k] = v48 - v43
-            work[960 + k] = -(v44 + v50)
-            work[976 + k] = v50 - v44
-            work[992 + k] = -(v45 + v52)
-            work[1008 + k] = v52 - v45
-            work[1024 + k] = -(v46 + v54)
-            work[1040 + k] = v54 - v46
-        for k in range(416, 736):
+            work[272 + k] = D1
+            work[288 + k] = v1
+            work[304 + k] = v8
+            work[320 + k] = v9
+            work[336 + k] = v10
+            work[352 + k] = v11
+            work[368 + k] = v16
+            work[384 + k] = v17
+            work[400 + k] = D3_pp
+            work[416 + k] = D3_pm
+            work[432 + k] = D3_mp
+            work[448 + k] = D3_mm
+            work[464 + k] = v31
+            work[480 + k] = v32
+            work[496 + k] = v33
+            work[512 + k] = v34
+            work[528 + k] = s1_p
+            work[544 + k] = s1_m
+            work[560 + k] = -v8
+            work[576 + k] = -v9
+            work[592 + k] = w6_p
+            work[608 + k] = w6_m
+            work[624 + k] = v16
+            work[640 + k] = v17
+            work[656 + k] = w3_pp
+            work[672 + k] = w3_pm
+            work[688 + k] = w3_mp
+            work[704 + k] = w3_mm
+            work[720 + k] = v47 - v39
+            work[736 + k] = -(v39 + v47)
+            work[752 + k] = v49 - v40
+            work[768 + k] = -(v40 + v49)
+            work[784 + k] = v51 - v41
+            work[800 + k] = -(v41 + v51)
+            work[816 + k] = v53 - v42
+            work[832 + k] = -(v42 + v53)
+            work[848 + k] = -v3
+            work[864 + k] = -v4
+            work[880 + k] = v6
+            work[896 + k] = v7
+            work[912 + k] = c5_p
+            work[928 + k] = c5_m
+            work[944 + k] = v14
+            work[960 + k] = v15
+            work[976 + k] = N3_pp - k5
+            work[992 + k] = N3_pm - k5
+            work[1008 + k] = N3_mp - k5
+            work[1024 + k] = N3_mm - k5
+            work[1040 + k] = -(v43 + v48)
+            work[1056 + k] = v48 - v43
+            work[1072 + k] = -(v44 + v50)
+            work[1088 + k] = v50 - v44
+            work[1104 + k] = -(v45 + v52)
+            work[1120 + k] = v52 - v45
+            work[1136 + k] = -(v46 + v54)
+            work[1152 + k] = v54 - v46
+        for k in range(528, 848):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
-            v8 = work[272 + k]
-            v9 = work[288 + k]
-            v16 = work[304 + k]
-            v17 = work[320 + k]
-            v31 = work[336 + k]
-            v32 = work[352 + k]
-            v33 = work[368 + k]
-            v34 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
-            angle10 = work[560 + k]
-            angle11 = work[576 + k]
-            angle12 = work[592 + k]
-            angle13 = work[608 + k]
-            angle14 = work[624 + k]
-            angle15 = work[640 + k]
-            angle16 = work[656 + k]
-            angle17 = work[672 + k]
-            angle18 = work[688 + k]
-            angle19 = work[704 + k]
-            angle20 = work[720 + k]
+            D1 = work[272 + k]
+            v1 = work[288 + k]
+            v8 = work[304 + k]
+            v9 = work[320 + k]
+            v10 = work[336 + k]
+            v11 = work[352 + k]
+            v16 = work[368 + k]
+            v17 = work[384 + k]
+            D3_pp = work[400 + k]
+            D3_pm = work[416 + k]
+            D3_mp = work[432 + k]
+            D3_mm = work[448 + k]
+            v31 = work[464 + k]
+            v32 = work[480 + k]
+            v33 = work[496 + k]
+            v34 = work[512 + k]
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
+            angle20 = work[832 + k]
             theta234_pm = angle7 - math.copysign(half_turn, v16)
             theta234_mm = angle8 - math.copysign(half_turn, v17)
             v55 = angle7 - (angle9 + angle13)
@@ -2046,87 +2051,90 @@ def _in_tiles(T, q, status):
             q6_pmp = v32 + (angle3 - math.copysign(half_turn, -v8))
             q6_mpp = angle4 + v33
             q6_mmp = v34 + (angle4 - math.copysign(half_turn, -v9))
-            _1056 = q1_ppp
-            work[1056 + k] = _1056
-            _1072 = angle13
-            work[1072 + k] = _1072
-            _1088 = angle9
-            work[1088 + k] = _1088
-            _1104 = q4_ppp
-            work[1104 + k] = _1104
-            _1120 = q5_ppp
-            work[1120 + k] = _1120
-            _1136 = q6_ppp
-            work[1136 + k] = _1136
-            _1152 = angle14
-            work[1152 + k] = _1152
-            _1168 = -angle9
+            _1168 = q1_ppp
             work[1168 + k] = _1168
-            _1184 = q4_ppm
+            _1184 = angle13
             work[1184 + k] = _1184
-            _1200 = q1_pmp
+            _1200 = angle9
             work[1200 + k] = _1200
-            _1216 = angle15
+            _1216 = q4_ppp
             work[1216 + k] = _1216
-            _1232 = angle10
+            _1232 = q5_ppp
             work[1232 + k] = _1232
-            _1248 = q4_pmp
+            _1248 = q6_ppp
             work[1248 + k] = _1248
-            _1264 = q5_pmp
+            _1264 = angle14
             work[1264 + k] = _1264
-            _1280 = q6_pmp
+            _1280 = -angle9
             work[1280 + k] = _1280
-            _1296 = angle16
+            _1296 = q4_ppm
             work[1296 + k] = _1296
-            _1312 = -angle10
+            _1312 = q1_pmp
             work[1312 + k] = _1312
-            _1328 = q4_pmm
+            _1328 = angle15
             work[1328 + k] = _1328
-            _1344 = q1_mpp
+            _1344 = angle10
             work[1344 + k] = _1344
-            _1360 = angle17
+            _1360 = q4_pmp
             work[1360 + k] = _1360
-            _1376 = angle11
+            _1376 = q5_pmp
             work[1376 + k] = _1376
-            _1392 = q4_mpp
+            _1392 = q6_pmp
             work[1392 + k] = _1392
-            _1408 = q5_mpp
+            _1408 = angle16
             work[1408 + k] = _1408
-            _1424 = q6_mpp
+            _1424 = -angle10
             work[1424 + k] = _1424
-            _1440 = angle18
+            _1440 = q4_pmm
             work[1440 + k] = _1440
-            _1456 = -angle11
+            _1456 = q1_mpp
             work[1456 + k] = _1456
-            _1472 = q4_mpm
+            _1472 = angle17
             work[1472 + k] = _1472
-            _1488 = q1_mmp
+            _1488 = angle11
             work[1488 + k] = _1488
-            _1504 = angle19
+            _1504 = q4_mpp
             work[1504 + k] = _1504
-            _1520 = angle12
+            _1520 = q5_mpp
             work[1520 + k] = _1520
-            _1536 = q4_mmp
+            _1536 = q6_mpp
             work[1536 + k] = _1536
-            _1552 = q5_mmp
+            _1552 = angle18
             work[1552 + k] = _1552
-            _1568 = q6_mmp
+            _1568 = -angle11
             work[1568 + k] = _1568
-            _1584 = angle20
+            _1584 = q4_mpm
             work[1584 + k] = _1584
-            _1600 = -angle12
+            _1600 = q1_mmp
             work[1600 + k] = _1600
-            _1616 = q4_mmm
+            _1616 = angle19
             work[1616 + k] = _1616
-            work[1632 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1648 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1664 + k] = UNREACHABLE if _1200 != _1200 else OK
-            work[1680 + k] = UNREACHABLE if _1200 != _1200 else OK
-            work[1696 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[1712 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[1728 + k] = UNREACHABLE if _1488 != _1488 else OK
-            work[1744 + k] = UNREACHABLE if _1488 != _1488 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1632 = angle12
+            work[1632 + k] = _1632
+            _1648 = q4_mmp
+            work[1648 + k] = _1648
+            _1664 = q5_mmp
+            work[1664 + k] = _1664
+            _1680 = q6_mmp
+            work[1680 + k] = _1680
+            _1696 = angle20
+            work[1696 + k] = _1696
+            _1712 = -angle12
+            work[1712 + k] = _1712
+            _1728 = q4_mmm
+            work[1728 + k] = _1728
+            work[1744 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1760 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[1776 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1792 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1808 + k] = UNREACHABLE if _1456 != _1456 else OK
+            work[1824 + k] = UNREACHABLE if _1456 != _1456 else OK
+            work[1840 + k] = UNREACHABLE if _1600 != _1600 else OK
+            work[1856 + k] = UNREACHABLE if _1600 != _1600 else OK
+            work[256 + k] = (
+                1.0 if abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or
+                abs(v1 * D3_pp) <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

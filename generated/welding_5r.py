@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 282bd1156a3831f3"
+_KEY = "welding_5r a3e3c1a24569229f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1637,20 +1637,19 @@ def _settle(pose, enough, most, q):
 def _stand(pose, row, rows, status):
     """Puts a row's joints just beyond their limits on them, unless that is another solution.
 
-    Half way to the same there is one, and what is nearer to another row inside its limits is that
-    one's.
+    Half way to the same there is one, and what is nearer to another row that is less far beyond is
+    that one's.
     """
     q = rows[row]
-    off = _beyond_limits(q)
-    if not 0.0 < off < 0.01:
+    beyond = _beyond_limits(q)
+    if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(5), np.empty(5)
-    most = max(10.0 * off, 0.001)
-    if not _settle(pose, math.nan, most, x):
+    if not _settle(pose, math.nan, 0.15, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) <= 0.0:
+        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
                 return
     if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):

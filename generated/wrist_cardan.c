@@ -317,9 +317,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     ENTRIES(wide);
 
     /* theta1 */
-    const wide v1 = T11 * T11 + T31 * T31;
-    const wide_mask doubt1 = v1 <= m1;
-    const wide angle1 = atan2_wide(-T31, T11);
+    const wide v1 = T11 * T11 + T31 * T31, angle1 = atan2_wide(-T31, T11);
 
     /* theta2 */
     const wide angle2 = atan2_wide(T21, sqrt_wide(v1));
@@ -333,7 +331,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     q[5] = angle3 - signed_wide(half_turn, s3);
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (v1 <= m1);
 }
 
 #if LANES > 1
@@ -348,9 +346,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = T11 * T11 + T31 * T31;
-    const int doubt1 = v1 <= m1;
-    const double v2 = copysign(half_turn, -T31);
+    const double v1 = T11 * T11 + T31 * T31, v2 = copysign(half_turn, -T31);
     const four v3 = e1 - 1.0, v4 = m2 * v3;
 
     /* theta2 */
@@ -359,7 +355,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     /* theta3 */
     const double s3 = T11 * T32 - T31 * T12, v6 = copysign(half_turn, s3);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T31, T21, s3, -T31 }, (four){ T11, sqrt(v1), T11 *

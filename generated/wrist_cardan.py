@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_cardan 6823bc7f51b3fd63"
+_KEY = "wrist_cardan e620871de9f96cdf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -614,13 +614,11 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[1, 3]
     v1 = T11 * T11 + T31 * T31
-    doubt1 = v1 <= m1
 
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     s3 = T11 * T32 - T31 * T12
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1:
         return False
 
     # angles, side by side
@@ -915,9 +913,8 @@ def _in_tiles(T, q, status):
             T32 = work[144 + k]
             T33 = work[160 + k]
             v1 = T11 * T11 + T31 * T31
-            doubt1 = v1 <= m1
             s3 = T11 * T32 - T31 * T12
-            work[272 + k] = doubt1
+            work[272 + k] = v1
             work[288 + k] = s3
             work[304 + k] = -T31
             work[320 + k] = T21
@@ -930,7 +927,7 @@ def _in_tiles(T, q, status):
         for k in range(0, 16):
             T21 = work[64 + k]
             T31 = work[128 + k]
-            doubt1 = work[272 + k] != 0.0
+            v1 = work[272 + k]
             s3 = work[288 + k]
             angle1 = work[304 + k]
             angle2 = work[320 + k]
@@ -952,7 +949,7 @@ def _in_tiles(T, q, status):
             work[480 + k] = _480
             work[496 + k] = UNREACHABLE if _400 != _400 else OK
             work[512 + k] = UNREACHABLE if _448 != _448 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -414,17 +414,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         angle2 = atan2_wide(-v6, c1_m), angle3 = atan2_wide(v23, v25),
         angle4 = atan2_wide(v24, v25), angle5 = atan2_wide(-S3_p, -C3_p),
         angle6 = atan2_wide(-S3_m, -C3_m);
-    const wide_mask doubt1 = (v28 <= m3) | (v16 <= m3) | (v27 <= m3) | (v15 <= m3) | ((m6 < v78) &
-        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v80) & (v80 <= m9)) | (N1 <=
-        doubt_limit_squared2) | (abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | ((m8 <
-        v79) & (v79 <= m9));
 
     q[0] = v82 + angle1; q[1] = v82 + angle3; q[2] = v82 + angle5;
     kind[0] = kind_of(q[0], 0);
     q[3] = v83 + angle2; q[4] = v83 + angle4; q[5] = v83 + angle6;
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v28 <= m3) | (v16 <= m3) | (v27 <= m3) | (v15 <= m3) | ((m6 < v78) &
+        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v80) & (v80 <= m9)) | (N1 <=
+        doubt_limit_squared2) | (abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | ((m8 <
+        v79) & (v79 <= m9)));
 }
 
 #if LANES > 1
@@ -485,12 +484,10 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     /* joint values */
     const double v53 = NAN;
     const four v54 = only_four(((v51 <= m6) & (v52 <= m8)) == 0, v53);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= m1 * (merge_slack1 + 2.0 *
-        fabs(Z1)));
-    const four_mask doubt2 = (v23 <= m3) | (v16 <= m3) | ((m8 < v52) & (v52 <= m9)) | ((m6 < v51) &
-        (v51 <= m7));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v23 <= m3) | (v16 <= m3) | ((m8 < v52)
+        & (v52 <= m9)) | ((m6 < v51) & (v51 <= m7)))) | (unsigned)((N1 <= doubt_limit_squared2) |
+        (fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1)))))
         return -1;
 
     const four_ratio ratio1 = ratio_four(-S3, -C3),

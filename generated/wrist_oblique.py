@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 53baf8113edd196d"
+_KEY = "wrist_oblique cc5a986438fc0dd5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -842,14 +842,12 @@ def _regular(pose, q, status):
     v81 = math.sqrt(-1.0)
     v82 = 0.0 if (v77 <= m6 and v79 <= m8) else v81
     v83 = 0.0 if (v78 <= m6 and v80 <= m8) else v81
-    doubt1 = (
+
+    if (
         v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7) or (m6 < v77
         and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <= doubt_limit_squared2 or abs(D1) <= m1 *
         (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9)
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1094,10 +1092,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [512, 528, 544],
-    [560, 576, 592],
+    [672, 688, 704],
+    [720, 736, 752],
 ])
-_KINDS = np.array([608, 624])
+_KINDS = np.array([768, 784])
 
 
 @intrinsic(prefer_literal=True)
@@ -1124,7 +1122,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(640), 640)
+    work = carray(_tile(800), 800)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1260,59 +1258,79 @@ def _in_tiles(T, q, status):
             v81 = math.sqrt(-1.0)
             v82 = 0.0 if (v77 <= m6 and v79 <= m8) else v81
             v83 = 0.0 if (v78 <= m6 and v80 <= m8) else v81
-            doubt1 = (
-                v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7) or (m6
-                < v77 and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <= doubt_limit_squared2 or
-                abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9)
-            )
-            work[272 + k] = v82
-            work[288 + k] = v83
-            work[304 + k] = doubt1
-            work[320 + k] = s1_p
-            work[336 + k] = -v6
-            work[352 + k] = v23
-            work[368 + k] = v24
-            work[384 + k] = -S3_p
-            work[400 + k] = -S3_m
-            work[416 + k] = c1_p
-            work[432 + k] = c1_m
-            work[448 + k] = v25
-            work[464 + k] = v25
-            work[480 + k] = -C3_p
-            work[496 + k] = -C3_m
-        for k in range(320, 416):
+            work[272 + k] = N1
+            work[288 + k] = Z1
+            work[304 + k] = D1
+            work[320 + k] = v15
+            work[336 + k] = v16
+            work[352 + k] = v27
+            work[368 + k] = v28
+            work[384 + k] = v77
+            work[400 + k] = v78
+            work[416 + k] = v79
+            work[432 + k] = v80
+            work[448 + k] = v82
+            work[464 + k] = v83
+            work[480 + k] = s1_p
+            work[496 + k] = -v6
+            work[512 + k] = v23
+            work[528 + k] = v24
+            work[544 + k] = -S3_p
+            work[560 + k] = -S3_m
+            work[576 + k] = c1_p
+            work[592 + k] = c1_m
+            work[608 + k] = v25
+            work[624 + k] = v25
+            work[640 + k] = -C3_p
+            work[656 + k] = -C3_m
+        for k in range(480, 576):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 16):
-            v82 = work[272 + k]
-            v83 = work[288 + k]
-            doubt1 = work[304 + k] != 0.0
-            angle1 = work[320 + k]
-            angle2 = work[336 + k]
-            angle3 = work[352 + k]
-            angle4 = work[368 + k]
-            angle5 = work[384 + k]
-            angle6 = work[400 + k]
+            N1 = work[272 + k]
+            Z1 = work[288 + k]
+            D1 = work[304 + k]
+            v15 = work[320 + k]
+            v16 = work[336 + k]
+            v27 = work[352 + k]
+            v28 = work[368 + k]
+            v77 = work[384 + k]
+            v78 = work[400 + k]
+            v79 = work[416 + k]
+            v80 = work[432 + k]
+            v82 = work[448 + k]
+            v83 = work[464 + k]
+            angle1 = work[480 + k]
+            angle2 = work[496 + k]
+            angle3 = work[512 + k]
+            angle4 = work[528 + k]
+            angle5 = work[544 + k]
+            angle6 = work[560 + k]
             q1_p = v82 + angle1
             q1_m = v83 + angle2
             q2_p = v82 + angle3
             q2_m = v83 + angle4
             q3_p = v82 + angle5
             q3_m = v83 + angle6
-            _512 = q1_p
-            work[512 + k] = _512
-            _528 = q2_p
-            work[528 + k] = _528
-            _544 = q3_p
-            work[544 + k] = _544
-            _560 = q1_m
-            work[560 + k] = _560
-            _576 = q2_m
-            work[576 + k] = _576
-            _592 = q3_m
-            work[592 + k] = _592
-            work[608 + k] = UNREACHABLE if _512 != _512 else OK
-            work[624 + k] = UNREACHABLE if _560 != _560 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _672 = q1_p
+            work[672 + k] = _672
+            _688 = q2_p
+            work[688 + k] = _688
+            _704 = q3_p
+            work[704 + k] = _704
+            _720 = q1_m
+            work[720 + k] = _720
+            _736 = q2_m
+            work[736 + k] = _736
+            _752 = q3_m
+            work[752 + k] = _752
+            work[768 + k] = UNREACHABLE if _672 != _672 else OK
+            work[784 + k] = UNREACHABLE if _720 != _720 else OK
+            work[256 + k] = (
+                1.0 if v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7)
+                or (m6 < v77 and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <=
+                doubt_limit_squared2 or abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79
+                and v79 <= m9) else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

@@ -317,9 +317,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     ENTRIES(wide);
 
     /* theta1 */
-    const wide v1 = T23 * T23 + T13 * T13;
-    const wide_mask doubt1 = v1 <= m1;
-    const wide angle1 = atan2_wide(-T13, T23);
+    const wide v1 = T23 * T23 + T13 * T13, angle1 = atan2_wide(-T13, T23);
 
     /* theta2 */
     const wide angle2 = atan2_wide(-sqrt_wide(v1), T33);
@@ -333,7 +331,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     q[5] = angle3 - signed_wide(half_turn, v2);
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | (v1 <= m1);
 }
 
 #if LANES > 1
@@ -348,15 +346,13 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = T23 * T23 + T13 * T13;
-    const int doubt1 = v1 <= m1;
-    const double v2 = copysign(half_turn, -T13);
+    const double v1 = T23 * T23 + T13 * T13, v2 = copysign(half_turn, -T13);
     const four v3 = m2 * (e1 - 1.0);
 
     /* theta3 */
     const double v4 = T13 * T22 - T23 * T12, v5 = copysign(half_turn, v4);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -T13, -sqrt(v1), v4, -T13 }, (four){ T23, T33, T23

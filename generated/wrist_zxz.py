@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zxz 952c714acc2c18ba"
+_KEY = "wrist_zxz 1d00554529889ad2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -611,13 +611,11 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[1, 3]
     v1 = T23 * T23 + T13 * T13
-    doubt1 = v1 <= m1
 
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     v2 = T13 * T22 - T23 * T12
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1:
         return False
 
     # angles, side by side
@@ -909,9 +907,8 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T33 = work[160 + k]
             v1 = T23 * T23 + T13 * T13
-            doubt1 = v1 <= m1
             v2 = T13 * T22 - T23 * T12
-            work[272 + k] = doubt1
+            work[272 + k] = v1
             work[288 + k] = v2
             work[304 + k] = -T13
             work[320 + k] = -math.sqrt(v1)
@@ -923,7 +920,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
             T13 = work[32 + k]
-            doubt1 = work[272 + k] != 0.0
+            v1 = work[272 + k]
             v2 = work[288 + k]
             angle1 = work[304 + k]
             angle2 = work[320 + k]
@@ -944,7 +941,7 @@ def _in_tiles(T, q, status):
             work[480 + k] = _480
             work[496 + k] = UNREACHABLE if _400 != _400 else OK
             work[512 + k] = UNREACHABLE if _448 != _448 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

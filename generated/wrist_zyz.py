@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zyz 71624b2263cba099"
+_KEY = "wrist_zyz b93daa32148d7239"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -612,13 +612,11 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[3, 3]
     v1 = T13 * T13 + T23 * T23
-    doubt1 = v1 <= m1
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
     s3 = T13 * T21 - T23 * T11
 
-    # a joint is free, or branches meet
-    if doubt1:
+    if v1 <= m1:
         return False
 
     # angles, side by side
@@ -910,9 +908,8 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T33 = work[160 + k]
             v1 = T13 * T13 + T23 * T23
-            doubt1 = v1 <= m1
             s3 = T13 * T21 - T23 * T11
-            work[272 + k] = doubt1
+            work[272 + k] = v1
             work[288 + k] = s3
             work[304 + k] = T23
             work[320 + k] = -math.sqrt(v1)
@@ -924,7 +921,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
             T23 = work[96 + k]
-            doubt1 = work[272 + k] != 0.0
+            v1 = work[272 + k]
             s3 = work[288 + k]
             angle1 = work[304 + k]
             angle2 = work[320 + k]
@@ -945,7 +942,7 @@ def _in_tiles(T, q, status):
             work[480 + k] = _480
             work[496 + k] = UNREACHABLE if _400 != _400 else OK
             work[512 + k] = UNREACHABLE if _448 != _448 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

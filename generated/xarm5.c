@@ -457,10 +457,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v82 = only_wide((v59 <= m12) == 0, v79), v83 = only_wide((v60 <= m12) == 0, v79),
         v84 = v23 + raised_wide(v61), v85 = v24 + raised_wide(v62), v86 = angle2 + v23,
         v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
-    const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 +
-        v40 * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59)
-        & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
-        (abs_wide(D3_p) <= m6) | (abs_wide(D3_m) <= m6);
 
     q[0] = v80 + v84; q[1] = v80 + raised_wide(v63); q[2] = v80 + raised_wide(v67);
     q[3] = v80 + lowered_wide(v75); q[4] = v80 + v86;
@@ -477,7 +473,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     q[19] = v83 + v87;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 + v40
+        * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59) &
+        (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
+        (abs_wide(D3_p) <= m6) | (abs_wide(D3_m) <= m6));
 }
 
 #if LANES > 1
@@ -516,7 +515,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
         v21 = w3 - w3;
-    const four_mask doubt2 = abs_four(D3) <= m6;
 
     /* theta2 */
     const four v22 = e2 * Z2_3, v23 = m7 * N3 - m8, v24 = Z1_3 * v23, S2 = v24 - w3 * (m7 * v22),
@@ -532,15 +530,14 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four v35 = T34 - (a3 * (v26 + w3 * (m9 * (v22 * factor2))) + (v28 + a2 * (S2 * factor2))),
         v36 = T14 - e1 * (c1 * v27), v37 = T24 - e1 * (s1 * v27), v38 = v36 * v36, v39 = v37 * v37,
         v40 = v39 + (v38 + v35 * v35);
-    const four_mask doubt3 = (m12 < v40) & (v40 <= m13);
 
     /* joint values */
     const double v41 = copysign(half_turn, v3), v49 = NAN;
     const four v50 = only_four((v40 <= m12) == 0, v49);
-    const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m11 < v29 * v29 + v30 * v30 + v31 * v31 + v32 *
-        v32 + v33 * v33 + v34 * v34) | (v8 <= m2);
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m6) | ((m12 < v40) &
+        (v40 <= m13))) | (unsigned)((v7 <= m2) | (v4 <= m1) | (m11 < v29 * v29 + v30 * v30 + v31 *
+        v31 + v32 * v32 + v33 * v33 + v34 * v34) | (v8 <= m2)))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),

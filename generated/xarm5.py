@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 e34ced7d85082e76"
+_KEY = "xarm5 70c2db222d9e11af"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1168,14 +1168,12 @@ def _regular(pose, q, status):
     v81 = 0.0 if v58 <= m12 else v79
     v82 = 0.0 if v59 <= m12 else v79
     v83 = 0.0 if v60 <= m12 else v79
-    doubt1 = (
+
+    if (
         v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41 +
         v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <= m13) or (m12 <
         v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
-    )
-
-    # a joint is free, or branches meet
-    if doubt1:
+    ):
         return False
 
     # angles, side by side
@@ -1481,12 +1479,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [704, 720, 736, 752, 768],
-    [784, 800, 816, 832, 848],
-    [864, 880, 896, 912, 928],
-    [944, 960, 976, 992, 1008],
+    [928, 944, 960, 976, 992],
+    [1008, 1024, 1040, 1056, 1072],
+    [1088, 1104, 1120, 1136, 1152],
+    [1168, 1184, 1200, 1216, 1232],
 ])
-_KINDS = np.array([1024, 1040, 1056, 1072])
+_KINDS = np.array([1248, 1264, 1280, 1296])
 
 
 @intrinsic(prefer_literal=True)
@@ -1513,7 +1511,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(1088), 1088)
+    work = carray(_tile(1312), 1312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1642,60 +1640,82 @@ def _in_tiles(T, q, status):
             v81 = 0.0 if v58 <= m12 else v79
             v82 = 0.0 if v59 <= m12 else v79
             v83 = 0.0 if v60 <= m12 else v79
-            doubt1 = (
-                v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 + v41 *
-                v41 + v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <=
-                m13) or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6
-                or abs(D3_m) <= m6
-            )
             work[272 + k] = v3
-            work[288 + k] = Z2_5
-            work[304 + k] = v23
-            work[320 + k] = v24
-            work[336 + k] = v80
-            work[352 + k] = v81
-            work[368 + k] = v82
-            work[384 + k] = v83
-            work[400 + k] = doubt1
-            work[416 + k] = -Z2_234
-            work[432 + k] = -Z2_5
-            work[448 + k] = w3_p
-            work[464 + k] = w3_m
-            work[480 + k] = S2_pp
-            work[496 + k] = S2_pm
-            work[512 + k] = S2_mp
-            work[528 + k] = S2_mm
-            work[544 + k] = v3
-            work[560 + k] = T33
-            work[576 + k] = -Z1_5
-            work[592 + k] = N3_p - k1
-            work[608 + k] = N3_m - k1
-            work[624 + k] = v30 + w3_p * (m7 * Z1_3_p)
-            work[640 + k] = v30 + w3_p * (m7 * -Z1_3_p)
-            work[656 + k] = w3_m * (m7 * Z1_3_m) - v31
-            work[672 + k] = w3_m * (m7 * -Z1_3_m) - v31
-            work[688 + k] = v2
-        for k in range(416, 560):
+            work[288 + k] = v4
+            work[304 + k] = v7
+            work[320 + k] = Z2_5
+            work[336 + k] = v8
+            work[352 + k] = D3_p
+            work[368 + k] = D3_m
+            work[384 + k] = v23
+            work[400 + k] = v24
+            work[416 + k] = v38
+            work[432 + k] = v39
+            work[448 + k] = v40
+            work[464 + k] = v41
+            work[480 + k] = v42
+            work[496 + k] = v43
+            work[512 + k] = v57
+            work[528 + k] = v58
+            work[544 + k] = v59
+            work[560 + k] = v60
+            work[576 + k] = v80
+            work[592 + k] = v81
+            work[608 + k] = v82
+            work[624 + k] = v83
+            work[640 + k] = -Z2_234
+            work[656 + k] = -Z2_5
+            work[672 + k] = w3_p
+            work[688 + k] = w3_m
+            work[704 + k] = S2_pp
+            work[720 + k] = S2_pm
+            work[736 + k] = S2_mp
+            work[752 + k] = S2_mm
+            work[768 + k] = v3
+            work[784 + k] = T33
+            work[800 + k] = -Z1_5
+            work[816 + k] = N3_p - k1
+            work[832 + k] = N3_m - k1
+            work[848 + k] = v30 + w3_p * (m7 * Z1_3_p)
+            work[864 + k] = v30 + w3_p * (m7 * -Z1_3_p)
+            work[880 + k] = w3_m * (m7 * Z1_3_m) - v31
+            work[896 + k] = w3_m * (m7 * -Z1_3_m) - v31
+            work[912 + k] = v2
+        for k in range(640, 784):
             work[k] = _atan2(work[k], work[k + 144])
         for k in range(0, 16):
             v3 = work[272 + k]
-            Z2_5 = work[288 + k]
-            v23 = work[304 + k]
-            v24 = work[320 + k]
-            v80 = work[336 + k]
-            v81 = work[352 + k]
-            v82 = work[368 + k]
-            v83 = work[384 + k]
-            doubt1 = work[400 + k] != 0.0
-            angle1 = work[416 + k]
-            angle2 = work[432 + k]
-            angle3 = work[448 + k]
-            angle4 = work[464 + k]
-            angle5 = work[480 + k]
-            angle6 = work[496 + k]
-            angle7 = work[512 + k]
-            angle8 = work[528 + k]
-            angle9 = work[544 + k]
+            v4 = work[288 + k]
+            v7 = work[304 + k]
+            Z2_5 = work[320 + k]
+            v8 = work[336 + k]
+            D3_p = work[352 + k]
+            D3_m = work[368 + k]
+            v23 = work[384 + k]
+            v24 = work[400 + k]
+            v38 = work[416 + k]
+            v39 = work[432 + k]
+            v40 = work[448 + k]
+            v41 = work[464 + k]
+            v42 = work[480 + k]
+            v43 = work[496 + k]
+            v57 = work[512 + k]
+            v58 = work[528 + k]
+            v59 = work[544 + k]
+            v60 = work[560 + k]
+            v80 = work[576 + k]
+            v81 = work[592 + k]
+            v82 = work[608 + k]
+            v83 = work[624 + k]
+            angle1 = work[640 + k]
+            angle2 = work[656 + k]
+            angle3 = work[672 + k]
+            angle4 = work[688 + k]
+            angle5 = work[704 + k]
+            angle6 = work[720 + k]
+            angle7 = work[736 + k]
+            angle8 = work[752 + k]
+            angle9 = work[768 + k]
             v61 = angle9 - offset1
             v62 = angle9 - math.copysign(half_turn, v3) - offset1
             v63 = angle5 - offset2
@@ -1738,51 +1758,56 @@ def _in_tiles(T, q, status):
             q5_pm = v81 + v86
             q5_mp = v82 + v87
             q5_mm = v83 + v87
-            _704 = q1_pp
-            work[704 + k] = _704
-            _720 = q2_pp
-            work[720 + k] = _720
-            _736 = q3_pp
-            work[736 + k] = _736
-            _752 = q4_pp
-            work[752 + k] = _752
-            _768 = q5_pp
-            work[768 + k] = _768
-            _784 = q1_pm
-            work[784 + k] = _784
-            _800 = q2_pm
-            work[800 + k] = _800
-            _816 = q3_pm
-            work[816 + k] = _816
-            _832 = q4_pm
-            work[832 + k] = _832
-            _848 = q5_pm
-            work[848 + k] = _848
-            _864 = q1_mp
-            work[864 + k] = _864
-            _880 = q2_mp
-            work[880 + k] = _880
-            _896 = q3_mp
-            work[896 + k] = _896
-            _912 = q4_mp
-            work[912 + k] = _912
-            _928 = q5_mp
+            _928 = q1_pp
             work[928 + k] = _928
-            _944 = q1_mm
+            _944 = q2_pp
             work[944 + k] = _944
-            _960 = q2_mm
+            _960 = q3_pp
             work[960 + k] = _960
-            _976 = q3_mm
+            _976 = q4_pp
             work[976 + k] = _976
-            _992 = q4_mm
+            _992 = q5_pp
             work[992 + k] = _992
-            _1008 = q5_mm
+            _1008 = q1_pm
             work[1008 + k] = _1008
-            work[1024 + k] = UNREACHABLE if _704 != _704 else OK
-            work[1040 + k] = UNREACHABLE if _784 != _784 else OK
-            work[1056 + k] = UNREACHABLE if _864 != _864 else OK
-            work[1072 + k] = UNREACHABLE if _944 != _944 else OK
-            work[256 + k] = 1.0 if doubt1 else work[256 + k]
+            _1024 = q2_pm
+            work[1024 + k] = _1024
+            _1040 = q3_pm
+            work[1040 + k] = _1040
+            _1056 = q4_pm
+            work[1056 + k] = _1056
+            _1072 = q5_pm
+            work[1072 + k] = _1072
+            _1088 = q1_mp
+            work[1088 + k] = _1088
+            _1104 = q2_mp
+            work[1104 + k] = _1104
+            _1120 = q3_mp
+            work[1120 + k] = _1120
+            _1136 = q4_mp
+            work[1136 + k] = _1136
+            _1152 = q5_mp
+            work[1152 + k] = _1152
+            _1168 = q1_mm
+            work[1168 + k] = _1168
+            _1184 = q2_mm
+            work[1184 + k] = _1184
+            _1200 = q3_mm
+            work[1200 + k] = _1200
+            _1216 = q4_mm
+            work[1216 + k] = _1216
+            _1232 = q5_mm
+            work[1232 + k] = _1232
+            work[1248 + k] = UNREACHABLE if _928 != _928 else OK
+            work[1264 + k] = UNREACHABLE if _1008 != _1008 else OK
+            work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
+            work[1296 + k] = UNREACHABLE if _1168 != _1168 else OK
+            work[256 + k] = (
+                1.0 if v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 +
+                v41 * v41 + v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and
+                v59 <= m13) or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p)
+                <= m6 or abs(D3_m) <= m6 else work[256 + k]
+            )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

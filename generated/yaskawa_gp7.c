@@ -244,12 +244,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
-#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
-#define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
-#define exceeds(x, joint) (high(joint) < abs_wide(x)) /* beyond limits that are alike */
-#define exceeds_four(x, joint) compare_four(abs_four(x), _CMP_GT_OQ, high(joint))
+/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
+#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -489,46 +490,56 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v62 = angle18 - offset6, v63 = angle18 - signed_wide(half_turn, v56) - offset6,
         v64 = angle19 - offset6, v65 = angle19 - signed_wide(half_turn, v57) - offset6,
         v66 = lowered_wide(q3__pp), v67 = only_wide(half_turn < -v6, -turn) - v6,
-        v68 = lowered_wide(q3__mp), v69 = only_wide(half_turn < -v7, -turn) - v7;
-    const wide_mask v70 = exceeds(angle1, 1), v71 = exceeds(q1__m, 1);
-    const wide v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
-        v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn);
-    const wide_mask v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3),
-        v79 = beyond(v75, 3);
-    const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, v67, v73),
-        q3_mpp = pick_wide(v78, v68, v74), q3_mmp = pick_wide(v79, v69, v75),
-        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v80 = v76 | v70 | beyond(q2_ppp, 2), v81 = v77 | v70 | beyond(q2_pmp, 2),
-        v82 = v78 | v71 | beyond(q2_mpp, 2), v83 = v79 | v71 | beyond(q2_mmp, 2),
-        doubt1 = (v34 <= m10) | (v33 <= m10) | (v32 <= m10) | (v31 <= m10) | (abs_wide(D3_m) <= m3)
-            | (v1 <= m1) | (abs_wide(D3_p) <= m3);
+        v68 = lowered_wide(q3__mp), v69 = only_wide(half_turn < -v7, -turn) - v7,
+        v70 = exceeds(angle1, 1), v71 = exceeds(q1__m, 1),
+        v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
+        v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn),
+        v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3), v79 = beyond(v75, 3),
+        q3_ppp = pick_wide(0.0 < v76, v66, v72), q3_pmp = pick_wide(0.0 < v77, v67, v73),
+        q3_mpp = pick_wide(0.0 < v78, v68, v74), q3_mmp = pick_wide(0.0 < v79, v69, v75),
+        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m),
+        v80 = maximum_wide(v76, maximum_wide(v70, beyond(q2_ppp, 2))),
+        v81 = maximum_wide(v77, maximum_wide(v70, beyond(q2_pmp, 2))),
+        v82 = maximum_wide(v78, maximum_wide(v71, beyond(q2_mpp, 2))),
+        v83 = maximum_wide(v79, maximum_wide(v71, beyond(q2_mmp, 2))),
+        excess_ppp = maximum_wide(v80, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v80, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v81, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v81, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v82, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v82, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v83, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v83, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
     q[5] = raised_wide(v58);
-    kind[0] = kind_of(q[0], v80 | exceeds(q5_ppp, 5));
+    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v35; q[10] = q5_ppm;
     q[11] = raised_wide(v59);
-    kind[1] = kind_of(q[6], v80 | exceeds(q5_ppm, 5));
+    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp;
     q[17] = raised_wide(v60);
-    kind[2] = kind_of(q[12], v81 | exceeds(q5_pmp, 5));
+    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v35; q[22] = q5_pmm;
     q[23] = raised_wide(v61);
-    kind[3] = kind_of(q[18], v81 | exceeds(q5_pmm, 5));
+    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp;
     q[29] = raised_wide(v62);
-    kind[4] = kind_of(q[24], v82 | exceeds(q5_mpp, 5));
+    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v36; q[34] = q5_mpm;
     q[35] = raised_wide(v63);
-    kind[5] = kind_of(q[30], v82 | exceeds(q5_mpm, 5));
+    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp;
     q[41] = raised_wide(v64);
-    kind[6] = kind_of(q[36], v83 | exceeds(q5_mmp, 5));
+    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v36; q[46] = q5_mmm;
     q[47] = raised_wide(v65);
-    kind[7] = kind_of(q[42], v83 | exceeds(q5_mmm, 5));
+    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt1);
+    return (exact == 0) | ((v34 <= m10) | (v33 <= m10) | (v32 <= m10) | (v31 <= m10) |
+        (abs_wide(D3_m) <= m3) | (v1 <= m1) | (abs_wide(D3_p) <= m3)) | (grazes(excess_mmm) |
+        grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) | grazes(excess_pmm) |
+        grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
 }
 
 #if LANES > 1
@@ -544,16 +555,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     ENTRIES(double);
 
     /* theta1 */
-    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3);
-    const four_mask doubt2 = abs_four(D3) <= m3;
 
     /* theta2 */
     const four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
@@ -569,9 +578,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s2m3 - e1 * (c2m3 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + wx * T23)), v19 = v18 * v18;
-    const four v20 = v19 + X4 * X4;
-    const four_mask doubt3 = v20 <= m10;
-    const four v21 = signed_four(half_turn, -(e1 * v18));
+    const four v20 = v19 + X4 * X4, v21 = signed_four(half_turn, -(e1 * v18));
 
     /* theta6 */
     const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
@@ -580,7 +587,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const four v29 = e1 * (-X4 * v24 - v18 * (e1 * (c2m3 * v25) - s2m3 * T31));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m3) | (v20 <= m10)) |
+        (unsigned)(v1 <= m1))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
@@ -597,13 +605,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v27 = angle5 - offset5, v28 = offset5 + angle5, q5_p = raised_four(v27),
         q5_m = only_four(-v28 <= -half_turn, turn) - v28, v30 = angle6 - offset6,
         v31 = angle6 - signed_four(half_turn, v29) - offset6, q6_p = raised_four(v30),
-        q6_m = raised_four(v31), v32 = lowered_four(q3_);
-    const four_mask v33 = exceeds_four(q1_, 1);
-    const four v34 = v32 + only_four(v32 < low(3), turn);
-    const four_mask v35 = beyond_four(v34, 3);
-    const four q3_p = pick_four(v35, v32, v34), q1_p = q1_ + (w3 - w3);
-    const four_mask v36 = v35 | v33 | beyond_four(q2_p, 2), outside_p = v36 | exceeds_four(q5_p, 5),
-        outside_m = v36 | exceeds_four(q5_m, 5);
+        q6_m = raised_four(v31), v32 = lowered_four(q3_), v33 = exceeds_four(q1_, 1),
+        v34 = v32 + only_four(v32 < low(3), turn), v35 = beyond_four(v34, 3),
+        q3_p = pick_four(0.0 < v35, v32, v34), q1_p = q1_ + (w3 - w3),
+        v36 = maximum_four(v35, maximum_four(v33, beyond_four(q2_p, 2))),
+        excess_p = maximum_four(v36, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v36, exceeds_four(q5_m, 5));
+    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
+        return -1;
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
@@ -1055,18 +1065,19 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 }
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row. */
+ * nearer to another row, which is less far beyond. */
 static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
 {
-    double x[6], half[6], to[6], *q = rows[row], off = past_ends(q);
-    if (!(0.0 < off && off < 0.01))
+    double x[6], half[6], to[6], *q = rows[row];
+    const double beyond = past_ends(q);
+    if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!lead_inside(T, NAN, 0.15, x))
         return;
-    off = half_way(q, x, half);
+    const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != YASKAWA_GP7_UNREACHABLE && past_ends(rows[k]) <= 0.0
+        if (status[k] != YASKAWA_GP7_UNREACHABLE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -138,8 +138,10 @@ def regular_solver(module: SolverModule) -> Regular | None:
 
 
 def _limits(module: SolverModule) -> list[Limits | None]:
-    joints = zip(module.chain.joints, slacks(module), module.chain.turning, strict=True)
+    chain, limits = module.chain, [joint.limits for joint in module.chain.joints]
     return [
-        Limits(joint.limits[0] - slack, joint.limits[1] + slack, turns) if joint.limits else None
-        for joint, slack, turns in joints
+        Limits(ends[0] - slack, ends[1] + slack, turns, 1.0 if turns else chain.size)
+        if ends
+        else None
+        for ends, slack, turns in zip(limits, slacks(module), chain.turning, strict=True)
     ]

@@ -33,8 +33,8 @@ xy y yy z zeros zz
 _LANES = """
 abs_double abs_four abs_wide added_four added_wide all_four all_wide angle_four angle_wide APART
 ARCTANGENT atan2_four atan2_wide beyond beyond_four bits_four bits_wide centred_four centred_wide
-compare_four copysign_four copysign_wide cos_double cos_four cos_wide EACH ENTRIES exceeds
-exceeds_four four four_at four_mask four_ratio from HELPER INLINED irregularity_four
+copysign_four copysign_wide cos_double cos_four cos_wide EACH ENTRIES exceeds exceeds_four four
+four_at four_mask four_ratio from grazes grazes_four HELPER INLINED irregularity_four
 irregularity_wide kind kind_of KNOWN lowered_four lowered_wide maximum_double maximum_four
 maximum_wide minimum_double minimum_four minimum_wide MOTION negated_four negated_wide odd only_four
 only_wide pick_four pick_wide raised_four raised_wide ratio_four ratio_wide shuffle SIGNED

@@ -9,7 +9,7 @@ import pytest
 
 from tests.compiling import library
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, Solver, gap
-from tests.targets.made import folder, made_up, poses_of, robot
+from tests.targets.made import folder, made_up, poses_of, residual, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
@@ -138,3 +138,42 @@ def test_lengths_beyond_limits_count_in_arm_sizes() -> None:
     rows, status = solver.ik(solver.fk(q), q)
     held = rows[np.isin(status, INSIDE)]
     assert np.abs(held - q).max(axis=1).min() < 1e-2
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("elbow", [3e-5, 1e-4, 1e-3, 1e-2])
+def test_on_a_limit_where_an_arm_is_nearly_singular_twice_over(elbow: float, language: str) -> None:
+    """The wrist centre is near axis 1 and the elbow nearly stretched: neither near enough alone."""
+    name, source = "seven_with_limits", np.random.default_rng(27)
+    solver, end = Solver(name, language), highest(name)[0]
+    for tilt in np.repeat([0.0, 1e-5, 1e-4, 1e-3], 10 if language == "Python" else 60):
+        q = np.array([end * source.choice([-1.0, 1.0]), tilt, *source.uniform(-2.0, 2.0, 5)])
+        q[3] = elbow * source.choice([-1.0, 1.0])
+        for seed in (q, q + source.uniform(-0.01, 0.01, 7)):
+            rows, status = solver.all(poses_of(name, q[None])[0], seed, q[[2]])
+            held = rows[np.isin(status, INSIDE)]
+            # wrist on axis 1 and stretched elbow: of a family, the one next to the seed
+            near = 1e-6 if (np.array([tilt, elbow]) > 1e-4).all() else 0.01
+            assert gap(held, q).min(initial=np.pi) < near
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("wrist", [1e-5, 1e-6])
+def test_a_nearly_straight_wrist_turns_far_where_a_joint_is_put_on_its_limit(
+    wrist: float, language: str
+) -> None:
+    """An elbow that rounding takes for stretched puts joint 2 some 1e-8 rad beyond."""
+    name, source = "stretched_on_a_limit", np.random.default_rng(28)
+    solver = Solver(name, language)
+    for bent in np.repeat([1e-7, 5e-8, 2e-8, 1e-8], 5 if language == "Python" else 40):
+        q = source.uniform(-3.0, 3.0, 6)
+        q[0], q[1] = q[0] / 2, source.choice([highest(name)[1], np.deg2rad(-110.0)])
+        q[2] = np.arctan2(-0.48, 0.035) + bent * source.choice([-1.0, 1.0])
+        q[4] = wrist * source.choice([-1.0, 1.0])
+        T = poses_of(name, q[None])[0]
+        rows, status = solver.all(T)
+        held = rows[np.isin(status, INSIDE)]
+        nearest = held[gap(held, q).argmin()]
+        # of those on both sides of the stretched elbow that rounding can't tell apart
+        assert gap(nearest[None], q)[0] < 0.15
+        assert residual(name, nearest[None], T[None]) < 1e-12

@@ -242,13 +242,14 @@ class Builder(Graph):
         results: dict[str, Node],
         free: list[tuple[int, Node]],
         near: Iterable[Node] = (),
+        unnamed: Iterable[Node] = (),
     ) -> Program:
-        """The program with these results, by the names they get if they have none."""
-        named = [self.name(node, wanted) for wanted, node in results.items()]
+        """The program with these results, by the names they get if they have none, and others."""
+        found = [self.name(node, wanted) for wanted, node in results.items()]
         for number, node in free:
             self._names.setdefault(node, self.unique(f"free{number}"))
         names = Names(self._names, self._hints, self._folded)
-        return scheduled(self, name, self._marks, names, named, free, tuple(near))
+        return scheduled(self, name, self._marks, names, [*found, *unnamed], free, tuple(near))
 
     def finish_entries(self, name: str, entries: dict[str, Node]) -> Program:
         """The program with these results, which get their names only where they are used again."""

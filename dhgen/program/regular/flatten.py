@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import product
+from itertools import chain, product
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.builder import Builder
@@ -37,7 +37,7 @@ class Flat:
         joints: Number of joints.
         limited: Whether there are limits.
         doubts: Whether the pose has to be left to the whole program, one truth value for each
-            type; the last one's is widest.
+            type, and the last ones of what is known when the joints' values are.
         choices: The values of the unrolled signs, in the order of the outputs.
         lanes: The axes of the original program that are lanes.
         unrolled: The others.
@@ -50,11 +50,6 @@ class Flat:
     choices: tuple[Choice, ...]
     lanes: tuple[int, ...]
     unrolled: tuple[int, ...]
-
-    @property
-    def doubt(self) -> Expression | None:
-        """The doubt, where there are no lanes; None if there is never any."""
-        return self.doubts[0] if self.doubts else None
 
     @property
     def groups(self) -> tuple[tuple[Expression, ...], ...]:
@@ -110,15 +105,13 @@ class _Flattening:
                 name = _name("outside", choice)
                 results[name] = self._value(self._solver.outside, self._unrolled, choice)
                 builder.hint(results[name], name)
-        count = len(results)
         doubts = self._doubts(choices)
-        results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
-        program = builder.finish(self._program.name, results, [])
+        program = builder.finish(self._program.name, results, [], unnamed=doubts)
         return Flat(
             program,
             joints=len(self._solver.joints),
             limited=self._solver.outside is not None,
-            doubts=program.outputs[count:],
+            doubts=program.outputs[len(results) :],
             choices=choices,
             lanes=self._lanes,
             unrolled=self._unrolled,
@@ -148,9 +141,11 @@ class _Flattening:
             self._values[statement.name, choice] = node
 
     def _doubts(self, choices: tuple[Choice, ...]) -> list[Node]:
-        """Any doubt in any branch, by type."""
-        nodes = [self._value(d, self._unrolled, c) for d in self._solver.doubts for c in choices]
-        return self._builder.disjunctions(nodes)
+        """Any doubt in any branch, by type; apart from the others that of limits."""
+        nodes = [[self._value(d, self._unrolled, c) for c in choices] for d in self._solver.doubts]
+        last = len(nodes) - (self._solver.outside is not None)
+        groups = (chain.from_iterable(nodes[:last]), chain.from_iterable(nodes[last:]))
+        return [doubt for group in groups for doubt in self._builder.disjunctions(group)]
 
     def _value(self, expression: Expression, axes: tuple[int, ...], choice: Choice) -> Node:
         """An expression where the unrolled axes have these values."""

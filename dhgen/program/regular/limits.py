@@ -1,6 +1,8 @@
 """Limits of joints in a program: angles moved by whole turns into them, and what is outside.
 
 An angle comes in (-pi, pi], unless it is given. Limits that are wider than this cost nothing.
+What is outside by so little that rounding may have put it there is told, too: the arm may stand
+on its limit.
 """
 
 from __future__ import annotations
@@ -10,7 +12,8 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from dhgen.program.role import LimitEnd, Source
+from dhgen.program.building.tolerance_constants import tolerance_constant
+from dhgen.program.role import GRAZE, LimitEnd, Source
 
 if TYPE_CHECKING:
     from dhgen.program.building.builder import Builder
@@ -25,11 +28,13 @@ class Limits:
         low: The lowest value.
         high: The highest value.
         turns: Whether the joint turns, so that whole turns may be added.
+        size: What counts as one [1 rad or the arm's size].
     """
 
     low: float
     high: float
     turns: bool
+    size: float = 1.0
 
 
 class Limiting:
@@ -41,7 +46,7 @@ class Limiting:
 
     def __init__(self, builder: Builder) -> None:
         self._builder = builder
-        self._outside: list[Node] = []
+        self._beyond: list[Node] = []  # how far each joint is
 
     def limited(self, joint: int, value: Node, limits: Limits | None) -> Node:
         """A joint's value inside its limits, or as it was."""
@@ -59,9 +64,9 @@ class Limiting:
             for _ in range(_turns(math.pi - limits.high) if limits.low < -math.pi else 0):
                 long = builder.select(builder.apply("less", high, moved), turn, zero)
                 moved = builder.sub(moved, long)
-        outside = self.beyond(joint, moved, limits)
-        self._outside.append(outside)
-        return builder.select(outside, value, moved)
+        beyond = self._how_far(joint, moved, limits)
+        self._beyond.append(beyond)
+        return builder.select(self._positive(beyond), value, moved)
 
     def beyond(self, joint: int, value: Node, limits: Limits) -> Node:
         """Whether a value is outside, where no whole turns are added."""
@@ -72,6 +77,21 @@ class Limiting:
         below = builder.apply("less", value, low)
         return builder.apply("or", below, builder.apply("less", high, value))
 
+    def _how_far(self, joint: int, value: Node, limits: Limits) -> Node:
+        """How far a value is beyond its limits [rad, arm sizes]; negative inside."""
+        low, high = self._ends(joint, limits)
+        builder = self._builder
+        if limits.low == -limits.high:
+            beyond = builder.sub(builder.absolute(value), high)
+        else:
+            beyond = builder.apply("maximum", builder.sub(low, value), builder.sub(value, high))
+        if limits.size == 1.0:
+            return beyond
+        return builder.mul(builder.constant("per_size", 1.0 / limits.size, "", -1), beyond)
+
+    def _positive(self, value: Node) -> Node:
+        return self._builder.apply("less", self._builder.integer(0), value)
+
     def _ends(self, joint: int, limits: Limits) -> tuple[Node, Node]:
         low = self._builder.constant(f"low{joint}", limits.low, "", role=LimitEnd(joint, "low"))
         high = self._builder.constant(f"high{joint}", limits.high, "", role=LimitEnd(joint, "high"))
@@ -79,9 +99,22 @@ class Limiting:
 
     def outside(self) -> Node | None:
         """Whether any joint is outside; None without limits. False where values are NaN."""
-        if not self._outside:
+        return self._positive(self._farthest()) if self._beyond else None
+
+    def grazed(self, most: float) -> Node | None:
+        """Whether any joint is outside, but none by more than this [rad, arm sizes]."""
+        if not self._beyond:
             return None
-        return reduce(lambda a, b: self._builder.apply("or", a, b), self._outside)
+        half = tolerance_constant(self._builder, GRAZE, 0.5 * most)
+        off = self._builder.absolute(self._builder.sub(self._farthest(), half))
+        return self._builder.apply("at_most", off, half)
+
+    def _farthest(self) -> Node:
+        """How far the joint is outside that is it most."""
+        builder = self._builder
+        narrow_first = sorted(self._beyond, key=lambda each: len(builder.axes_of(each)))
+        farthest = reduce(lambda a, b: builder.apply("maximum", a, b), narrow_first)
+        return builder.hint(farthest, "excess")
 
 
 def whole_turn(builder: Builder) -> Node:

@@ -45,7 +45,7 @@ class Regular:
             one, in one branch, is enough to leave the pose to the whole program.
         joints: The values of the joints, NaN in all of them where a branch has no solution.
         outside: Whether one of them is outside its limits; None where there are no limits.
-        doubts: The truth values.
+        doubts: The truth values, those that are known before the joints' values first.
     """
 
     program: Program
@@ -103,11 +103,12 @@ class Unguarded:
         joints = [self._limited(limiting, place + 1, node) for place, node in enumerate(joints)]
         ended = self._endings.ended(joints)
         results = {f"q{place + 1}": node for place, node in enumerate(ended)}
-        outside = limiting.outside()
+        outside, grazed = limiting.outside(), limiting.grazed(self._tolerances.overshoot)
         results |= {} if outside is None else {"outside": outside}
         count = len(results)
         doubts = builder.joined(self._doubts, "or")
         doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
+        doubts += [] if grazed is None else [grazed]
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(self._program.name, results, [])
         outputs = finished.outputs

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
-from dhgen.program.role import LimitEnd
+from dhgen.program.role import GRAZE, LimitEnd
 from dhgen.program.walk import expressions
 from dhgen.targets.c.declared import Declaration
 from dhgen.targets.c.language import C
@@ -59,6 +59,7 @@ class LaneText:
         self._wide = wide
         roles = {c.name: c.role for c in program.constants}
         self._limits = {name: r for name, r in roles.items() if isinstance(r, LimitEnd)}
+        self._graze = {c.name: repr(c.value) for c in program.constants if c.role == GRAZE}
         self._turns = TurnReader(program)
         self._lanes = dict.fromkeys(roles, False)
         self._lanes |= {axis.name: True for axis in program.axes}
@@ -86,6 +87,8 @@ class LaneText:
     def text(self, expression: Expression) -> Text:
         """An expression."""
         match expression:
+            case Variable(name) if value := self._graze.get(name):
+                return Text(value, ATOM, self._lanes[name])
             case Variable(name) if limit := self._limits.get(name):
                 return Text(f"{limit.end}({limit.joint})", ATOM, self._lanes[name])
             case Variable(name):
@@ -107,24 +110,34 @@ class LaneText:
         match expression:
             case Apply("sqrt", (Integer(value),)) if value < 0:
                 return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
-            case Apply("or", (Apply("less", (value, low)), Apply("less", (high, again)))) if (
-                value == again and (joint := self._limited_joint(low, high))
-            ):
-                return self._limit_test("beyond", value, joint)
-            case Apply("less", (Variable(name), Apply("abs", (value,)))) if (
-                limit := self._limits.get(name)
-            ) and self.text(value).lanes:
-                return self._limit_test("exceeds", value, limit.joint)
+            case Apply(operator, parts) if (told := self._of_limits(operator, parts)) is not None:
+                return told
         turned = self._turns.read(expression)
         if turned is None or not (angle := self.text(turned.angle)).lanes:
             return None
         return Text(f"{turned.function}_{self._vector}({angle.text})", ATOM, lanes=True)
 
-    def _limit_test(self, macro: str, value: Expression, joint: int) -> Text:
-        """Whether a value is outside the limits of a joint, by a macro."""
+    def _of_limits(self, operator: str, parts: tuple[Expression, ...]) -> Text | None:
+        """How values in lanes stand to limits, by a macro."""
+        match operator, parts:
+            case "maximum", (Apply("sub", (low, value)), Apply("sub", (again, high))):
+                joint = self._limited_joint(low, high) if value == again else None
+                return self._limit_macro("beyond", value, joint) if joint else None
+            case "sub", (Apply("abs", (value,)), Variable(name)):
+                limit = self._limits.get(name)
+                return self._limit_macro("exceeds", value, limit.joint) if limit else None
+            case "at_most", (Apply("abs", (Apply("sub", (value, half)),)), Variable(name)):
+                grazes = half == parts[1] and name in self._graze
+                return self._limit_macro("grazes", value) if grazes else None
+            case _:
+                return None
+
+    def _limit_macro(self, macro: str, value: Expression, *others: int) -> Text | None:
         inside = self.text(value)
-        where = "_four" if inside.lanes and not self._wide else ""
-        return Text(f"{macro}{where}({inside.text}, {joint})", ATOM, inside.lanes)
+        if not inside.lanes:
+            return None
+        listed = ", ".join([inside.text, *map(str, others)])
+        return Text(f"{macro}{'' if self._wide else '_four'}({listed})", ATOM, lanes=True)
 
     def _limited_joint(self, low: Expression, high: Expression) -> int | None:
         """The number of the joint of which these are the limits."""

@@ -19,6 +19,7 @@ from dhgen.targets.c.rows import status_lines, store_places, stores, words
 from dhgen.targets.c.shared import NOTHING_SHARED, shared_values
 from dhgen.targets.c.tools import Tools, tools_of
 from dhgen.targets.c.wide import lets, row_of, wide_lines
+from dhgen.targets.dialect import ATOM
 from dhgen.targets.layout import INDENT, call, wrapped
 from dhgen.tolerances import SINGLE
 
@@ -228,7 +229,7 @@ def _with_angles(flat: Flat, text: LaneText, shared: Shared, misfit: str) -> lis
 def _leaving(misfits: list[str], doubts: list[Expression], text: LaneText) -> list[str]:
     """Leaves an irregular pose to the other solver."""
     told = [text.text(doubt) for doubt in doubts]
-    lanes = [*misfits, *(each.text for each in told if each.lanes)]
+    lanes = [*misfits, *(each.within(ATOM) for each in told if each.lanes)]
     single = [f"(unsigned)({each.text})" for each in told if not each.lanes]
     reasons = [*([f"bits_four({' | '.join(lanes)})"] if lanes else []), *single]
     if not reasons:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.role import LimitEnd, Source
+from dhgen.program.role import GRAZE, LimitEnd, Source
 from dhgen.targets.c.irregular import finite_entries, finite_given
 from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.program.ir import Program
+    from dhgen.program.role import Role
     from dhgen.targets.c.entries import Entries
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
@@ -156,13 +157,18 @@ def _slack(module: SolverModule) -> str:
 def _constants(
     module: SolverModule, regular: Sequence[Program]
 ) -> tuple[list[ConstantText], list[ConstantText]]:
-    """The constants of all builds, and those that only branches in lanes need; limits are told."""
+    """The constants of all builds, and those that only branches in lanes need."""
     programs = tuple(regular)
     common, every = (
-        [each for each in constant_texts(module, some) if not isinstance(each.role, LimitEnd)]
+        [each for each in constant_texts(module, some) if not _in_macros(each.role)]
         for some in (programs[:1], programs)
     )
     return common, [each for each in every if each not in common]
+
+
+def _in_macros(role: Role) -> bool:
+    """Whether a constant is no variable: it stands in macros that compare with limits."""
+    return isinstance(role, LimitEnd) or role == GRAZE
 
 
 def _constant_lines(constants: list[ConstantText]) -> list[str]:

@@ -21,18 +21,22 @@ class Tools:
         raises: Angles that may be -pi or below are moved by a whole turn.
         lowers: Angles that may be above pi are.
         centres: Angles that may be either are.
-        compares: Ends of limits are compared.
-        beyond: Both ends are.
-        exceeds: Both ends are at once.
+        low: Lower ends of limits are named.
+        high: Upper ends are.
+        beyond: Joints have two that are not alike.
+        exceeds: Joints have two that are.
+        grazes: Joints may be beyond by rounding.
     """
 
     spreads_truths: bool
     raises: bool
     lowers: bool
     centres: bool
-    compares: bool
+    low: bool
+    high: bool
     beyond: bool
     exceeds: bool
+    grazes: bool
 
     @property
     def turns(self) -> bool:
@@ -52,7 +56,9 @@ def tools_of(lines: Iterable[str]) -> Tools:
         raises=either("raised"),
         lowers=either("lowered"),
         centres=either("centred"),
-        compares=any(map(either, ("low", "high", "beyond", "exceeds"))),
+        low=either("low") or either("beyond"),
+        high=any(map(either, ("high", "beyond", "exceeds"))),
         beyond=either("beyond"),
         exceeds=either("exceeds"),
+        grazes=either("grazes"),
     )

@@ -89,11 +89,11 @@ class _Wide:
         limit = repr(self._module.precision.tolerances.orthonormal)
         irregular = f"irregularity_wide({given}) <= {limit}"
         if not self._flat.lanes:
-            doubt = self._flat.doubt
             lines = [*entries, *self._body(0, INDENT), "", *self._rows(INDENT)]
             lines.append(f"{INDENT}const wide_mask exact = {irregular};")
-            left = "" if doubt is None else f" | ({self._text.text(doubt).text})"
-            return [*lines, f"{INDENT}return (exact == 0){left};"]
+            doubts = [f"({self._text.text(doubt).text})" for doubt in self._flat.doubts]
+            left = " | ".join(["(exact == 0)", *doubts])
+            return [*lines, *wrapped(f"{INDENT}return {left};", INDENT)]
         begin = f"{INDENT}wide_mask left = ({irregular}) == 0;"
         return [*entries, begin, *self._loops(0, INDENT), f"{INDENT}return left;"]
 

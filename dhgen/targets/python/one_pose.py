@@ -50,18 +50,18 @@ def single(flat: Flat) -> Single:
     together = [_together(stage) for stage in stages.stages]
     values = stages.outputs[: flat.joints * len(flat.choices)]
     rest = stages.outputs[len(values) :]
-    leaving = [] if flat.doubt is None else _leaving(rest[-1])
-    awaited = set() if flat.doubt is None else names_in(rest[-1])
-    awaited -= {constant.name for constant in flat.program.constants}
+    doubts = list(rest[len(rest) - len(flat.doubts) :])
+    known = {constant.name for constant in flat.program.constants}
     lines: list[str] = []
     for stage, calls in zip(stages.stages, together, strict=True):
         lines += _arithmetic(stage, titles)
-        awaited -= {let.name for let in stage.lets}
-        if not awaited:
-            lines, leaving = lines + leaving, []
+        known |= {let.name for let in stage.lets}
+        while doubts and names_in(doubts[0]) <= known:
+            lines += _leaving(doubts.pop(0))
         lines += _called(stage, calls)
-        awaited -= {call.name for call in stage.calls}
-    lines += [*leaving, "", *_results(flat, values, rest)]
+        known |= {call.name for call in stage.calls}
+    lines += [*(line for doubt in doubts for line in _leaving(doubt)), ""]
+    lines += _results(flat, values, rest)
     while lines and not lines[0]:
         lines = lines[1:]
     return Single(tuple(lines), max((2 * _padded(len(calls)) for calls in together), default=0))
@@ -151,8 +151,7 @@ def _leaving(doubt: Expression) -> list[str]:
     """Leaves a pose that is none of these rows', as soon as that is known."""
     language = Python()
     leave = language.leave(expression_text(doubt, language), "", 0, [])
-    reason = ["", f"{INDENT}# a joint is free, or branches meet"]
-    return [*reason, *(INDENT + line for line in leave[:-1]), f"{INDENT * 2}return False"]
+    return ["", *(INDENT + line for line in leave[:-1]), f"{INDENT * 2}return False"]
 
 
 def _results(flat: Flat, values: Sequence[Expression], rest: Sequence[Expression]) -> list[str]:

@@ -209,9 +209,9 @@ class _Tiling:
             beyond = expression_text(rest[row], language) if self._flat.limited else ""
             kind = status_text(f"_{places[row * self._flat.joints]}", beyond)
             lines += assigned(f"work[{place} + k]", kind, LOOP)
-        if self._flat.doubt is not None:
-            text = expression_text(rest[-1], language)
-            place = self._place("left over")
+        place = self._place("left over")
+        for doubt in rest[len(rest) - len(self._flat.doubts) :]:
+            text = expression_text(doubt, language)
             lines += assigned(f"work[{place} + k]", f"1.0 if {text} else work[{place} + k]", LOOP)
         return kinds, lines
 

@@ -115,7 +115,7 @@ def searches_of(module: SolverModule) -> Searches:
         ascend=finds_roots(module.solver) and len(module.solver.axes) == 1,
         slides=(again or within) and not all(module.chain.turning),
         measures_limits=within or stands_on_limits(module),
-        sums_limits=within or not winds(module) or tightens or tolerances.blur_limits,
+        sums_limits=within or not winds(module) or tightens,
         choosable=", ".join(str(joint - 1) for joint in joints),
         choices=len(joints),
         in_turn=", ".join(str(joint - 1) for joint in together),

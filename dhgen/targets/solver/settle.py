@@ -22,10 +22,9 @@ ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet
 SLOW = 0.7
 IN_VAIN = 4  # such steps lead nowhere
 FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
-# Joints that move by more lead to another solution: from a seed [rad, arm sizes], where a step may
-# be longer than the whole way; and times what a joint is beyond its limit.
+# Joints that move by more lead to another solution, from a seed and onto a limit [rad, arm sizes]:
+# there a step may be longer than the whole way, and a straight wrist turns far for next to nothing.
 MOVED = BESIDE_SEED
-LED = 10.0
 ASIDE = 0.25  # times the whole way: from half way to the same solution steps lead no farther
 NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
 # Half way to two rows as much is missed if by no more than so many times: then rounding says which
@@ -55,8 +54,7 @@ class Settle:
         slow: A step that leaves more of the miss is in vain.
         in_vain: Such steps lead nowhere.
         far: Times what is enough: nearer rounding decides what a step leaves.
-        most_moved: From a seed [rad, arm sizes].
-        led_by_limit: The same, times what a joint is beyond its limit.
+        most_moved: From a seed, and onto a limit [rad, arm sizes].
         next_inside: As far are joints put inside their ends, times what they are beyond.
         farthest_inside: The same after it was doubled for the last time.
         singular: The damping of steps that leave singular directions alone.
@@ -83,7 +81,6 @@ class Settle:
     in_vain: int = IN_VAIN
     far: float = FAR
     most_moved: float = MOVED
-    led_by_limit: float = LED
     next_inside: float = NEXT_INSIDE
     farthest_inside: float = FARTHEST_INSIDE
     singular: float = FLOOR

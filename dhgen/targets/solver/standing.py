@@ -36,7 +36,6 @@ class Standing:
         beyond_an_end: The function that says how far a joint is beyond the end of its range.
         beyond_ends: The same for a row.
         leads_inside: The function that leads joints beyond their limits onto them or inside.
-        doubts_limits: Whether rounding takes joints beyond limits at regular poses, too.
     """
 
     on_limits: bool
@@ -48,7 +47,6 @@ class Standing:
     beyond_an_end: str
     beyond_ends: str
     leads_inside: str
-    doubts_limits: bool
     least_whole: float = LEAST_WHOLE
 
 
@@ -65,7 +63,6 @@ def standing_of(module: SolverModule) -> Standing:
         beyond_an_end="past_an_end" if winding else "overshoot",
         beyond_ends="past_ends" if winding else "beyond_limits",
         leads_inside="lead_inside" if winding else "settle",
-        doubts_limits=limited and module.precision.tolerances.blur_limits,
     )
 
 
