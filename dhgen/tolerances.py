@@ -108,6 +108,11 @@ class Tolerances:
         """Whether the arithmetic is fine enough to tell a pose that was rounded."""
         return self.exact < self.consistent
 
+    @property
+    def graze(self) -> float:
+        """Half of `overshoot`: what is as far from this at most is beyond a limit by rounding."""
+        return 0.5 * self.overshoot
+
 
 TOLERANCES = Tolerances()
 

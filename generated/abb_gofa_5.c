@@ -4100,7 +4100,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
     if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, 0.15, x))
+    if (!lead_inside(T, NAN, 1.5, x))
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 ba29622bab1aae0a"
+_KEY = "abb_gofa_5 548e682825a75212"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2710,7 +2710,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    if not _lead_inside(pose, math.nan, 0.15, x):
+    if not _lead_inside(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

@@ -208,10 +208,10 @@ HELPER void transpose(wide x[LANES])
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
 /* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
-#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
+#define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
+#define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \

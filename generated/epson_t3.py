@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 03546f581659f3e5"
+_KEY = "epson_t3 cb7b4d73a20a1ba5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -902,7 +902,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(4), np.empty(4)
-    if not _lead_inside(pose, math.nan, 0.15, x):
+    if not _lead_inside(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

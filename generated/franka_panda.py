@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 0c19175982df7a32"
+_KEY = "franka_panda 1d8ed4ead3749acf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1071,7 +1071,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(7), np.empty(7)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

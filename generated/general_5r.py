@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 07a87a69ece5460a"
+_KEY = "general_5r 774c8af75575f1e4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2580,7 +2580,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(5), np.empty(5)
-    if not _lead_inside(pose, math.nan, 0.15, x):
+    if not _lead_inside(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

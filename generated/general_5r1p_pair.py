@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair 040e66f045578d79"
+_KEY = "general_5r1p_pair af5e6f8572557347"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2477,7 +2477,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 854e5d23f6a21566"
+_KEY = "general_5r_pointing 667d75f7b229c9ec"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2556,7 +2556,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(5), np.empty(5)
-    if not _lead_inside(pose, math.nan, 0.15, x):
+    if not _lead_inside(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

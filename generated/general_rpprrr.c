@@ -3632,7 +3632,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, 0.15, x))
+    if (!settle(T, NAN, 1.5, x))
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)

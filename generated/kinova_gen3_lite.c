@@ -3983,7 +3983,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
     if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!settle(T, NAN, 0.15, x))
+    if (!settle(T, NAN, 1.5, x))
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)

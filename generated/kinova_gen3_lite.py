@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite c6aef583e9147aa6"
+_KEY = "kinova_gen3_lite 6a00ca66df5a537a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2455,7 +2455,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(6), np.empty(6)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 8c91626177d6e473"
+_KEY = "kuka_iiwa14 84f05fe79d7867ea"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1078,7 +1078,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(7), np.empty(7)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

@@ -245,10 +245,10 @@ TURNS(four)
 
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
 /* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
-#define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define exceeds_four(x, joint) (abs_four(x) - high(joint))
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 57ab8dfb57c85db4"
+_KEY = "planar_rp 07b0adb51db8f622"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -721,7 +721,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(2), np.empty(2)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

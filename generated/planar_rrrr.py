@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 68f886b2f665956a"
+_KEY = "planar_rrrr 886bcd2a7f85b2bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -767,7 +767,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(4), np.empty(4)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

@@ -118,8 +118,8 @@ TURNS(wide)
 
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
 /* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
-#define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define grazes(x) (abs_wide((x) - 0.005f) <= 0.005f)
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -799,7 +799,7 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
     if (!(0.0f < beyond && beyond < 0.01f))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, 0.15f, x))
+    if (!lead_inside(T, NAN, 1.5f, x))
         return;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)

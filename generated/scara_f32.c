@@ -130,9 +130,9 @@ TURNS(wide)
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
 /* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+#define grazes(x) (abs_wide((x) - 0.005f) <= 0.005f)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
-#define grazes(x) (abs_wide((x) - 0.005f) <= 0.005f)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -692,7 +692,7 @@ static void stand(const float T[16], int row, float rows[2][4], const unsigned c
     if (!(0.0f < beyond && beyond < 0.01f))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, 0.15f, x))
+    if (!lead_inside(T, NAN, 1.5f, x))
         return;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)

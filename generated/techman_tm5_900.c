@@ -248,10 +248,10 @@ TURNS(four)
 
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
 /* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
-#define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define exceeds_four(x, joint) (abs_four(x) - high(joint))
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
+#define exceeds(x, joint) (abs_wide(x) - high(joint))
+#define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -1183,7 +1183,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
     if (!(0.0 < beyond && beyond < 0.01))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, 0.15, x))
+    if (!lead_inside(T, NAN, 1.5, x))
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)

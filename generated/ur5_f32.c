@@ -916,7 +916,7 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
     if (!(0.0f < beyond && beyond < 0.01f))
         return;
     take(q, x);
-    if (!lead_inside(T, NAN, 0.15f, x))
+    if (!lead_inside(T, NAN, 1.5f, x))
         return;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r a3e3c1a24569229f"
+_KEY = "welding_5r 58dd5c5aa6a5a48d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1645,7 +1645,7 @@ def _stand(pose, row, rows, status):
     if not 0.0 < beyond < 0.01:
         return
     x, half, to = q.copy(), np.empty(5), np.empty(5)
-    if not _settle(pose, math.nan, 0.15, x):
+    if not _settle(pose, math.nan, 1.5, x):
         return
     off = _half_way(q, x, half)
     for k in range(len(rows)):

@@ -158,7 +158,7 @@ def test_on_a_limit_where_an_arm_is_nearly_singular_twice_over(elbow: float, lan
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("wrist", [1e-5, 1e-6])
+@pytest.mark.parametrize("wrist", [1e-5, 1e-6, 1e-7])
 def test_a_nearly_straight_wrist_turns_far_where_a_joint_is_put_on_its_limit(
     wrist: float, language: str
 ) -> None:
@@ -173,7 +173,6 @@ def test_a_nearly_straight_wrist_turns_far_where_a_joint_is_put_on_its_limit(
         T = poses_of(name, q[None])[0]
         rows, status = solver.all(T)
         held = rows[np.isin(status, INSIDE)]
-        nearest = held[gap(held, q).argmin()]
-        # of those on both sides of the stretched elbow that rounding can't tell apart
-        assert gap(nearest[None], q)[0] < 0.15
-        assert residual(name, nearest[None], T[None]) < 1e-12
+        # any turn of the wrist that meets the pose with an elbow on either side of stretched
+        assert gap(held[:, :3], q[:3]).min(initial=np.pi) < 1e-6
+        assert residual(name, held, T[None]) < 1e-12

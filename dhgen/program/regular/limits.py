@@ -101,13 +101,13 @@ class Limiting:
         """Whether any joint is outside; None without limits. False where values are NaN."""
         return self._positive(self._farthest()) if self._beyond else None
 
-    def grazed(self, most: float) -> Node | None:
-        """Whether any joint is outside, but none by more than this [rad, arm sizes]."""
+    def grazed(self, half: float) -> Node | None:
+        """Whether any joint is outside, but none by more than twice this [rad, arm sizes]."""
         if not self._beyond:
             return None
-        half = tolerance_constant(self._builder, GRAZE, 0.5 * most)
-        off = self._builder.absolute(self._builder.sub(self._farthest(), half))
-        return self._builder.apply("at_most", off, half)
+        middle = tolerance_constant(self._builder, GRAZE, half)
+        off = self._builder.absolute(self._builder.sub(self._farthest(), middle))
+        return self._builder.apply("at_most", off, middle)
 
     def _farthest(self) -> Node:
         """How far the joint is outside that is it most."""

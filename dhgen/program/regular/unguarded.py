@@ -103,7 +103,7 @@ class Unguarded:
         joints = [self._limited(limiting, place + 1, node) for place, node in enumerate(joints)]
         ended = self._endings.ended(joints)
         results = {f"q{place + 1}": node for place, node in enumerate(ended)}
-        outside, grazed = limiting.outside(), limiting.grazed(self._tolerances.overshoot)
+        outside, grazed = limiting.outside(), limiting.grazed(self._tolerances.graze)
         results |= {} if outside is None else {"outside": outside}
         count = len(results)
         doubts = builder.joined(self._doubts, "or")

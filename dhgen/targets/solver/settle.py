@@ -22,9 +22,11 @@ ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet
 SLOW = 0.7
 IN_VAIN = 4  # such steps lead nowhere
 FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
-# Joints that move by more lead to another solution, from a seed and onto a limit [rad, arm sizes]:
-# there a step may be longer than the whole way, and a straight wrist turns far for next to nothing.
+# Joints that move by more lead to another solution [rad, arm sizes]: from a seed, where a step may
+# be longer than the whole way; and onto a limit, where a nearly straight wrist turns far for next
+# to nothing.
 MOVED = BESIDE_SEED
+LED = 1.5
 ASIDE = 0.25  # times the whole way: from half way to the same solution steps lead no farther
 NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
 # Half way to two rows as much is missed if by no more than so many times: then rounding says which
@@ -54,7 +56,8 @@ class Settle:
         slow: A step that leaves more of the miss is in vain.
         in_vain: Such steps lead nowhere.
         far: Times what is enough: nearer rounding decides what a step leaves.
-        most_moved: From a seed, and onto a limit [rad, arm sizes].
+        most_moved: From a seed [rad, arm sizes].
+        most_led: Onto a limit.
         next_inside: As far are joints put inside their ends, times what they are beyond.
         farthest_inside: The same after it was doubled for the last time.
         singular: The damping of steps that leave singular directions alone.
@@ -81,6 +84,7 @@ class Settle:
     in_vain: int = IN_VAIN
     far: float = FAR
     most_moved: float = MOVED
+    most_led: float = LED
     next_inside: float = NEXT_INSIDE
     farthest_inside: float = FARTHEST_INSIDE
     singular: float = FLOOR
