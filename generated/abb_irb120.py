@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 29f7d949188a772d"
+_KEY = "abb_irb120 1e605c4303c299a5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -184,7 +184,7 @@ low3 = -1.919860001
 high3 = 1.221730001
 high4 = 2.7925300010000003
 high5 = 2.094395001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.0080160000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 3.884373725055392e-12
@@ -1216,6 +1216,7 @@ def _regular(pose, q, status):
     v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)
     v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(D3) <= m2 or v1 <= m1 or v25 <= m9 or v24 <= m9 or v22 <= m9 or v23 <= m9:
         return False
 
@@ -1353,6 +1354,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb1600 4f5d7a5fb4be6799"
+_KEY = "abb_irb1600 30d7399c87e27c48"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -942,6 +942,7 @@ def _regular(pose, q, status):
     v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
     v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
 
+    # a joint is free, or branches meet
     if (
         v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1 or abs(D3_p)
         <= m3

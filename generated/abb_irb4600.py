@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 54902db4b4c2091f"
+_KEY = "abb_irb4600 9195f807b59493ea"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -183,7 +183,7 @@ low3 = -3.141592654589793
 high3 = 1.3089969399957473
 low5 = -2.181661565992912
 high5 = 2.0943951033931953
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.0240152378064056e-07  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 8.528223923621197e-10
@@ -1201,6 +1201,7 @@ def _regular(pose, q, status):
     v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
     v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
@@ -1328,6 +1329,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept ef76fb9e6cc0a826"
+_KEY = "adept b801133b7f355e42"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -676,6 +676,7 @@ def _regular(pose, q, status):
     v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7))
     v12 = v1 - 1.0
 
+    # a joint is free, or branches meet
     if (
         m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33 + T23 * T23 +
         v12 * v12 or v6 <= m3

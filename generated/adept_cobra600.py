@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 27a5dda92b0dacb7"
+_KEY = "adept_cobra600 edb888203192d7e6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -718,6 +718,7 @@ def _regular(pose, q, status):
     # joint values
     q3_p = r3 + (w2 - w2)
 
+    # a joint is free, or branches meet
     if m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or abs(D2) <= m1:
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_3r 81dad209378fc661"
+_KEY = "arm_3r 68f7d0a19ca4219c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -679,6 +679,7 @@ def _regular(pose, q, status):
     v14 = S2_pp * S2_pp
     v15 = v6 * v6
 
+    # a joint is free, or branches meet
     if (
         abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or v14 + v10 *
         v10 <= m6 or v15 + v11 * v11 <= m6

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "arm_6r 0a54404cbe1c5579"
+_KEY = "arm_6r 6fe81ca73f1856ff"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -903,6 +903,7 @@ def _regular(pose, q, status):
     v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
     v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53
 
+    # a joint is free, or branches meet
     if (
         v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45 <= m7 or
         v1 <= m1 or abs(D3) <= m3 or v28 <= m6

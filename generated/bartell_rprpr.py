@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr 591e6082a813e3ba"
+_KEY = "bartell_rprpr ecd338cf8171b289"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -739,6 +739,7 @@ def _regular(pose, q, status):
     v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
     v25 = T13 + v15
 
+    # a joint is free, or branches meet
     if (
         v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 + v22 * v22 +
         v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23

@@ -207,9 +207,6 @@ HELPER void transpose(wide x[LANES])
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
-#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 
@@ -272,14 +269,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 {
     ENTRIES(wide);
 
-    /* joint values */
-    const wide excess = maximum_wide(per_size * beyond(T14, 3), maximum_wide(per_size * beyond(T34,
-        1), per_size * beyond(T24, 2)));
-
     q[0] = T34; q[1] = T24; q[2] = T14;
-    kind[0] = kind_of(q[0], 0.0 < excess);
+    kind[0] = kind_of(q[0], 0.0 < maximum_wide(per_size * beyond(T14, 3), maximum_wide(per_size *
+        beyond(T34, 1), per_size * beyond(T24, 2))));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (grazes(excess));
+    return (exact == 0);
 }
 
 #if LANES > 1
@@ -291,13 +285,11 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     ENTRIES(double);
 
     /* joint values */
-    const double excess = maximum_double(per_size * maximum_double(low(3) - T14, T14 - high(3)),
+    const int outside = 0.0 < maximum_double(per_size * maximum_double(low(3) - T14, T14 - high(3)),
         maximum_double(per_size * maximum_double(low(1) - T34, T34 - high(1)), per_size *
         maximum_double(low(2) - T24, T24 - high(2))));
-    const int outside = 0.0 < excess;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(fabs(excess - 5e-07) <=
-        5e-07))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)))
         return -1;
 
 

@@ -54,7 +54,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cartesian 23581537f5855e05"
+_KEY = "cartesian a416ac3258b74a0d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -152,7 +152,6 @@ low2 = -1.2e-09
 high2 = 0.6000000012
 low3 = -1.2e-09
 high3 = 1.2000000012
-graze = 5e-07  # twice this beyond a limit is told with more care
 
 # By what joint values may miss their limits, and the limits with it: rounding.
 _SLACK = np.array([1.2e-09, 1.2e-09, 1.2e-09])
@@ -292,14 +291,10 @@ def _regular(pose, q, status):
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
     # joint values
-    excess = (
-        max(per_size * max(low3 - T14, T14 - high3), max(per_size * max(low1 - T34, T34 - high1),
-        per_size * max(low2 - T24, T24 - high2)))
+    outside = (
+        0.0 < max(per_size * max(low3 - T14, T14 - high3), max(per_size * max(low1 - T34, T34 -
+        high1), per_size * max(low2 - T24, T24 - high2)))
     )
-    outside = 0.0 < excess
-
-    if abs(excess - graze) <= graze:
-        return False
 
     q[0, 0] = T34
     q[0, 1] = T24
@@ -544,11 +539,10 @@ def _in_tiles(T, q, status):
             T14 = work[48 + k]
             T24 = work[112 + k]
             T34 = work[176 + k]
-            excess = (
-                max(per_size * max(low3 - T14, T14 - high3), max(per_size * max(low1 - T34, T34 -
-                high1), per_size * max(low2 - T24, T24 - high2)))
+            outside = (
+                0.0 < max(per_size * max(low3 - T14, T14 - high3), max(per_size * max(low1 - T34,
+                T34 - high1), per_size * max(low2 - T24, T24 - high2)))
             )
-            outside = 0.0 < excess
             _272 = T34
             work[272 + k] = _272
             _288 = T24
@@ -556,7 +550,6 @@ def _in_tiles(T, q, status):
             _304 = T14
             work[304 + k] = _304
             work[320 + k] = UNREACHABLE if _272 != _272 else (OUT_OF_LIMITS if outside else OK)
-            work[256 + k] = 1.0 if abs(excess - graze) <= graze else work[256 + k]
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:
                 _unseeded(T[k], q[k], status[k])

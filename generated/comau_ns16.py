@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 957b4b5590fc0912"
+_KEY = "comau_ns16 bf0bf9160c6878ed"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -193,7 +193,7 @@ high2 = 1.658000001
 low3 = -2.967000001
 high3 = 1.919800001
 high5 = 3.141590001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 7.540515999999996e-25  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.355568761630017e-10
@@ -1303,6 +1303,7 @@ def _regular(pose, q, status):
     v52 = math.copysign(half_turn, Y4_p)
     v53 = math.copysign(half_turn, Y4_m)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <= m9 or v29 <=
         m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2
@@ -1465,6 +1466,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 6eb8752cb85ebfbf"
+_KEY = "craig_417 ce136d758348c2b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -852,6 +852,7 @@ def _regular(pose, q, status):
     v78 = 0.0 if (v71 <= m7 and v73 <= m9) else v77
     v79 = 0.0 if (v72 <= m7 and v74 <= m9) else v77
 
+    # a joint is free, or branches meet
     if (
         v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8) or (m7 < v71
         and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or (m9 < v73 and

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical 4f92e4f29f3a9202"
+_KEY = "cylindrical 9e2823a9ab90d3cb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -632,6 +632,7 @@ def _regular(pose, q, status):
     v8 = s1 + T13
     v9 = v1 - 1.0
 
+    # a joint is free, or branches meet
     if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9:
         return False
     angle1 = _atan2(T21, T11)

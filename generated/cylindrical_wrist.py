@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist c743960fbbabe1d2"
+_KEY = "cylindrical_wrist 919ab0bd3ee7181c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -724,6 +724,7 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21)
 
+    # a joint is free, or branches meet
     if v1 <= m1 or v3 <= m3:
         return False
 

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 23f3e6553af3b309"
+_KEY = "denso_vs060 1255c8e553a816f7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -185,7 +185,7 @@ high2 = 2.094395001
 low3 = -2.1816620010000003
 high3 = 2.705260001
 high5 = 2.094395001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.0609000000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 4.573882234000188e-12
@@ -1218,6 +1218,7 @@ def _regular(pose, q, status):
     v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
     v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9:
         return False
 
@@ -1353,6 +1354,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

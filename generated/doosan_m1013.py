@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 de740cb6187df2ec"
+_KEY = "doosan_m1013 5ecc8bbf4c5fcfd1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1005,6 +1005,7 @@ def _regular(pose, q, status):
     v64 = math.copysign(half_turn, Y4_p)
     v65 = math.copysign(half_turn, Y4_m)
 
+    # a joint is free, or branches meet
     if (
         v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46 <= m6 or
         abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 cb7b4d73a20a1ba5"
+_KEY = "epson_t3 e7b6914daaabc901"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -167,7 +167,7 @@ high2 = 2.460914246312005
 low3 = -0.1500000004
 high3 = 4e-10
 per_size = 2.5
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.0709436649753e-13  # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m2 = 2.2222222222222223  # a coefficient of S1
 m3 = 0.04444444444444444  # a coefficient of S1
@@ -1005,6 +1005,7 @@ def _regular(pose, q, status):
     # joint values
     q3_p = w2 - w2 + T34
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7:
         return False
 
@@ -1037,6 +1038,7 @@ def _regular(pose, q, status):
     outside_p = 0.0 < excess_p
     outside_m = 0.0 < excess_m
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze:
         return False
 

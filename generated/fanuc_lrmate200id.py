@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 0ab34748b1fde85b"
+_KEY = "fanuc_lrmate200id 971737ee61880cf2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,7 +186,7 @@ high2 = 2.530727416391778
 low3 = -1.2217304773960307
 high3 = 3.5779249675883755
 high5 = 2.181661565992912
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.3456000000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 6.836537250918941e-12
@@ -1221,6 +1221,7 @@ def _regular(pose, q, status):
     # joint values
     v46 = w3_p * (m4 * v3)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
@@ -1377,6 +1378,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

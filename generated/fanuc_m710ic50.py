@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 3bec9cd87282a6a1"
+_KEY = "fanuc_m710ic50 2f4b5cc7ab590a84"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -185,7 +185,7 @@ high2 = 2.356100001
 low3 = -2.792500001
 high3 = 4.886900001
 high5 = 2.181600001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 8.678915999999997e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 4.011803222351191e-10
@@ -1220,6 +1220,7 @@ def _regular(pose, q, status):
     # joint values
     v46 = w3_p * (m4 * v3)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
@@ -1376,6 +1377,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

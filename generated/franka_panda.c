@@ -490,8 +490,8 @@ HELPER wide_mask solve_wide(
 
     /* theta4 */
     const wide angle1 = atan2_wide(w4, Z4);
-    left |= (abs_wide(D4) <= m1 * (merge_slack2 + 2.0 * abs_wide(Z4))) | (high(7) <
-        abs_wide(free_joints[0]));
+    left |= (abs_wide(D4) <= m1 * (merge_slack2 + 2.0 * abs_wide(Z4))) | (0.0 <
+        exceeds(free_joints[0], 7));
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -568,8 +568,8 @@ HELPER int solve_regular(
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | ((N5 <=
         doubt_limit_squared2) | (abs_four(v4 * D5) <= v12)) | ((v24 <= m10) | (v38 <= m11))) |
-        (unsigned)((fabs(D4) <= m1 * (merge_slack2 + 2.0 * fabs(Z4))) | (high(7) <
-        fabs(free_joints[0]))))
+        (unsigned)((fabs(D4) <= m1 * (merge_slack2 + 2.0 * fabs(Z4))) | (0.0 < fabs(free_joints[0])
+        - high(7))))
         return -1;
 
     const four_ratio ratio1 = ratio_four(shuffle(v15, all_four(w4), 0, 5, 2, 3), shuffle(-v13,

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 1d8ed4ead3749acf"
+_KEY = "franka_panda 4d4f09ed455407c3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -190,7 +190,7 @@ high5 = 2.897300001
 low6 = -0.017500001
 high6 = 3.752500001
 high7 = 2.897300001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.940449e-11  # 1000 * merge_slack2 [m^2]
 m2 = 1.754896834873102  # a coefficient of c4
 m3 = 3.4805529861209807  # a coefficient of c4
@@ -1383,11 +1383,12 @@ def _regular(pose, q_free, q, status):
     q7_ppp = v18 + v129
     q7_mpp = v19 + v129
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10 or v71 <=
         m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or abs(v4 * D5_p)
-        <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or high7 < abs(q_free[0]) or N5_p
-        <= doubt_limit_squared2
+        <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or 0.0 < abs(q_free[0]) - high7 or
+        N5_p <= doubt_limit_squared2
     ):
         return False
 
@@ -1526,6 +1527,7 @@ def _regular(pose, q_free, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
@@ -2363,7 +2365,8 @@ def _in_tiles(T, q_free, q, status):
                 1.0 if v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <=
                 m10 or v71 <= m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <=
                 doubt_limit_squared2 or abs(v4 * D5_p) <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0
-                * abs(Z4)) or high7 < abs(given1) or N5_p <= doubt_limit_squared2 else work[272 + k]
+                * abs(Z4)) or 0.0 < abs(given1) - high7 or N5_p <= doubt_limit_squared2 else
+                work[272 + k]
             )
             work[272 + k] = (
                 1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "gantry_wrist 50848512b1743873"
+_KEY = "gantry_wrist 0fabb28b2b0f2fd3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -670,6 +670,7 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v2 = T33 * T21 - T23 * T31
 
+    # a joint is free, or branches meet
     if v1 <= m1:
         return False
 

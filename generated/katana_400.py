@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 1e16bce0dc46b006"
+_KEY = "katana_400 653e00076171204d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1156,6 +1156,7 @@ def _regular(pose, q, status):
     v80 = 0.0 if v67 <= m11 else v77
     v81 = 0.0 if v68 <= m11 else v77
 
+    # a joint is free, or branches meet
     if (
         v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or v32 <= m7
         or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12) or v30 <= m7 or

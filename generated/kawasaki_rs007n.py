@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n 078cf04bb5564cf4"
+_KEY = "kawasaki_rs007n e2dfe682ad5c996c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -182,7 +182,7 @@ k3 = 14.106548524322777  # 1 / (k1^2) [m^-4]
 high2 = 2.356194491192345
 high3 = 2.705260341591211
 high5 = 2.181661565992912
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 9.045264537377017e-12
@@ -1242,6 +1242,7 @@ def _regular(pose, q, status):
     v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
     v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48 <= m6 or
         v1 <= m1 or abs(D3) <= m2 or v23 <= m5
@@ -1402,6 +1403,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

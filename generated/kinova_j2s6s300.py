@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 0a52ba2688194400"
+_KEY = "kinova_j2s6s300 05b6c7b1401f7b42"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -189,7 +189,7 @@ low3 = 0.3316125568789226
 high3 = 5.951572750300664
 low5 = 0.5235987745982988
 high5 = 5.759586532581287
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 2.4956680000016215e-13  # 1000 * k4 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 9.401396550145706e-12
@@ -1293,6 +1293,7 @@ def _regular(pose, q, status):
     s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
     s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or abs(D1) <= m1
         or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5
@@ -1464,6 +1465,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

@@ -491,9 +491,8 @@ HELPER wide_mask solve_wide(
 
     /* joint values */
     const wide angle5 = atan2_wide(-v4, -v2);
-    left |= (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (high(3) <
-        abs_wide(free_joints[0])) | (abs_wide(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 *
-        abs_wide(Z1)));
+    left |= (N1 <= doubt_limit_squared2) | (abs_wide(D4) <= m1) | (0.0 < exceeds(free_joints[0], 3))
+        | (abs_wide(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * abs_wide(Z1)));
 
     UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -563,8 +562,8 @@ HELPER int solve_regular(
     SIGNED_TWICE(four, four);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | ((v23 <= m3) | (v39 <= m4)))
-        | (unsigned)((N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (high(3) <
-        fabs(free_joints[0])) | (fabs(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * fabs(Z1)))))
+        | (unsigned)((N1 <= doubt_limit_squared2) | (fabs(D4) <= m1) | (0.0 < fabs(free_joints[0]) -
+        high(3)) | (fabs(D1 * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * fabs(Z1)))))
         return -1;
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2

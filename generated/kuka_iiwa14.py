@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 84f05fe79d7867ea"
+_KEY = "kuka_iiwa14 de1e42cf39dfecab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -190,7 +190,7 @@ high4 = 2.0943951033931953
 high5 = 2.9670597293903604
 high6 = 2.0943951033931953
 high7 = 3.054326191990077
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 # 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4]
 m1 = 1.4473755527432779e-11
 m2 = 1.306e-11  # 1000 * merge_slack1 [m]
@@ -1375,10 +1375,11 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 * (merge_slack1 +
         2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4 or v26 <= m3 or v48 <= m4
-        or high3 < abs(q_free[0]) or v25 <= m3
+        or 0.0 < abs(q_free[0]) - high3 or v25 <= m3
     ):
         return False
 
@@ -1566,6 +1567,7 @@ def _regular(pose, q_free, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
@@ -2529,7 +2531,8 @@ def _in_tiles(T, q_free, q, status):
             work[272 + k] = (
                 1.0 if N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 *
                 (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4
-                or v26 <= m3 or v48 <= m4 or high3 < abs(given1) or v25 <= m3 else work[272 + k]
+                or v26 <= m3 or v48 <= m4 or 0.0 < abs(given1) - high3 or v25 <= m3 else work[272 +
+                k]
             )
             work[272 + k] = (
                 1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or

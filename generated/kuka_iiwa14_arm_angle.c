@@ -244,9 +244,6 @@ TURNS(four)
 #endif
 
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
-#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
@@ -560,44 +557,35 @@ HELPER wide_mask solve_wide(
         v107 = maximum_wide(exceeds(angle2, 3), maximum_wide(exceeds(q2_mpp, 2), maximum_wide(v92,
             exceeds(q1_mpp, 1)))),
         v108 = maximum_wide(exceeds(q3_mmp, 3), maximum_wide(exceeds(q2_mmp, 2), maximum_wide(v92,
-            exceeds(q1_mmp, 1)))),
-        excess_ppp = maximum_wide(v101, maximum_wide(v97, maximum_wide(v93, v105))),
-        excess_ppm = maximum_wide(v102, maximum_wide(v98, maximum_wide(v94, v105))),
-        excess_pmp = maximum_wide(v101, maximum_wide(v97, maximum_wide(v93, v106))),
-        excess_pmm = maximum_wide(v102, maximum_wide(v98, maximum_wide(v94, v106))),
-        excess_mpp = maximum_wide(v103, maximum_wide(v99, maximum_wide(v95, v107))),
-        excess_mpm = maximum_wide(v104, maximum_wide(v100, maximum_wide(v96, v107))),
-        excess_mmp = maximum_wide(v103, maximum_wide(v99, maximum_wide(v95, v108))),
-        excess_mmm = maximum_wide(v104, maximum_wide(v100, maximum_wide(v96, v108)));
+            exceeds(q1_mmp, 1))));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
     q[6] = angle5;
-    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
+    kind[0] = kind_of(q[0], 0.0 < maximum_wide(v101, maximum_wide(v97, maximum_wide(v93, v105))));
     q[7] = q1_ppp; q[8] = q2_ppp; q[9] = angle1; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
-    kind[1] = kind_of(q[7], 0.0 < excess_ppm);
+    kind[1] = kind_of(q[7], 0.0 < maximum_wide(v102, maximum_wide(v98, maximum_wide(v94, v105))));
     q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_pmp; q[17] = q4_ppp; q[18] = angle3; q[19] = q6_ppp;
     q[20] = angle5;
-    kind[2] = kind_of(q[14], 0.0 < excess_pmp);
+    kind[2] = kind_of(q[14], 0.0 < maximum_wide(v101, maximum_wide(v97, maximum_wide(v93, v106))));
     q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_pmp; q[24] = q4_ppp; q[25] = q5_ppm; q[26] = q6_ppm;
     q[27] = q7_ppm;
-    kind[3] = kind_of(q[21], 0.0 < excess_pmm);
+    kind[3] = kind_of(q[21], 0.0 < maximum_wide(v102, maximum_wide(v98, maximum_wide(v94, v106))));
     q[28] = q1_mpp; q[29] = q2_mpp; q[30] = angle2; q[31] = q4_mpp; q[32] = angle4; q[33] = q6_mpp;
     q[34] = angle6;
-    kind[4] = kind_of(q[28], 0.0 < excess_mpp);
+    kind[4] = kind_of(q[28], 0.0 < maximum_wide(v103, maximum_wide(v99, maximum_wide(v95, v107))));
     q[35] = q1_mpp; q[36] = q2_mpp; q[37] = angle2; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
-    kind[5] = kind_of(q[35], 0.0 < excess_mpm);
+    kind[5] = kind_of(q[35], 0.0 < maximum_wide(v104, maximum_wide(v100, maximum_wide(v96, v107))));
     q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mpp;
     q[48] = angle6;
-    kind[6] = kind_of(q[42], 0.0 < excess_mmp);
+    kind[6] = kind_of(q[42], 0.0 < maximum_wide(v103, maximum_wide(v99, maximum_wide(v95, v108))));
     q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_mmp; q[52] = q4_mpp; q[53] = q5_mpm; q[54] = q6_mpm;
     q[55] = q7_mpm;
-    kind[7] = kind_of(q[49], 0.0 < excess_mmm);
+    kind[7] = kind_of(q[49], 0.0 < maximum_wide(v104, maximum_wide(v100, maximum_wide(v96, v108))));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | ((v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (abs_wide(D4) <= m1) | (v30 <=
-        m3)) | (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
-        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
+        m3));
 }
 
 #if LANES > 1
@@ -698,12 +686,9 @@ HELPER int solve_regular(
         v59 = exceeds_four(angle2, 5), v60 = exceeds_four(q5_m, 5), v61 = exceeds_four(q6_p, 6),
         v62 = exceeds_four(q6_m, 6), v63 = exceeds_four(angle3, 7), v64 = exceeds_four(q7_m, 7),
         v65 = maximum_four(exceeds_four(q3_p, 3), maximum_four(exceeds_four(q2_p, 2),
-            maximum_four(v58, exceeds_four(q1_p, 1)))),
-        excess_p = maximum_four(v63, maximum_four(v61, maximum_four(v59, v65))),
-        excess_m = maximum_four(v64, maximum_four(v62, maximum_four(v60, v65)));
-    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
-        return -1;
+            maximum_four(v58, exceeds_four(q1_p, 1))));
+    const four_mask outside_p = 0.0 < maximum_four(v63, maximum_four(v61, maximum_four(v59, v65))),
+        outside_m = 0.0 < maximum_four(v64, maximum_four(v62, maximum_four(v60, v65)));
 
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle2, q6_p, angle3);

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 37f51771f68d48d8"
+_KEY = "kuka_iiwa14_arm_angle 6e78ae7618a79a6e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -185,7 +185,6 @@ high4 = 2.0943951033931953
 high5 = 2.9670597293903604
 high6 = 2.0943951033931953
 high7 = 3.054326191990077
-graze = 5e-07  # twice this beyond a limit is told with more care
 # 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4]
 m1 = 1.4473755527432779e-11
 m2 = 1e-24  # free_limit^2
@@ -1149,6 +1148,7 @@ def _regular(pose, q_free, q, status):
     v91 = abs(q4_ppp) - high4
     v92 = abs(q4_mpp) - high4
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3:
         return False
 
@@ -1253,30 +1253,14 @@ def _regular(pose, q_free, q, status):
     v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
     v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
     v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
-    excess_ppp = max(v101, max(v97, max(v93, v105)))
-    excess_ppm = max(v102, max(v98, max(v94, v105)))
-    excess_pmp = max(v101, max(v97, max(v93, v106)))
-    excess_pmm = max(v102, max(v98, max(v94, v106)))
-    excess_mpp = max(v103, max(v99, max(v95, v107)))
-    excess_mpm = max(v104, max(v100, max(v96, v107)))
-    excess_mmp = max(v103, max(v99, max(v95, v108)))
-    excess_mmm = max(v104, max(v100, max(v96, v108)))
-    outside_ppp = 0.0 < excess_ppp
-    outside_ppm = 0.0 < excess_ppm
-    outside_pmp = 0.0 < excess_pmp
-    outside_pmm = 0.0 < excess_pmm
-    outside_mpp = 0.0 < excess_mpp
-    outside_mpm = 0.0 < excess_mpm
-    outside_mmp = 0.0 < excess_mmp
-    outside_mmm = 0.0 < excess_mmm
-
-    if (
-        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
-        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
-        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
-        graze) <= graze
-    ):
-        return False
+    outside_ppp = 0.0 < max(v101, max(v97, max(v93, v105)))
+    outside_ppm = 0.0 < max(v102, max(v98, max(v94, v105)))
+    outside_pmp = 0.0 < max(v101, max(v97, max(v93, v106)))
+    outside_pmm = 0.0 < max(v102, max(v98, max(v94, v106)))
+    outside_mpp = 0.0 < max(v103, max(v99, max(v95, v107)))
+    outside_mpm = 0.0 < max(v104, max(v100, max(v96, v107)))
+    outside_mmp = 0.0 < max(v103, max(v99, max(v95, v108)))
+    outside_mmm = 0.0 < max(v104, max(v100, max(v96, v108)))
 
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1944,22 +1928,14 @@ def _in_tiles(T, q_free, q, status):
             v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
             v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
             v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
-            excess_ppp = max(v101, max(v97, max(v93, v105)))
-            excess_ppm = max(v102, max(v98, max(v94, v105)))
-            excess_pmp = max(v101, max(v97, max(v93, v106)))
-            excess_pmm = max(v102, max(v98, max(v94, v106)))
-            excess_mpp = max(v103, max(v99, max(v95, v107)))
-            excess_mpm = max(v104, max(v100, max(v96, v107)))
-            excess_mmp = max(v103, max(v99, max(v95, v108)))
-            excess_mmm = max(v104, max(v100, max(v96, v108)))
-            outside_ppp = 0.0 < excess_ppp
-            outside_ppm = 0.0 < excess_ppm
-            outside_pmp = 0.0 < excess_pmp
-            outside_pmm = 0.0 < excess_pmm
-            outside_mpp = 0.0 < excess_mpp
-            outside_mpm = 0.0 < excess_mpm
-            outside_mmp = 0.0 < excess_mmp
-            outside_mmm = 0.0 < excess_mmm
+            outside_ppp = 0.0 < max(v101, max(v97, max(v93, v105)))
+            outside_ppm = 0.0 < max(v102, max(v98, max(v94, v105)))
+            outside_pmp = 0.0 < max(v101, max(v97, max(v93, v106)))
+            outside_pmm = 0.0 < max(v102, max(v98, max(v94, v106)))
+            outside_mpp = 0.0 < max(v103, max(v99, max(v95, v107)))
+            outside_mpm = 0.0 < max(v104, max(v100, max(v96, v107)))
+            outside_mmp = 0.0 < max(v103, max(v99, max(v95, v108)))
+            outside_mmm = 0.0 < max(v104, max(v100, max(v96, v108)))
             _1440 = q1_ppp
             work[1440 + k] = _1440
             _1456 = q2_ppp
@@ -2039,13 +2015,6 @@ def _in_tiles(T, q_free, q, status):
             work[272 + k] = (
                 1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3 else
                 work[272 + k]
-            )
-            work[272 + k] = (
-                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
-                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
-                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[272 +
-                k]
             )
         for k in range(first, first + count):
             if work[272 + k - first] != 0.0:

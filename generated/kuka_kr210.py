@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 705cda886bd7caa7"
+_KEY = "kuka_kr210 01dd5254c5fb5613"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -921,6 +921,7 @@ def _regular(pose, q, status):
     v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
     v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
 
+    # a joint is free, or branches meet
     if (
         v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3

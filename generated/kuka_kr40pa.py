@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 8aa63455493096bb"
+_KEY = "kuka_kr40pa e99e17b47a4c591e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1421,6 +1421,7 @@ def _regular(pose, q, status):
     v32 = 0.0 if v27 <= m6 else v31
     v33 = 0.0 if v28 <= m6 else v31
 
+    # a joint is free, or branches meet
     if (
         (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16 + v17 *
         v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <=

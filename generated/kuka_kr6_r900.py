@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr6_r900 96552a42a3aa8ce4"
+_KEY = "kuka_kr6_r900 9de5695854af904c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -930,6 +930,7 @@ def _regular(pose, q, status):
     # joint values
     v42 = w3_p * (m4 * v3)
 
+    # a joint is free, or branches meet
     if (
         v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3

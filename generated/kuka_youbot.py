@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 6cc7d505be9f042c"
+_KEY = "kuka_youbot e04dc17cf4d37bd8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1180,6 +1180,7 @@ def _regular(pose, q, status):
     v92 = 0.0 if v75 <= m11 else v89
     v93 = 0.0 if v76 <= m11 else v89
 
+    # a joint is free, or branches meet
     if (
         v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11 < v75
         and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or (m11 < v73 and

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 53dd6976935feb12"
+_KEY = "olson_pprrrr b2e327dba640a5c9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -992,6 +992,7 @@ def _regular(pose, q, status):
     q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
     q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
 
+    # a joint is free, or branches meet
     if N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <= m1:
         return False
 

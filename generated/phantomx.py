@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 6f8710b9ae23db9a"
+_KEY = "phantomx e9e83e92cf984e46"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1420,6 +1420,7 @@ def _regular(pose, q, status):
     v30 = 0.0 if v23 <= m6 else v29
     v31 = 0.0 if v24 <= m6 else v29
 
+    # a joint is free, or branches meet
     if (
         (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32 + v13 *
         v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <=

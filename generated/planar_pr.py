@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 77241bc3fc9d31d6"
+_KEY = "planar_pr 56a6d6c8e2dbda88"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -594,6 +594,7 @@ def _regular(pose, q, status):
     v5 = m2 * w2
     v6 = m3 * w2
 
+    # a joint is free, or branches meet
     if abs(D1) <= m1:
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 07b0adb51db8f622"
+_KEY = "planar_rp 9220ecb5b3fbabed"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -150,7 +150,7 @@ free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 low2 = -1e-09
 high2 = 1.000000001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 9.999999999999999e-09  # doubt_limit1^2 [m^2]
 
 turn = 6.283185307179586  # 2 pi [rad]
@@ -807,9 +807,11 @@ def _regular(pose, q, status):
     outside_p = 0.0 < excess_p
     outside_m = 0.0 < excess_m
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if v1 <= m1:
         return False
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze:
         return False
     angle1 = _atan2(T14, -T24)

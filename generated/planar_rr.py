@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rr db31416471daacf0"
+_KEY = "planar_rr 12ad0dd1f2f97540"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -609,6 +609,7 @@ def _regular(pose, q, status):
     v4 = w2 * (m2 * T14)
     v5 = w2 * (m2 * T24)
 
+    # a joint is free, or branches meet
     if abs(D2) <= m1:
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 877527ff6bc1e48d"
+_KEY = "planar_rrr 1262d691349afd18"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -972,6 +972,7 @@ def _regular(pose, q, status):
     v22 = 0.0 if v17 <= m6 else v21
     v23 = 0.0 if v18 <= m6 else v21
 
+    # a joint is free, or branches meet
     if (
         m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 + T13 * T13 + v12
         * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8)

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 09d28d4326ccb830"
+_KEY = "prismatic_2_wrist dbdf1c73dc2c3c6f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -997,6 +997,7 @@ def _regular(pose, q, status):
     q2_mpp = v23 - v20
     q2_mmp = v23 - v21
 
+    # a joint is free, or branches meet
     if (
         abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or abs(D3) <=
         m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <= m7 or v41 <= m7

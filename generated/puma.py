@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma ab7255a2e1c48e3e"
+_KEY = "puma f68a55af44ae087c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -964,6 +964,7 @@ def _regular(pose, q, status):
     v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
     v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
 
+    # a joint is free, or branches meet
     if (
         v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or abs(D1) <= m1
         or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 640614d8e2c0168c"
+_KEY = "puma560 fe5332c92615b856"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -182,7 +182,7 @@ high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345
 high5 = 1.7453292529943296
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 2.2049387897563516e-11
@@ -1231,6 +1231,7 @@ def _regular(pose, q, status):
     v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
     v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9 or v29 <=
         m9
@@ -1340,6 +1341,7 @@ def _regular(pose, q, status):
     outside_mpp = 0.0 < excess_mp
     outside_mmp = 0.0 < excess_mm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or abs(excess_pp - graze)
         <= graze or abs(excess_pm - graze) <= graze

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm 1b8575eb839ba1ab"
+_KEY = "puma_arm a4b0299be960bbe7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -740,6 +740,7 @@ def _regular(pose, q, status):
     v14 = v8 - v13
     v15 = v8 + v13
 
+    # a joint is free, or branches meet
     if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2:
         return False
 

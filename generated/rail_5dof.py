@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 1dd55ca6df70ed84"
+_KEY = "rail_5dof 932276387851ff8f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1194,6 +1194,7 @@ def _regular(pose, q, status):
     v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
     v29 = v3 * (X3 - v18)
 
+    # a joint is free, or branches meet
     if (
         v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23 + v25 * v25 +
         v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27 * v27

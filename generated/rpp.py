@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp a7cd050d5f05e241"
+_KEY = "rpp e8ab84cb686d29d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -573,6 +573,7 @@ def _regular(pose, q, status):
     v1 = T14 * T14 + T24 * T24
     q2_p = math.sqrt(v1)
 
+    # a joint is free, or branches meet
     if v1 <= m1:
         return False
     angle1 = _atan2(-T14, T24)

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr 95507b085e47630d"
+_KEY = "rpr 23320cd1931e112f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -625,6 +625,7 @@ def _regular(pose, q, status):
     q2_pp = w1 + w3
     q2_pm = w1 - w3
 
+    # a joint is free, or branches meet
     if v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3)):
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rrprrr 988e26a94813cd2b"
+_KEY = "rrprrr 533e867578b336d2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -750,6 +750,7 @@ def _regular(pose, q, status):
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 * T31)
 
+    # a joint is free, or branches meet
     if v2 <= m1 or v6 <= m1 or v1 <= m1:
         return False
 

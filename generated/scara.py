@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 43ce701fa016121a"
+_KEY = "scara a5ff4d1f1ba5f86c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -168,7 +168,7 @@ high2 = 2.530727416391778
 low3 = -0.20000000080000002
 high3 = 8e-10
 per_size = 1.25
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m1 = 5.382361223382632e-12
 m2 = 1.25  # a coefficient of S1
@@ -1022,6 +1022,7 @@ def _regular(pose, q, status):
     # joint values
     q3_p = t34 + (w2 - w2)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5:
         return False
 
@@ -1054,6 +1055,7 @@ def _regular(pose, q, status):
     outside_p = 0.0 < excess_p
     outside_m = 0.0 < excess_m
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze:
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_prrr a2110d9e5ca537f8"
+_KEY = "scara_prrr ccf3a2a236c7992f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -706,6 +706,7 @@ def _regular(pose, q, status):
     # joint values
     q1_p = w3 - w3 + T34
 
+    # a joint is free, or branches meet
     if abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7:
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_rrp f93a7d780c4d84b9"
+_KEY = "scara_rrp 91c7ef13c616b2fc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -624,6 +624,7 @@ def _regular(pose, q, status):
     # joint values
     q3_p = T34 - d1 + (w2 - w2)
 
+    # a joint is free, or branches meet
     if abs(D2) <= m1:
         return False
 

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_wrist 07d981ebcdb65c40"
+_KEY = "scara_wrist cf7d6e2e9a8bc5f8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -770,6 +770,7 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + (T34 - d6 * T33 - d1)
 
+    # a joint is free, or branches meet
     if abs(D2) <= m1 or v5 <= m4:
         return False
 

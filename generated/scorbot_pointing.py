@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing e1619ba8c4414a43"
+_KEY = "scorbot_pointing 7eac4ffafb9cd8d9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1523,6 +1523,7 @@ def _regular(pose, q_free, q, status):
     q5_mp = v87 + v92
     q5_mm = v88 + v92
 
+    # a joint is free, or branches meet
     if (
         v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and v74 <=
         m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72 and v72 <= m11)

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical e04d319d2c53d1cf"
+_KEY = "spherical 4fc4f26bcbf4e597"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -613,6 +613,7 @@ def _regular(pose, q, status):
     v2 = v1 + Y2_2 * Y2_2
     q3_pp = math.sqrt(v2)
 
+    # a joint is free, or branches meet
     if v1 <= m1 or v2 <= m1:
         return False
 

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_offset c8eb34daa9a6890f"
+_KEY = "spherical_offset fbb6d0fe7b4b0350"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -634,6 +634,7 @@ def _regular(pose, q, status):
     q3_pp = v1 + w3
     q3_pm = v1 - w3
 
+    # a joint is free, or branches meet
     if abs(D1) <= m1 or v6 <= m2:
         return False
 

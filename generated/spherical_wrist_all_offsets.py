@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets 520a50dcca705b79"
+_KEY = "spherical_wrist_all_offsets a0afb19a00f3fea0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -970,6 +970,7 @@ def _regular(pose, q, status):
     v46 = s1_p * T21 - v2 * T11
     v47 = s1_m * T21 - v3 * T11
 
+    # a joint is free, or branches meet
     if (
         v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or
         abs(D3_p * v8) <= m2

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 3a96fe5253c49cbf"
+_KEY = "stanford a051dfee748280e2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -174,7 +174,7 @@ per_size = 0.7874015748031495
 high4 = 2.9670597293903604
 high5 = 1.5707963277948966
 high6 = 2.9670597293903604
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.3959800000001614e-12  # 1000 * k4 [m^2]
 m2 = 1.6129e-08  # doubt_limit1^2 [m^2]
 m4 = 9.999999999999999e-09  # doubt_limit^2
@@ -1031,6 +1031,7 @@ def _regular(pose, q, status):
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4:
         return False
 
@@ -1120,6 +1121,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 555a40734b895b5c"
+_KEY = "staubli_rx90 6e801b29b4442e3d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -882,6 +882,7 @@ def _regular(pose, q, status):
     v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
     v53 = c23_pm * v45
 
+    # a joint is free, or branches meet
     if (
         v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1 <= m1 or
         abs(D3) <= m3 or v20 <= m5

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 241781d128130e5b"
+_KEY = "staubli_tx2_90 d481c4100f1b0f67"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,7 +186,7 @@ high2 = 2.5743606476916363
 high3 = 2.530727416391778
 low5 = -2.007128640793479
 high5 = 2.4434609537920613
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.5280000000002338e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.876998556582453e-11
@@ -1292,6 +1292,7 @@ def _regular(pose, q, status):
     v63 = math.copysign(half_turn, -v39)
     v64 = math.copysign(half_turn, -v40)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43 <= m7 or
         v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2
@@ -1442,6 +1443,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 3c763f1cb19b8b97"
+_KEY = "staubli_tx40 2ef29bef7213b8be"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -994,6 +994,7 @@ def _regular(pose, q, status):
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
 
+    # a joint is free, or branches meet
     if (
         v31 <= m7 or v18 <= m4 or v30 <= m7 or v17 <= m4 or v29 <= m7 or v16 <= m4 or v28 <= m7 or
         abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v14 <= m4

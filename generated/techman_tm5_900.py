@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 664cd35451274c68"
+_KEY = "techman_tm5_900 34276ec0d8740b63"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -184,7 +184,7 @@ k4 = 0.753494329955167  # 1 / arm_size1 [m^-1]
 k5 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k6 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 high3 = 2.705260341591211
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.246208900000177e-12  # 1000 * k3 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
@@ -1413,6 +1413,7 @@ def _regular(pose, q, status):
     v43 = w3_mp * (m5 * Z2_3_mp)
     v44 = w3_mm * (m5 * Z2_3_mm)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 * D3_pp)
         <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2
@@ -1555,6 +1556,7 @@ def _regular(pose, q, status):
     q6_mpp = angle2 + v27
     q6_mmp = v28 + (angle2 - math.copysign(half_turn, Y6_m))
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or abs(excess_pp - graze)
         <= graze or abs(excess_pm - graze) <= graze

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur10e c16ec166fecb87e5"
+_KEY = "ur10e 86916bdc5804e816"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1400,6 +1400,7 @@ def _regular(pose, q, status):
     v53 = w3_mm * (m5 * Z2_3_mm)
     v54 = w3_mm * (m5 * Z1_3_mm)
 
+    # a joint is free, or branches meet
     if (
         abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1 * D3_pp)
         <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_cardan e620871de9f96cdf"
+_KEY = "wrist_cardan 734aa022cb541c3c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -618,6 +618,7 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     s3 = T11 * T32 - T31 * T12
 
+    # a joint is free, or branches meet
     if v1 <= m1:
         return False
 

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique cc5a986438fc0dd5"
+_KEY = "wrist_oblique 23f187b3d4de5da8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -843,6 +843,7 @@ def _regular(pose, q, status):
     v82 = 0.0 if (v77 <= m6 and v79 <= m8) else v81
     v83 = 0.0 if (v78 <= m6 and v80 <= m8) else v81
 
+    # a joint is free, or branches meet
     if (
         v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7) or (m6 < v77
         and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <= doubt_limit_squared2 or abs(D1) <= m1 *

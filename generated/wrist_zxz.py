@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zxz 1d00554529889ad2"
+_KEY = "wrist_zxz 3dd10c5dc155832b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -615,6 +615,7 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[1, 2] and U1[1, 1]
     v2 = T13 * T22 - T23 * T12
 
+    # a joint is free, or branches meet
     if v1 <= m1:
         return False
 

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zyz b93daa32148d7239"
+_KEY = "wrist_zyz cb301d4e4ad7f923"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -616,6 +616,7 @@ def _regular(pose, q, status):
     # theta3, type 3: U1[3, 2] and U1[3, 1]
     s3 = T13 * T21 - T23 * T11
 
+    # a joint is free, or branches meet
     if v1 <= m1:
         return False
 

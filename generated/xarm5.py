@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 70c2db222d9e11af"
+_KEY = "xarm5 dd07ab07ccff40b1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1169,6 +1169,7 @@ def _regular(pose, q, status):
     v82 = 0.0 if v59 <= m12 else v79
     v83 = 0.0 if v60 <= m12 else v79
 
+    # a joint is free, or branches meet
     if (
         v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41 +
         v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <= m13) or (m12 <

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 0b980f216e8e3af7"
+_KEY = "yaskawa_gp7 6df81e8e5c488d1f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -186,7 +186,7 @@ high2 = 2.530700001
 low3 = -1.221700001
 high3 = 3.316100001
 high5 = 2.356100001
-graze = 5e-07  # twice this beyond a limit is told with more care
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.8906249999999994e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.920847203220787e-11
@@ -1220,6 +1220,7 @@ def _regular(pose, q, status):
     v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
     v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
         abs(D3_p) <= m3
@@ -1386,6 +1387,7 @@ def _regular(pose, q, status):
     outside_mmp = 0.0 < excess_mmp
     outside_mmm = 0.0 < excess_mmm
 
+    # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
         abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
         graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or

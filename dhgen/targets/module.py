@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task_entries import telling_entries
 from dhgen.paul.branches import branch_labels
-from dhgen.program.regular.limits import Limits
+from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
 from dhgen.targets.comments import plain_path
 from dhgen.targets.layout import paragraph
+from dhgen.targets.solver.standing import stands_on_limits
 from dhgen.tolerances import DOUBLE, Precision
 
 if TYPE_CHECKING:
@@ -134,7 +135,9 @@ def slacks(module: SolverModule) -> list[float]:
 
 def regular_solver(module: SolverModule) -> Regular | None:
     """The program of regular poses, with limits."""
-    return regular(module.solver, tuple(_limits(module)), module.precision.tolerances)
+    table = module.precision.tolerances
+    graze = table.graze if stands_on_limits(module) else None
+    return regular(module.solver, ArmLimits(tuple(_limits(module)), graze), table)
 
 
 def _limits(module: SolverModule) -> list[Limits | None]:

@@ -19,7 +19,7 @@ from dhgen.program.interpret import Rows, interpret, outputs
 from dhgen.program.ir import Let
 from dhgen.program.lowering.lower import lower
 from dhgen.program.regular.flatten import flatten
-from dhgen.program.regular.limits import Limits
+from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import inverses_kept, regular
 from dhgen.tolerances import SINGLE, TOLERANCES
 from tests.derivation.stories import story
@@ -228,7 +228,7 @@ def test_what_stays_in_front_is_found_once_for_all_targets() -> None:
     regular(program)
     searched = inverses_kept.cache_info().misses
     limits = (Limits(-1.0, 1.0, turns=True),) * len(program.outputs)
-    found = regular(program, limits)
+    found = regular(program, ArmLimits(limits))
     assert found is not None
     assert found.outside is not None
     assert inverses_kept.cache_info().misses == searched

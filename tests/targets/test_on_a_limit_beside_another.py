@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.survey.oracle.arm import arm_size
+from dhgen.targets.module import regular_solver
 from tests.compiling import library
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, Solver, gap
-from tests.targets.made import folder, made_up, poses_of, residual, robot
+from tests.targets.made import folder, made, made_up, poses_of, residual, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
@@ -91,13 +93,18 @@ def test_rows_are_turned_as_everywhere_whatever_the_seed_is(language: str) -> No
         assert (np.abs(held) <= np.pi).all()
 
 
-# A joint on its limit, and another 1e-9 to 1e-7 rad from where two solutions meet.
+# A joint on its limit, and another 1e-9 to 1e-7 rad from where two solutions meet. On the iiwa, two
+# joints: the row of the other solution, which is 3e-6 rad beyond, is looked at first.
 MEETING = {
     "general_prrprr": (
         *(0.0, 1.1215530563442835, -1.080449447090736, 0.4, -1.946369726130538),
         -0.7953645578323747,
     ),
     "franka_panda": (-1.9488, 0.66853, 2.8973, -0.46700342573982, -1.78192, 3.7525, 0.0096),
+    "kuka_iiwa14": (
+        *(-2.9670597283903604, 0.1684773115807592, 2.9472727032345016, -0.3519665930458419),
+        *(2.9670597283903604, -2.0943951023931953, 1.1988545394767913),
+    ),
 }
 
 
@@ -112,7 +119,7 @@ def test_the_other_solution_is_not_put_onto_the_limit(name: str, language: str) 
     held = rows[np.isin(status, INSIDE)]
     assert gap(held, q).min() < 1e-9
     for place, row in enumerate(held):
-        assert gap(np.delete(held, place, axis=0), row).min(initial=1.0) > 1e-10
+        assert gap(np.delete(held, place, axis=0), row).min(initial=1.0) > 1e-8
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -140,8 +147,18 @@ def test_lengths_beyond_limits_count_in_arm_sizes() -> None:
     assert np.abs(held - q).max(axis=1).min() < 1e-2
 
 
+@pytest.mark.parametrize("name", ["scara", "stanford", "epson_t3"])
+def test_slides_are_beyond_limits_in_arm_sizes(name: str) -> None:
+    """To fast code: what an arm of millimetres may be rounded by is more than for one of metres."""
+    solver = regular_solver(made(name).module)
+    assert solver is not None
+    sizes = [1.0 / c.value for c in solver.program.constants if c.name == "per_size"]
+    # the oracle's adds up lengths and strokes
+    assert [0.5 < size / arm_size(robot(name)) < 1.0 + 1e-9 for size in sizes] == [True]
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("elbow", [3e-5, 1e-4, 1e-3, 1e-2])
+@pytest.mark.parametrize("elbow", [3e-5, 1e-4, 1e-3])
 def test_on_a_limit_where_an_arm_is_nearly_singular_twice_over(elbow: float, language: str) -> None:
     """The wrist centre is near axis 1 and the elbow nearly stretched: neither near enough alone."""
     name, source = "seven_with_limits", np.random.default_rng(27)

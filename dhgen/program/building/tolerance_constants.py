@@ -28,7 +28,7 @@ _NAMES = {
     "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),
     "nothing": ("square_rounding", "squares are rounded by this"),
     "longest": ("longest_slide", "no slide is longer"),
-    "graze": ("graze", "twice this beyond a limit is told with more care"),
+    "graze": ("graze", "half of what rounding may take a joint beyond its limit"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
     "exact": ("exact_slack", "a row that misses the pose by no more is exact"),
     "doubtful": ("doubtful_slack", "a row may miss the pose by this before it is tightened"),

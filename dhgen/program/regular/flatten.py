@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import chain, product
+from itertools import product
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.builder import Builder
@@ -141,11 +141,16 @@ class _Flattening:
             self._values[statement.name, choice] = node
 
     def _doubts(self, choices: tuple[Choice, ...]) -> list[Node]:
-        """Any doubt in any branch, by type; apart from the others that of limits."""
-        nodes = [[self._value(d, self._unrolled, c) for c in choices] for d in self._solver.doubts]
-        last = len(nodes) - (self._solver.outside is not None)
-        groups = (chain.from_iterable(nodes[:last]), chain.from_iterable(nodes[last:]))
-        return [doubt for group in groups for doubt in self._builder.disjunctions(group)]
+        """Any doubt in any branch, by type; those that wait for the joints' values come last."""
+        grazed = self._solver.grazed
+        groups = (self._solver.doubts, () if grazed is None else (grazed,))
+        return [
+            doubt
+            for group in groups
+            for doubt in self._builder.disjunctions(
+                self._value(each, self._unrolled, choice) for each in group for choice in choices
+            )
+        ]
 
     def _value(self, expression: Expression, axes: tuple[int, ...], choice: Choice) -> Node:
         """An expression where the unrolled axes have these values."""

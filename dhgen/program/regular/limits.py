@@ -1,8 +1,8 @@
 """Limits of joints in a program: angles moved by whole turns into them, and what is outside.
 
 An angle comes in (-pi, pi], unless it is given. Limits that are wider than this cost nothing.
-What is outside by so little that rounding may have put it there is told, too: the arm may stand
-on its limit.
+Where one is outside by so little that rounding may have put it there, the arm may stand on its
+limit: such a pose is doubtful.
 """
 
 from __future__ import annotations
@@ -37,19 +37,42 @@ class Limits:
     size: float = 1.0
 
 
+@dataclass(frozen=True, slots=True)
+class ArmLimits:
+    """The limits of all joints.
+
+    Attributes:
+        joints: Of every joint, None for one without; empty if they don't matter.
+        graze: Half of what rounding may take a joint beyond its limits where it is put onto them
+            for that elsewhere [rad, arm sizes]; None if it isn't.
+    """
+
+    joints: tuple[Limits | None, ...] = ()
+    graze: float | None = None
+
+
+NO_LIMITS = ArmLimits()
+
+
 class Limiting:
     """Brings the values of joints inside their limits.
 
     Args:
         builder: Where values go.
+        limits: Of all joints.
     """
 
-    def __init__(self, builder: Builder) -> None:
+    def __init__(self, builder: Builder, limits: ArmLimits) -> None:
         self._builder = builder
+        self._limits = limits
         self._beyond: list[Node] = []  # how far each joint is
 
-    def limited(self, joint: int, value: Node, limits: Limits | None) -> Node:
+    def _of(self, joint: int) -> Limits | None:
+        return self._limits.joints[joint - 1] if self._limits.joints else None
+
+    def limited(self, joint: int, value: Node) -> Node:
         """A joint's value inside its limits, or as it was."""
+        limits = self._of(joint)
         if limits is None or (limits.turns and limits.low <= -math.pi and limits.high >= math.pi):
             return value
         builder = self._builder
@@ -68,14 +91,10 @@ class Limiting:
         self._beyond.append(beyond)
         return builder.select(self._positive(beyond), value, moved)
 
-    def beyond(self, joint: int, value: Node, limits: Limits) -> Node:
-        """Whether a value is outside, where no whole turns are added."""
-        low, high = self._ends(joint, limits)
-        builder = self._builder
-        if limits.low == -limits.high:
-            return builder.apply("less", high, builder.absolute(value))
-        below = builder.apply("less", value, low)
-        return builder.apply("or", below, builder.apply("less", high, value))
+    def is_outside(self, joint: int, value: Node) -> Node | None:
+        """Whether a value is outside, where no whole turns are added; None without limits."""
+        limits = self._of(joint)
+        return None if limits is None else self._positive(self._how_far(joint, value, limits))
 
     def _how_far(self, joint: int, value: Node, limits: Limits) -> Node:
         """How far a value is beyond its limits [rad, arm sizes]; negative inside."""
@@ -98,14 +117,14 @@ class Limiting:
         return low, high
 
     def outside(self) -> Node | None:
-        """Whether any joint is outside; None without limits. False where values are NaN."""
+        """Whether any joint is outside, of a row that has a solution; None without limits."""
         return self._positive(self._farthest()) if self._beyond else None
 
-    def grazed(self, half: float) -> Node | None:
-        """Whether any joint is outside, but none by more than twice this [rad, arm sizes]."""
-        if not self._beyond:
+    def grazed(self) -> Node | None:
+        """Whether any joint is outside, but none by more than rounding; None if it is no matter."""
+        if not self._beyond or self._limits.graze is None:
             return None
-        middle = tolerance_constant(self._builder, GRAZE, half)
+        middle = tolerance_constant(self._builder, GRAZE, self._limits.graze)
         off = self._builder.absolute(self._builder.sub(self._farthest(), middle))
         return self._builder.apply("at_most", off, middle)
 

@@ -14,26 +14,26 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.count import count_operations
 from dhgen.program.ir import AllJoints, Apply, Integer, Let, Roots, Variable
+from dhgen.program.regular.limits import NO_LIMITS, ArmLimits
 from dhgen.program.regular.unguarded import Unguarded
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program
-    from dhgen.program.regular.limits import Limits
     from dhgen.program.regular.unguarded import Regular
     from dhgen.tolerances import Tolerances
 
 
 def regular(
     program: Program,
-    limits: tuple[Limits | None, ...] = (),
+    limits: ArmLimits = NO_LIMITS,
     tolerances: Tolerances = TOLERANCES,
 ) -> Regular | None:
     """The program of regular poses.
 
     Args:
         program: The whole program.
-        limits: Of every joint, None for one without; empty if they don't matter.
+        limits: Of its joints.
         tolerances: The table that the program was made with.
 
     Returns:
@@ -42,13 +42,13 @@ def regular(
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
     kept = inverses_kept(program, tolerances)
-    return _made(program, limits or (None,) * len(program.outputs), kept, tolerances)
+    return _made(program, limits, kept, tolerances)
 
 
 @cache  # every target asks for it
 def _made(
     program: Program,
-    limits: tuple[Limits | None, ...],
+    limits: ArmLimits,
     kept: frozenset[str],
     tolerances: Tolerances,
 ) -> Regular:
@@ -66,16 +66,15 @@ def inverses_kept(program: Program, tolerances: Tolerances) -> frozenset[str]:
         program: The whole program.
         tolerances: The table that the program was made with.
     """
-    limits = (None,) * len(program.outputs)
     signs = frozenset(axis.name for axis in program.axes)
     inverses = [
         s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression, signs)
     ]
     kept: frozenset[str] = frozenset()
-    cost = _cost(_made(program, limits, kept, tolerances).program)
+    cost = _cost(_made(program, NO_LIMITS, kept, tolerances).program)
     while True:
         tried = [kept | {name} for name in inverses if name not in kept]
-        costs = [_cost(_made(program, limits, each, tolerances).program) for each in tried]
+        costs = [_cost(_made(program, NO_LIMITS, each, tolerances).program) for each in tried]
         if min(costs, default=cost) >= cost:
             return kept
         cost = min(costs)

@@ -30,7 +30,7 @@ from dhgen.program.role import Tolerance
 if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.program.ir import Expression, Program
-    from dhgen.program.regular.limits import Limits
+    from dhgen.program.regular.limits import ArmLimits
     from dhgen.tolerances import Tolerances
 
 FOLDED = "m"  # what the names of constants made here begin with
@@ -45,12 +45,15 @@ class Regular:
             one, in one branch, is enough to leave the pose to the whole program.
         joints: The values of the joints, NaN in all of them where a branch has no solution.
         outside: Whether one of them is outside its limits; None where there are no limits.
-        doubts: The truth values, those that are known before the joints' values first.
+        grazed: The truth value that joints are outside by no more than rounding; None where that
+            is no matter.
+        doubts: The other truth values: they are known before the values of the joints.
     """
 
     program: Program
     joints: tuple[Expression, ...]
     outside: Expression | None
+    grazed: Expression | None
     doubts: tuple[Expression, ...]
 
 
@@ -60,7 +63,7 @@ class Unguarded:
     def __init__(
         self,
         program: Program,
-        limits: tuple[Limits | None, ...],
+        limits: ArmLimits,
         kept: frozenset[str],
         tolerances: Tolerances,
     ) -> None:
@@ -99,35 +102,35 @@ class Unguarded:
         for statement in self._program.body:
             self._take(statement)
         joints = [self._arithmetic.angle(self._value(o)) for o in self._program.outputs]
-        limiting = Limiting(builder)
+        limiting = Limiting(builder, self._limits)
         joints = [self._limited(limiting, place + 1, node) for place, node in enumerate(joints)]
         ended = self._endings.ended(joints)
         results = {f"q{place + 1}": node for place, node in enumerate(ended)}
-        outside, grazed = limiting.outside(), limiting.grazed(self._tolerances.graze)
-        results |= {} if outside is None else {"outside": outside}
+        told = {"outside": limiting.outside(), "grazed": limiting.grazed()}
+        results |= {name: node for name, node in told.items() if node is not None}
         count = len(results)
         doubts = builder.joined(self._doubts, "or")
         doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
-        doubts += [] if grazed is None else [grazed]
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(self._program.name, results, [])
-        outputs = finished.outputs
+        outputs = dict(zip(results, finished.outputs, strict=True))
         return Regular(
             finished,
-            joints=outputs[: len(joints)],
-            outside=None if outside is None else outputs[len(joints)],
-            doubts=outputs[count:],
+            joints=finished.outputs[: len(joints)],
+            outside=outputs.get("outside"),
+            grazed=outputs.get("grazed"),
+            doubts=finished.outputs[count:],
         )
 
     def _limited(self, limiting: Limiting, joint: int, value: Node) -> Node:
         """A joint's value inside its limits; one that is given beyond them is left to the other."""
-        limits = self._limits[joint - 1]
         match self._program.outputs[joint - 1]:
-            case Joint(role="free") if limits is not None:
-                self._doubts.append(limiting.beyond(joint, value, limits))
+            case Joint(role="free"):
+                outside = limiting.is_outside(joint, value)
+                self._doubts += [] if outside is None else [outside]
                 return value
             case _:
-                return limiting.limited(joint, value, limits)
+                return limiting.limited(joint, value)
 
     def _end_of_regular(self, limit: Tolerance, value: float) -> Node:
         """Near to where a joint is free a pose is doubtful, too.

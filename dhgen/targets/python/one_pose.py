@@ -57,10 +57,11 @@ def single(flat: Flat) -> Single:
         lines += _arithmetic(stage, titles)
         known |= {let.name for let in stage.lets}
         while doubts and names_in(doubts[0]) <= known:
-            lines += _leaving(doubts.pop(0))
+            lines += _leaving(doubts.pop(0), limited=flat.limited)
         lines += _called(stage, calls)
         known |= {call.name for call in stage.calls}
-    lines += [*(line for doubt in doubts for line in _leaving(doubt)), ""]
+    late = (line for doubt in doubts for line in _leaving(doubt, limited=flat.limited))
+    lines += [*late, ""]
     lines += _results(flat, values, rest)
     while lines and not lines[0]:
         lines = lines[1:]
@@ -147,11 +148,13 @@ def _side_by_side(calls: tuple[Call, ...]) -> list[str]:
     return lines + [f"{INDENT}{call.name} = room[{place}]" for place, call in enumerate(calls)]
 
 
-def _leaving(doubt: Expression) -> list[str]:
+def _leaving(doubt: Expression, *, limited: bool) -> list[str]:
     """Leaves a pose that is none of these rows', as soon as that is known."""
     language = Python()
     leave = language.leave(expression_text(doubt, language), "", 0, [])
-    return ["", *(INDENT + line for line in leave[:-1]), f"{INDENT * 2}return False"]
+    why = "a joint is free, branches meet" if limited else "a joint is free, or branches meet"
+    reason = f"{INDENT}# {why}{', or rounding tells what is beyond a limit' if limited else ''}"
+    return ["", reason, *(INDENT + line for line in leave[:-1]), f"{INDENT * 2}return False"]
 
 
 def _results(flat: Flat, values: Sequence[Expression], rest: Sequence[Expression]) -> list[str]:
