@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.robot.cells import INVALID, Cells
 from dhgen.robot.frames import IDENTITY_FRAME, read_frame
 from dhgen.robot.joints import read_axis, read_row
-from dhgen.robot.lengths import note_spread
+from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
 from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, Units
@@ -51,6 +51,7 @@ class _Assembly:
             message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
             self.report.notice_at_key(("parameters", name), message)
         note_spread(self.report, self.cells.lengths)
+        note_distance(self.report, self.cells.lengths)
         file = self.shape.file
         if file is None or geometry is None:
             return None

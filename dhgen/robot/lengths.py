@@ -21,6 +21,9 @@ COARSE = 2e-5
 # Distances of 1e-9 arm sizes between axes, and what joints move by less, count as none; an arm is
 # up to ten times as long as its longest link.
 NOTHING = 1e-8
+# What is farther away than so many arms are long rounds positions by more than singular poses bear:
+# with a base 400 sizes away an arm with a spherical wrist passes verification, with 1000 it fails.
+FAR = 300.0
 
 
 class Length(NamedTuple):
@@ -49,6 +52,26 @@ def note_spread(report: Report, lengths: Iterable[Length]) -> None:
     elif ratio < COARSE:
         why = "rounding may exceed what is promised if it alone separates two axes"
         report.doubt(shortest.path, f"{told}, and {why}: {write}")
+
+
+def note_distance(report: Report, lengths: Iterable[Length]) -> None:
+    """Tell of a base that is far away beside the arm, and of a slide that goes far beside the rest.
+
+    Only where verification fails is this why.
+    """
+    found = [each for each in lengths if each.value > SNAP]
+    for far in found:
+        if far.path[0] == "base":
+            rest = [each.value for each in found if each.path[0] != "base"]
+            advice = "leave it out of the base, and subtract it from the poses"
+        elif "limits" in far.path:
+            rest = [e.value for e in found if e.path[0] != "base" and e.path[:2] != far.path[:2]]
+            advice = "leave the limits out if nothing stops the slide"
+        else:
+            continue
+        if 0.0 < FAR * sum(rest) < far.value:
+            times = f"{quoted(far.text)} is {far.value / sum(rest):.1e} times the rest of the arm"
+            report.doubt(far.path, f"{times}, and positions are rounded by as much more: {advice}")
 
 
 def _value(length: Length) -> float:

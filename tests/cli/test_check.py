@@ -47,7 +47,9 @@ def test_check_sees_a_change(run: Run, written: Path, tmp_path: Path) -> None:
     done = run("--check", "robots/planar_rr.yaml", folder=folder)
     assert done.returncode == 1
     assert done.stdout == ""
-    assert done.stderr.startswith("generated/planar_rr.c: changed\n--- generated/planar_rr.c\n")
+    assert done.stderr.startswith(
+        "generated/planar_rr.c: changed\n--- generated/planar_rr.c (as it is)\n"
+    )
     assert "\n-    a1 = 1." in done.stderr
     assert "\n+    a1 = 0." in done.stderr
     assert done.stderr.endswith("\n  to fix: dhgen robots/planar_rr.yaml\n")

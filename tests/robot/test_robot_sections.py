@@ -202,6 +202,26 @@ def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
     assert not robot(table("theta: q, a: 0.3", "theta: q, a: 4e3")).doubts
 
 
+@pytest.mark.parametrize(
+    ("rest", "told"),
+    [
+        ("base: {xyz: [4e5, -5e6, 0]}", ["4e5", "-5e6"]),
+        ("base: {xyz: [100, 0, 0]}", []),
+    ],
+)
+def test_a_base_far_away_is_a_doubt(rest: str, told: list[str]) -> None:
+    arm = robot(table("theta: q, a: 0.4", "theta: q, a: 0.3") + rest)
+    assert [marked(doubt) for doubt in arm.doubts] == told
+    assert all("subtract it from the poses" in doubt.message for doubt in arm.doubts)
+
+
+def test_a_slide_that_goes_far_beside_the_rest_is_a_doubt() -> None:
+    (doubt,) = robot(table("theta: q, a: 2", "d: q, limits: [-1e4, 3]")).doubts
+    assert marked(doubt) == "-1e4"
+    assert doubt.message.startswith("'-1e4' is 5.0e+03 times the rest of the arm, and positions")
+    assert not robot(table("theta: q", "d: q, limits: [-1e4, 3]")).doubts
+
+
 @pytest.mark.parametrize("value", ["true", "True", "TRUE"])
 def test_switches_as_yaml_writes_them(value: str) -> None:
     assert robot(f"{MINIMAL}float32: {value}\n").float32
