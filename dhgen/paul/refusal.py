@@ -80,7 +80,8 @@ def _reasons(search: Search, forms: list[Form], view: View) -> tuple[str, ...]:
     types_of: dict[str, list[str]] = {}
     for equation_type in CLOSED:
         groups: Sequence[tuple[Form, ...]] = singles if equation_type.arity == 1 else pairs
-        reasons = Counter(reason for g in groups if (reason := equation_type.why_not(g, view)))
+        offers = (equation_type.steps(group, view) for group in groups)
+        reasons = Counter(offer for offer in offers if isinstance(offer, str))
         usual = max(reasons, key=reasons.__getitem__, default=NO_PAIR)
         types_of.setdefault(usual, []).append(_number(equation_type))
     return tuple(

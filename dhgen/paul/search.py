@@ -120,14 +120,15 @@ class Search:
         beside = len(group) == 1 or self._beside(*group)
         key = tuple(map(id, group))
         if key not in self._steps_of:
-            self._steps_of[key] = tuple(
-                step
+            offers = (
+                equation_type.steps(group, view)
                 for equation_type in self._types
                 if equation_type.arity == len(group)
                 and (beside or equation_type.anywhere)
                 and (equation_type.ordered or not self._is_turned(group))
-                and equation_type.why_not(group, view) is None
-                for step in equation_type.steps(group, view)
+            )
+            self._steps_of[key] = tuple(
+                step for offer in offers if not isinstance(offer, str) for step in offer
             )
             if self._steps_of[key] and not beside:
                 self._partners.add(frozenset(id(form.equation) for form in group))

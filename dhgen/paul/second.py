@@ -104,8 +104,8 @@ def _offers(reader: FormReader, view: View) -> list[Step]:
     """The equations that are of type 2 with Z = 0 in a state, shortest first."""
     angle = Angle()
     groups = [(form,) for form in reader.forms(view.knowledge, 1)]
-    valid = [group for group in groups if angle.why_not(group, view) is None]
-    steps = [step for group in valid for step in angle.steps(group, view)]
+    offers = [angle.steps(group, view) for group in groups]
+    steps = [step for offer in offers if not isinstance(offer, str) for step in offer]
     return sorted(filter(_is_homogeneous, steps), key=lambda step: step.penalty)
 
 

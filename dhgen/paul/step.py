@@ -12,7 +12,7 @@ from dhgen.paul.form import Length
 from dhgen.paul.witness import OWN_LENGTHS, RANDOM_LENGTHS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.normal import NormalForm
@@ -197,6 +197,10 @@ def placing(form: Form) -> int:
     return POINT_FORM if origin.column == 4 else MIXED_FORM
 
 
+Offer = tuple[Step, ...] | str
+"""The steps that equations give, or why they are not of a type."""
+
+
 class EquationType(Protocol):
     """A type: when it applies, and the steps it gives."""
 
@@ -205,10 +209,6 @@ class EquationType(Protocol):
     anywhere: bool  # whether a pair need not stand in one column or row
     ordered: bool  # whether the same pair in the other order may give another step
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why these equations are not of this type, or None when they are."""
-        ...
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """The steps that the equations give, once `why_not` is None."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """The steps that the equations give, or why they are not of this type."""
         ...

@@ -107,12 +107,15 @@ class Bench:
         return tuple(reader.forms(self.view.knowledge, most=9))
 
     def why_not(self, equation_type: EquationType, *polynomials: Polynomial) -> str | None:
-        return equation_type.why_not(self.forms(*polynomials), self.view)
+        """Why equations are not of a type."""
+        offer = equation_type.steps(self.forms(*polynomials), self.view)
+        return offer if isinstance(offer, str) else None
 
     def steps(self, equation_type: EquationType, *polynomials: Polynomial) -> list[Step]:
         """The steps of equations that the type accepts."""
-        assert self.why_not(equation_type, *polynomials) is None
-        return list(equation_type.steps(self.forms(*polynomials), self.view))
+        offer = equation_type.steps(self.forms(*polynomials), self.view)
+        assert not isinstance(offer, str)
+        return list(offer)
 
 
 def all_steps(name: str) -> list[Step]:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from dhgen.paul.step import NEARLY_NOTHING, Kind, Step, placing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.paul.form import Form
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
 HOMOGENEOUS = 40  # Z = 0: always solvable, accurate everywhere
 GENERAL = 80
@@ -28,26 +28,17 @@ class Angle:
     anywhere = False
     ordered = True
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equation is not X s + Y c = Z with X and Y that matter."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """One step, or why the equation is not X s + Y c = Z with X and Y that matter."""
         (form,) = forms
         angle = form.only_angle
         if angle is None:
             return "the unknown is not a single angle"
         if not form.within([(), (angle.cosine,), (angle.sine,)]):
             return "not linear in the cosine and sine"
-        factors = (form.coefficient(angle.sine), form.coefficient(angle.cosine))
-        if all(view.witnesses.vanishes(factor) for factor in factors):
-            return "X and Y vanish on every solution: the equation determines nothing"
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """One step."""
-        (form,) = forms
-        angle = form.only_angle
-        if angle is None:
-            return
         x, y, z = form.coefficient(angle.sine), form.coefficient(angle.cosine), -form.coefficient()
+        if view.witnesses.vanishes(x) and view.witnesses.vanishes(y):
+            return "X and Y vanish on every solution: the equation determines nothing"
         joints = len(view.knowledge.representative(angle).terms)
         if not z:
             penalty = HOMOGENEOUS
@@ -60,4 +51,4 @@ class Angle:
         penalty += CANCELLING if x and y and z else 0
         penalty += NEARLY_NOTHING if view.is_nearly_nothing(x, y) else 0
         letters = (("X", x), ("Y", y), ("Z", z))
-        yield Step(Kind.ANGLE, (angle,), (form,), letters, 2, penalty)
+        return (Step(Kind.ANGLE, (angle,), (form,), letters, 2, penalty),)

@@ -9,12 +9,12 @@ from dhgen.paul.form import common_angle_and_length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form, Length
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
 PENALTY = 60
 
@@ -27,8 +27,11 @@ class AngleAndLength:
     anywhere = False
     ordered = True
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """One step for both unknowns.
+
+        Or why the equations are not X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r.
+        """
         read = _read(forms)
         if isinstance(read, str):
             return read
@@ -36,14 +39,6 @@ class AngleAndLength:
             return "X1 or X2 may vanish"
         if not (view.is_constant(read.z1) and view.is_constant(read.z2)):
             return "Z1 and Z2 may vanish together"
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """One step for both unknowns."""
-        del view
-        read = _read(forms)
-        if isinstance(read, str):
-            return
         unknowns = (read.angle, read.length)
         letters = (
             ("X1", read.x1),
@@ -53,7 +48,7 @@ class AngleAndLength:
             ("Y2", read.y2),
             ("Z2", read.z2),
         )
-        yield Step(Kind.ANGLE_AND_LENGTH, unknowns, tuple(forms), letters, 2, PENALTY)
+        return (Step(Kind.ANGLE_AND_LENGTH, unknowns, tuple(forms), letters, 2, PENALTY),)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,12 +11,12 @@ from dhgen.paul.step import NEARLY_NOTHING, NOTHING, Kind, Step, placing
 from dhgen.paul.witness import OWN_LENGTHS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form
-    from dhgen.paul.step import Products, View
+    from dhgen.paul.step import Offer, Products, View
 
 CONSTANT_FACTORS = 10
 CONSTANT_DETERMINANT = 20
@@ -41,8 +41,8 @@ class AnglePair:
     anywhere = False
     ordered = True
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not two equations in one angle."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """One step, or why the equations are not two equations in one angle."""
         read = _read(forms)
         if isinstance(read, str):
             return read
@@ -51,13 +51,6 @@ class AnglePair:
             return "the determinant X1 Y2 - X2 Y1 vanishes"
         if not (read.is_turned(view) or view.is_constant_sum(determinant)):
             return MAY_VANISH_REASON
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """One step."""
-        read = _read(forms)
-        if isinstance(read, str):
-            return
         first, second = forms
         z1, z2 = -first.coefficient(), -second.coefficient()
         letters = (
@@ -70,7 +63,7 @@ class AnglePair:
         )
         length = sum(len(value) for _, value in letters)
         penalty = _conditioning(read, view) + length + placing(first)
-        yield Step(Kind.ANGLE_PAIR, (read.angle,), (first, second), letters, 1, penalty)
+        return (Step(Kind.ANGLE_PAIR, (read.angle,), (first, second), letters, 1, penalty),)
 
 
 def stretch(x1: Polynomial, y1: Polynomial, x2: Polynomial, y2: Polynomial) -> Polynomial | None:

@@ -26,14 +26,14 @@ from dhgen.paul.step import Kind, Step
 from dhgen.paul.witness import COUNT, is_rounding
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form, Monomial
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
     Values = NDArray[np.float64]
     Complex = NDArray[np.complex128]
@@ -140,24 +140,19 @@ class Circle:
     anywhere = True
     ordered = False
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations give no polynomial of degree 2."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """A step for each angle that can stay, unless the polynomial has only double roots.
+
+        Or why the equations give no polynomial of degree 2.
+        """
         splits = _splits(forms, view)
         if isinstance(splits, str):
             return splits
-        if not any(split.is_known or split.ratio() for split in splits):
+        ratios = [(split, None if split.is_known else split.ratio()) for split in splits]
+        able = [(split, ratio) for split, ratio in ratios if split.is_known or ratio]
+        if not able:
             return "the polynomial would be of a higher degree than 2"
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """A step for each angle that can stay, unless the polynomial has only double roots."""
-        splits = _splits(forms, view)
-        if isinstance(splits, str):
-            return
-        for split in splits:
-            ratio = None if split.is_known else split.ratio()
-            if (split.is_known or ratio) and _is_sound(split, ratio, view):
-                yield _step(split, ratio)
+        return tuple(_step(*each) for each in able if _is_sound(*each, view))
 
 
 def _step(split: Split, ratio: Ratio | None) -> Step:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form, Length
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
 PENALTY = 200
 
@@ -29,8 +29,11 @@ class LengthOnALine:
     anywhere = True
     ordered = True
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not a line and a squared length in two lengths."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """A step for each length that can stay: of type 1 if the squares cancel.
+
+        Or why the equations are not a line and a squared length in two lengths.
+        """
         line, square = forms
         lengths = line.two_lengths
         if lengths is None or square.two_lengths != lengths:
@@ -42,25 +45,22 @@ class LengthOnALine:
         linear = [(), (first,), (second,)]
         if square.within(linear) or not square.within([*linear, *pairs]):
             return "the second equation is not quadratic"
-        return None if any(self.steps(forms, view)) else "X or V may vanish"
+        return tuple(_steps(forms, lengths, view)) or "X or V may vanish"
 
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """A step for each length that can stay: of type 1 if the squares cancel."""
-        lengths = forms[0].two_lengths
-        if lengths is None:
-            return
-        for gone, kept in (lengths, lengths[::-1]):
-            v = forms[0].coefficient(gone.name)
-            if not view.is_constant(v) or view.witnesses.vanishes(v):
-                continue
-            x, y, z = map(view.normal, _quadratic(forms, gone, kept))
-            size = PENALTY + len(x) + len(y) + len(z)
-            if not x and not view.witnesses.vanishes(y):
-                linear = (("X", y), ("Y", z))
-                yield Step(Kind.LENGTH, (kept,), tuple(forms), linear, 1, size)
-            elif view.is_constant(x) and not view.witnesses.vanishes(x):
-                letters = (("X", x), ("Y", y), ("Z", z))
-                yield Step(Kind.SQUARED_LENGTH, (kept,), tuple(forms), letters, 2, size)
+
+def _steps(forms: Sequence[Form], lengths: tuple[Length, Length], view: View) -> Iterator[Step]:
+    for gone, kept in (lengths, lengths[::-1]):
+        v = forms[0].coefficient(gone.name)
+        if not view.is_constant(v) or view.witnesses.vanishes(v):
+            continue
+        x, y, z = map(view.normal, _quadratic(forms, gone, kept))
+        size = PENALTY + len(x) + len(y) + len(z)
+        if not x and not view.witnesses.vanishes(y):
+            linear = (("X", y), ("Y", z))
+            yield Step(Kind.LENGTH, (kept,), tuple(forms), linear, 1, size)
+        elif view.is_constant(x) and not view.witnesses.vanishes(x):
+            letters = (("X", x), ("Y", y), ("Z", z))
+            yield Step(Kind.SQUARED_LENGTH, (kept,), tuple(forms), letters, 2, size)
 
 
 def _quadratic(forms: Sequence[Form], gone: Length, kept: Length) -> tuple[Polynomial, ...]:

@@ -9,12 +9,12 @@ from dhgen.paul.form import common_angle_and_length
 from dhgen.paul.step import NEARLY_NOTHING, Kind, Step
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form, Length
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
 PENALTY = 50
 
@@ -27,25 +27,18 @@ class Polar:
     anywhere = False
     ordered = True
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not a vector in polar coordinates."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """One step for both unknowns, or why the equations are no vector in polar coordinates."""
         read = _read(forms)
         if isinstance(read, str):
             return read
         if not (view.is_constant(read.x1) and view.is_constant(read.x2)):
             return "X1 or X2 may vanish"
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """One step for both unknowns."""
-        read = _read(forms)
-        if isinstance(read, str):
-            return
         unknowns = (read.angle, read.length)
         letters = (("X1", read.x1), ("Y1", read.y1), ("X2", read.x2), ("Y2", read.y2))
         little = any(view.is_nearly_nothing(each) for each in (read.x1, read.x2))
         penalty = PENALTY + (NEARLY_NOTHING if little else 0)
-        yield Step(Kind.POLAR, unknowns, tuple(forms), letters, 2, penalty)
+        return (Step(Kind.POLAR, unknowns, tuple(forms), letters, 2, penalty),)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.paul.form import Form
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
 PENALTY = 150
 
@@ -27,8 +27,8 @@ class SquaredLength:
     anywhere = False
     ordered = True
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equation is not X r^2 + Y r = Z."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """One step, or why the equation is not X r^2 + Y r = Z."""
         (form,) = forms
         length = form.only_length
         if length is None:
@@ -36,22 +36,10 @@ class SquaredLength:
         r = length.name
         if not form.within([(), (r,), (r, r)]):
             return f"{r} occurs in a higher power than its square"
-        x, y = form.coefficient(r, r), form.coefficient(r)
+        x, y, z = form.coefficient(r, r), form.coefficient(r), -form.coefficient()
         if not (view.is_constant(x) and view.is_constant(y)):
             return "X or Y may vanish"
-        return "X vanishes" if view.witnesses.vanishes(x) else None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """One step."""
-        del view
-        (form,) = forms
-        length = form.only_length
-        if length is None:
-            return
-        r = length.name
-        letters = (
-            ("X", form.coefficient(r, r)),
-            ("Y", form.coefficient(r)),
-            ("Z", -form.coefficient()),
-        )
-        yield Step(Kind.SQUARED_LENGTH, (length,), (form,), letters, 2, PENALTY)
+        if view.witnesses.vanishes(x):
+            return "X vanishes"
+        letters = (("X", x), ("Y", y), ("Z", z))
+        return (Step(Kind.SQUARED_LENGTH, (length,), (form,), letters, 2, PENALTY),)

@@ -18,13 +18,13 @@ from dhgen.paul.form import is_multiple
 from dhgen.paul.step import Kind, Step, placing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form
     from dhgen.paul.knowledge import Cut, Knowledge
-    from dhgen.paul.step import Products, View
+    from dhgen.paul.step import Offer, Products, View
 
     Term = tuple[int, Polynomial, Polynomial]
 
@@ -42,27 +42,23 @@ class TwoAngles:
     anywhere = False
     ordered = False
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not one vector equation in two angles."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """Up to three steps: for the difference of the angles, and for each of them.
+
+        Or why the equations are not one vector equation in two angles.
+        """
         read = _read(forms)
         if isinstance(read, str):
             return read
         if any(_vanishes(vector, view) for vector in (read.v, read.w)):
             return "a coefficient vanishes on every solution"
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """Up to three steps: for the difference of the angles, and for each of them."""
-        read = _read(forms)
-        if isinstance(read, str):
-            return
         difference = _difference(read.v, read.w, view.knowledge)
         kind = _kind(read.v, read.w, difference)
-        if difference is not None:
-            yield _by_difference(read, difference, kind, view)
-        if kind is not Kind.ANGLE_AND_SUM and any(read.known):
-            yield _by_elimination(read, kind, view)
-            yield _by_elimination(read.swapped(), kind, view)
+        found = () if difference is None else (_by_difference(read, difference, kind, view),)
+        if kind is Kind.ANGLE_AND_SUM or not any(read.known):
+            return found
+        both = (read, read.swapped())
+        return (*found, *(_by_elimination(each, kind, view) for each in both))
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 from dhgen.paul.step import NEARLY_NOTHING, Kind, Step
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form, Length
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Offer, View
 
 CONSTANT_DETERMINANT = 20
 VARIABLE_DETERMINANT = 800  # it may vanish: only when nothing else works
@@ -30,24 +30,17 @@ class TwoLengths:
     anywhere = True
     ordered = False
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not linear in two lengths, or do not fix them."""
+    def steps(self, forms: Sequence[Form], view: View) -> Offer:
+        """One step for both lengths, or why the equations are not linear in them, or fix none."""
         lengths = forms[0].two_lengths
         if lengths is None or forms[1].two_lengths != lengths:
             return "the unknowns are not two lengths"
         linear = [(), *((length.name,) for length in lengths)]
         if not all(form.within(linear) for form in forms):
             return "a length occurs in a higher power"
-        if view.witnesses.sum_vanishes(_products(forms, lengths)):
-            return "the determinant vanishes"
-        return None
-
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """One step for both lengths."""
-        lengths = forms[0].two_lengths
-        if lengths is None:
-            return
         product = view.products(*_products(forms, lengths))
+        if view.witnesses.sum_vanishes(product.terms):
+            return "the determinant vanishes"
         fixed = view.is_constant_sum(product)
         penalty = CONSTANT_DETERMINANT if fixed else VARIABLE_DETERMINANT
         penalty += NEARLY_NOTHING if view.is_nearly_nothing(product.polynomial) else 0
@@ -57,7 +50,7 @@ class TwoLengths:
             for letter, value in zip("XYZ", _row(form, lengths), strict=True)
         )
         size = sum(len(value) for _, value in letters)
-        yield Step(Kind.TWO_LENGTHS, lengths, tuple(forms), letters, 1, penalty + size)
+        return (Step(Kind.TWO_LENGTHS, lengths, tuple(forms), letters, 1, penalty + size),)
 
 
 def determinant(step: Step, algebra: Algebra) -> Polynomial:
