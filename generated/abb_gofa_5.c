@@ -546,7 +546,7 @@ static void sorted_rows(
 #endif
 
 #define ABB_GOFA_5_ROOTS 24
-#define ABB_GOFA_5_CANDIDATES 96
+#define ABB_GOFA_5_CANDIDATES 144
 
 #if ABB_GOFA_5_LANES > 1
 typedef double abb_gofa_5_lane __attribute__((vector_size(8 * ABB_GOFA_5_LANES)));
@@ -2655,11 +2655,12 @@ static inline void abb_gofa_5_reciprocals(abb_gofa_5_lane U[6][6], abb_gofa_5_la
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void abb_gofa_5_null_vectors(const double *E, const abb_gofa_5_roots *roots,
                                  abb_gofa_5_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += ABB_GOFA_5_LANES) {
         double cs[2][ABB_GOFA_5_LANES];
         abb_gofa_5_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2677,14 +2678,51 @@ static void abb_gofa_5_null_vectors(const double *E, const abb_gofa_5_roots *roo
         }
         (void)abb_gofa_5_inverse_iteration(factor, inverse, x);
         (void)abb_gofa_5_inverse_iteration(factor, inverse, x);
-        ABB_GOFA_5_STORE(out->c + from, c);
-        ABB_GOFA_5_STORE(out->s + from, s);
+        ABB_GOFA_5_STORE(out->c + behind + from, c);
+        ABB_GOFA_5_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            ABB_GOFA_5_STORE(out->n[i] + from, x[i]);
+            ABB_GOFA_5_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double abb_gofa_5_turned(const double *E, double c, double s, double x)
+{
+    abb_gofa_5_lane cosine = abb_gofa_5_all(c), sine = abb_gofa_5_all(s), factor[6][6];
+    double value[ABB_GOFA_5_LANES];
+    abb_gofa_5_turn_on(abb_gofa_5_all(x), &cosine, &sine);
+    ABB_GOFA_5_STORE(value, abb_gofa_5_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void abb_gofa_5_separate(const double *E, double c, double s, abb_gofa_5_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = abb_gofa_5_turned(E, c, s, middle), before = abb_gofa_5_turned(E, c, s,
+            middle - apart);
+        const double after = abb_gofa_5_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < ABB_GOFA_5_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void abb_gofa_5_add_candidate(abb_gofa_5_candidates *out, double c, double s, const double
@@ -3536,7 +3574,7 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
                            abb_gofa_5_found *found)
 {
     double link[6][12], E[192];
-    abb_gofa_5_roots roots;
+    abb_gofa_5_roots roots, beside;
     abb_gofa_5_candidates all;
     abb_gofa_5_around(form, loop, link);
     double left[15][32];
@@ -3545,7 +3583,12 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
     if (!abb_gofa_5_real_roots(abb_gofa_5_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        abb_gofa_5_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     abb_gofa_5_null_vectors(E, &roots, &all);
+    abb_gofa_5_null_vectors(E, &beside, &all);
     abb_gofa_5_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         abb_gofa_5_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -546,7 +546,7 @@ static void sorted_rows(
 #endif
 
 #define FANUC_CRX10IA_ROOTS 24
-#define FANUC_CRX10IA_CANDIDATES 96
+#define FANUC_CRX10IA_CANDIDATES 144
 
 #if FANUC_CRX10IA_LANES > 1
 typedef double fanuc_crx10ia_lane __attribute__((vector_size(8 * FANUC_CRX10IA_LANES)));
@@ -2676,11 +2676,12 @@ static inline void fanuc_crx10ia_reciprocals(fanuc_crx10ia_lane U[6][6], fanuc_c
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void fanuc_crx10ia_null_vectors(const double *E, const fanuc_crx10ia_roots *roots,
                                  fanuc_crx10ia_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += FANUC_CRX10IA_LANES) {
         double cs[2][FANUC_CRX10IA_LANES];
         fanuc_crx10ia_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2698,14 +2699,51 @@ static void fanuc_crx10ia_null_vectors(const double *E, const fanuc_crx10ia_root
         }
         (void)fanuc_crx10ia_inverse_iteration(factor, inverse, x);
         (void)fanuc_crx10ia_inverse_iteration(factor, inverse, x);
-        FANUC_CRX10IA_STORE(out->c + from, c);
-        FANUC_CRX10IA_STORE(out->s + from, s);
+        FANUC_CRX10IA_STORE(out->c + behind + from, c);
+        FANUC_CRX10IA_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            FANUC_CRX10IA_STORE(out->n[i] + from, x[i]);
+            FANUC_CRX10IA_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double fanuc_crx10ia_turned(const double *E, double c, double s, double x)
+{
+    fanuc_crx10ia_lane cosine = fanuc_crx10ia_all(c), sine = fanuc_crx10ia_all(s), factor[6][6];
+    double value[FANUC_CRX10IA_LANES];
+    fanuc_crx10ia_turn_on(fanuc_crx10ia_all(x), &cosine, &sine);
+    FANUC_CRX10IA_STORE(value, fanuc_crx10ia_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void fanuc_crx10ia_separate(const double *E, double c, double s, fanuc_crx10ia_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = fanuc_crx10ia_turned(E, c, s, middle), before = fanuc_crx10ia_turned(E, c,
+            s, middle - apart);
+        const double after = fanuc_crx10ia_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < FANUC_CRX10IA_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void fanuc_crx10ia_add_candidate(fanuc_crx10ia_candidates *out, double c, double s, const
@@ -3567,7 +3605,7 @@ static int fanuc_crx10ia_attempt(const fanuc_crx10ia_formulation *form, const fa
                            fanuc_crx10ia_found *found)
 {
     double link[6][12], E[192];
-    fanuc_crx10ia_roots roots;
+    fanuc_crx10ia_roots roots, beside;
     fanuc_crx10ia_candidates all;
     fanuc_crx10ia_around(form, loop, link);
     double left[15][32];
@@ -3576,7 +3614,12 @@ static int fanuc_crx10ia_attempt(const fanuc_crx10ia_formulation *form, const fa
     if (!fanuc_crx10ia_real_roots(fanuc_crx10ia_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        fanuc_crx10ia_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     fanuc_crx10ia_null_vectors(E, &roots, &all);
+    fanuc_crx10ia_null_vectors(E, &beside, &all);
     fanuc_crx10ia_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         fanuc_crx10ia_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -543,7 +543,7 @@ static void sorted_rows(
 #endif
 
 #define GENERAL_4R2P_ROOTS 24
-#define GENERAL_4R2P_CANDIDATES 96
+#define GENERAL_4R2P_CANDIDATES 144
 
 #if GENERAL_4R2P_LANES > 1
 typedef double general_4r2p_lane __attribute__((vector_size(8 * GENERAL_4R2P_LANES)));

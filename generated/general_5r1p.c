@@ -544,7 +544,7 @@ static void sorted_rows(
 #endif
 
 #define GENERAL_5R1P_ROOTS 24
-#define GENERAL_5R1P_CANDIDATES 96
+#define GENERAL_5R1P_CANDIDATES 144
 
 #if GENERAL_5R1P_LANES > 1
 typedef double general_5r1p_lane __attribute__((vector_size(8 * GENERAL_5R1P_LANES)));
@@ -2816,11 +2816,12 @@ static inline void general_5r1p_reciprocals(general_5r1p_lane U[6][6], general_5
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void general_5r1p_null_vectors(const double *E, const general_5r1p_roots *roots,
                                  general_5r1p_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += GENERAL_5R1P_LANES) {
         double cs[2][GENERAL_5R1P_LANES];
         general_5r1p_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2838,14 +2839,51 @@ static void general_5r1p_null_vectors(const double *E, const general_5r1p_roots 
         }
         (void)general_5r1p_inverse_iteration(factor, inverse, x);
         (void)general_5r1p_inverse_iteration(factor, inverse, x);
-        GENERAL_5R1P_STORE(out->c + from, c);
-        GENERAL_5R1P_STORE(out->s + from, s);
+        GENERAL_5R1P_STORE(out->c + behind + from, c);
+        GENERAL_5R1P_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            GENERAL_5R1P_STORE(out->n[i] + from, x[i]);
+            GENERAL_5R1P_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double general_5r1p_turned(const double *E, double c, double s, double x)
+{
+    general_5r1p_lane cosine = general_5r1p_all(c), sine = general_5r1p_all(s), factor[6][6];
+    double value[GENERAL_5R1P_LANES];
+    general_5r1p_turn_on(general_5r1p_all(x), &cosine, &sine);
+    GENERAL_5R1P_STORE(value, general_5r1p_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void general_5r1p_separate(const double *E, double c, double s, general_5r1p_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = general_5r1p_turned(E, c, s, middle), before = general_5r1p_turned(E, c,
+            s, middle - apart);
+        const double after = general_5r1p_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < GENERAL_5R1P_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void general_5r1p_add_candidate(general_5r1p_candidates *out, double c, double s, const
@@ -3457,14 +3495,19 @@ static int general_5r1p_attempt(const general_5r1p_formulation *form, const gene
                            general_5r1p_found *found)
 {
     double link[6][12], E[192];
-    general_5r1p_roots roots;
+    general_5r1p_roots roots, beside;
     general_5r1p_candidates all;
     general_5r1p_around(form, loop, link);
     general_5r1p_equations(form, link, form->left, E);
     if (!general_5r1p_real_roots(general_5r1p_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        general_5r1p_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     general_5r1p_null_vectors(E, &roots, &all);
+    general_5r1p_null_vectors(E, &beside, &all);
     general_5r1p_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         general_5r1p_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -463,7 +463,7 @@ static void sorted_rows(
 #endif
 
 #define GENERAL_6R_ROOTS 24
-#define GENERAL_6R_CANDIDATES 96
+#define GENERAL_6R_CANDIDATES 144
 
 #if GENERAL_6R_LANES > 1
 typedef double general_6r_lane __attribute__((vector_size(8 * GENERAL_6R_LANES)));
@@ -2683,11 +2683,12 @@ static inline void general_6r_reciprocals(general_6r_lane U[6][6], general_6r_la
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void general_6r_null_vectors(const double *E, const general_6r_roots *roots,
                                  general_6r_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += GENERAL_6R_LANES) {
         double cs[2][GENERAL_6R_LANES];
         general_6r_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2705,14 +2706,51 @@ static void general_6r_null_vectors(const double *E, const general_6r_roots *roo
         }
         (void)general_6r_inverse_iteration(factor, inverse, x);
         (void)general_6r_inverse_iteration(factor, inverse, x);
-        GENERAL_6R_STORE(out->c + from, c);
-        GENERAL_6R_STORE(out->s + from, s);
+        GENERAL_6R_STORE(out->c + behind + from, c);
+        GENERAL_6R_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            GENERAL_6R_STORE(out->n[i] + from, x[i]);
+            GENERAL_6R_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double general_6r_turned(const double *E, double c, double s, double x)
+{
+    general_6r_lane cosine = general_6r_all(c), sine = general_6r_all(s), factor[6][6];
+    double value[GENERAL_6R_LANES];
+    general_6r_turn_on(general_6r_all(x), &cosine, &sine);
+    GENERAL_6R_STORE(value, general_6r_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void general_6r_separate(const double *E, double c, double s, general_6r_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = general_6r_turned(E, c, s, middle), before = general_6r_turned(E, c, s,
+            middle - apart);
+        const double after = general_6r_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < GENERAL_6R_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void general_6r_add_candidate(general_6r_candidates *out, double c, double s, const double
@@ -3305,7 +3343,7 @@ static int general_6r_attempt(const general_6r_formulation *form, const general_
                            general_6r_found *found)
 {
     double link[6][12], E[192];
-    general_6r_roots roots;
+    general_6r_roots roots, beside;
     general_6r_candidates all;
     general_6r_around(form, loop, link);
     if (form->left) {
@@ -3318,7 +3356,12 @@ static int general_6r_attempt(const general_6r_formulation *form, const general_
     if (!general_6r_real_roots(general_6r_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        general_6r_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     general_6r_null_vectors(E, &roots, &all);
+    general_6r_null_vectors(E, &beside, &all);
     general_6r_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         general_6r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -543,7 +543,7 @@ static void sorted_rows(
 #endif
 
 #define GENERAL_PRRPRR_ROOTS 24
-#define GENERAL_PRRPRR_CANDIDATES 96
+#define GENERAL_PRRPRR_CANDIDATES 144
 
 #if GENERAL_PRRPRR_LANES > 1
 typedef double general_prrprr_lane __attribute__((vector_size(8 * GENERAL_PRRPRR_LANES)));

@@ -543,7 +543,7 @@ static void sorted_rows(
 #endif
 
 #define GENERAL_RPPRRR_ROOTS 24
-#define GENERAL_RPPRRR_CANDIDATES 96
+#define GENERAL_RPPRRR_CANDIDATES 144
 
 #if GENERAL_RPPRRR_LANES > 1
 typedef double general_rpprrr_lane __attribute__((vector_size(8 * GENERAL_RPPRRR_LANES)));

@@ -538,7 +538,7 @@ static void sorted_rows(
 #endif
 
 #define KINOVA_GEN3_7_ROOTS 24
-#define KINOVA_GEN3_7_CANDIDATES 96
+#define KINOVA_GEN3_7_CANDIDATES 144
 
 #if KINOVA_GEN3_7_LANES > 1
 typedef double kinova_gen3_7_lane __attribute__((vector_size(8 * KINOVA_GEN3_7_LANES)));
@@ -2695,11 +2695,12 @@ static inline void kinova_gen3_7_reciprocals(kinova_gen3_7_lane U[6][6], kinova_
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void kinova_gen3_7_null_vectors(const double *E, const kinova_gen3_7_roots *roots,
                                  kinova_gen3_7_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += KINOVA_GEN3_7_LANES) {
         double cs[2][KINOVA_GEN3_7_LANES];
         kinova_gen3_7_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2717,14 +2718,51 @@ static void kinova_gen3_7_null_vectors(const double *E, const kinova_gen3_7_root
         }
         (void)kinova_gen3_7_inverse_iteration(factor, inverse, x);
         (void)kinova_gen3_7_inverse_iteration(factor, inverse, x);
-        KINOVA_GEN3_7_STORE(out->c + from, c);
-        KINOVA_GEN3_7_STORE(out->s + from, s);
+        KINOVA_GEN3_7_STORE(out->c + behind + from, c);
+        KINOVA_GEN3_7_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            KINOVA_GEN3_7_STORE(out->n[i] + from, x[i]);
+            KINOVA_GEN3_7_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double kinova_gen3_7_turned(const double *E, double c, double s, double x)
+{
+    kinova_gen3_7_lane cosine = kinova_gen3_7_all(c), sine = kinova_gen3_7_all(s), factor[6][6];
+    double value[KINOVA_GEN3_7_LANES];
+    kinova_gen3_7_turn_on(kinova_gen3_7_all(x), &cosine, &sine);
+    KINOVA_GEN3_7_STORE(value, kinova_gen3_7_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void kinova_gen3_7_separate(const double *E, double c, double s, kinova_gen3_7_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = kinova_gen3_7_turned(E, c, s, middle), before = kinova_gen3_7_turned(E, c,
+            s, middle - apart);
+        const double after = kinova_gen3_7_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < KINOVA_GEN3_7_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void kinova_gen3_7_add_candidate(kinova_gen3_7_candidates *out, double c, double s, const
@@ -3326,7 +3364,7 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
                            kinova_gen3_7_found *found)
 {
     double link[6][12], E[192];
-    kinova_gen3_7_roots roots;
+    kinova_gen3_7_roots roots, beside;
     kinova_gen3_7_candidates all;
     kinova_gen3_7_around(form, loop, link);
     double left[15][32];
@@ -3335,7 +3373,12 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
     if (!kinova_gen3_7_real_roots(kinova_gen3_7_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        kinova_gen3_7_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     kinova_gen3_7_null_vectors(E, &roots, &all);
+    kinova_gen3_7_null_vectors(E, &beside, &all);
     kinova_gen3_7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         kinova_gen3_7_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

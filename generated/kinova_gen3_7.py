@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 b60136b8120646c8"
+_KEY = "kinova_gen3_7 4c3fa06d81d8b54f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2030,6 +2030,30 @@ def _kinova_gen3_7_real_roots(of):
     return good, roots, counts
 
 
+@_apart("int64(float64[:, ::1], float64, float64[::1], int64)")
+def _kinova_gen3_7_separate(E, angle, angles, total):
+    """Two simple roots beside an angle where roots may have met, if there are, go behind the angles:
+    the determinant itself has digits there that its fit lacks. Each parabola is as wide as the one
+    before says that they are apart. Returns how many angles there are."""
+    c, s, f = np.empty(24), np.empty(24), np.empty(24)
+    middle, apart = angle, 0.0001
+    for _ in range(3):
+        for k in range(24):
+            turned = middle + (k % 3 - 1) * apart
+            c[k], s[k] = math.cos(turned), math.sin(turned)
+        _kinova_gen3_7_fold(E, c, s, f)
+        slope, bend = 0.5 * (f[2] - f[0]), 0.5 * (f[2] + f[0]) - f[1]
+        square = slope * slope - 4.0 * bend * f[1]
+        if not (square > 0.0 and bend != 0.0):
+            return total
+        middle -= 0.5 * slope / bend * apart
+        apart *= math.sqrt(square) / abs(bend)
+        if abs(middle - angle) + apart >= 0.0001:
+            return total  # so far apart that they are known
+    angles[total], angles[total + 1] = middle - 0.5 * apart, middle + 0.5 * apart
+    return total + 2
+
+
 @_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
 def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count):
     """Find what a formulation finds: (whether that is certainly everything, the count).
@@ -2048,7 +2072,7 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
         return False, count
     simple, touching, complete = counts[0], counts[1] + counts[3], counts[2] == 1
     # simple roots, pairs of them that nearly meet, double roots
-    angles = np.empty(96)
+    angles = np.empty(144)
     total = simple
     for i in range(simple):
         angles[i] = roots[0, i]
@@ -2058,6 +2082,8 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
                 middle = 0.5 * (roots[0, i] + roots[0, j])
                 angles[total] = middle if gap > 0.0 else middle + 3.141592653589793
                 total += 1
+    for i in range(touching):
+        total = _kinova_gen3_7_separate(E, roots[1, i], angles, total)
     first_double = total
     for i in range(touching):
         angles[total] = roots[1, i]

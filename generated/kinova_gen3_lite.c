@@ -534,7 +534,7 @@ static void sorted_rows(
 #endif
 
 #define KINOVA_GEN3_LITE_ROOTS 24
-#define KINOVA_GEN3_LITE_CANDIDATES 96
+#define KINOVA_GEN3_LITE_CANDIDATES 144
 
 #if KINOVA_GEN3_LITE_LANES > 1
 typedef double kinova_gen3_lite_lane __attribute__((vector_size(8 * KINOVA_GEN3_LITE_LANES)));
@@ -2829,11 +2829,12 @@ static inline void kinova_gen3_lite_reciprocals(kinova_gen3_lite_lane U[6][6], k
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void kinova_gen3_lite_null_vectors(const double *E, const kinova_gen3_lite_roots *roots,
                                  kinova_gen3_lite_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += KINOVA_GEN3_LITE_LANES) {
         double cs[2][KINOVA_GEN3_LITE_LANES];
         kinova_gen3_lite_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2851,14 +2852,53 @@ static void kinova_gen3_lite_null_vectors(const double *E, const kinova_gen3_lit
         }
         (void)kinova_gen3_lite_inverse_iteration(factor, inverse, x);
         (void)kinova_gen3_lite_inverse_iteration(factor, inverse, x);
-        KINOVA_GEN3_LITE_STORE(out->c + from, c);
-        KINOVA_GEN3_LITE_STORE(out->s + from, s);
+        KINOVA_GEN3_LITE_STORE(out->c + behind + from, c);
+        KINOVA_GEN3_LITE_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            KINOVA_GEN3_LITE_STORE(out->n[i] + from, x[i]);
+            KINOVA_GEN3_LITE_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double kinova_gen3_lite_turned(const double *E, double c, double s, double x)
+{
+    kinova_gen3_lite_lane cosine = kinova_gen3_lite_all(c), sine = kinova_gen3_lite_all(s),
+        factor[6][6];
+    double value[KINOVA_GEN3_LITE_LANES];
+    kinova_gen3_lite_turn_on(kinova_gen3_lite_all(x), &cosine, &sine);
+    KINOVA_GEN3_LITE_STORE(value, kinova_gen3_lite_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void kinova_gen3_lite_separate(const double *E, double c, double s, kinova_gen3_lite_roots
+    *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = kinova_gen3_lite_turned(E, c, s, middle), before =
+            kinova_gen3_lite_turned(E, c, s, middle - apart);
+        const double after = kinova_gen3_lite_turned(E, c, s, middle + apart), slope = 0.5 * (after
+            - before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < KINOVA_GEN3_LITE_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void kinova_gen3_lite_add_candidate(kinova_gen3_lite_candidates *out, double c, double s,
@@ -3465,14 +3505,19 @@ static int kinova_gen3_lite_attempt(const kinova_gen3_lite_formulation *form, co
                            kinova_gen3_lite_found *found)
 {
     double link[6][12], E[192];
-    kinova_gen3_lite_roots roots;
+    kinova_gen3_lite_roots roots, beside;
     kinova_gen3_lite_candidates all;
     kinova_gen3_lite_around(form, loop, link);
     kinova_gen3_lite_equations(form, link, form->left, E);
     if (!kinova_gen3_lite_real_roots(kinova_gen3_lite_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        kinova_gen3_lite_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     kinova_gen3_lite_null_vectors(E, &roots, &all);
+    kinova_gen3_lite_null_vectors(E, &beside, &all);
     kinova_gen3_lite_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         kinova_gen3_lite_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

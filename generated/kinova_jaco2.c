@@ -463,7 +463,7 @@ static void sorted_rows(
 #endif
 
 #define KINOVA_JACO2_ROOTS 24
-#define KINOVA_JACO2_CANDIDATES 96
+#define KINOVA_JACO2_CANDIDATES 144
 
 #if KINOVA_JACO2_LANES > 1
 typedef double kinova_jaco2_lane __attribute__((vector_size(8 * KINOVA_JACO2_LANES)));
@@ -2744,11 +2744,12 @@ static inline void kinova_jaco2_reciprocals(kinova_jaco2_lane U[6][6], kinova_ja
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void kinova_jaco2_null_vectors(const double *E, const kinova_jaco2_roots *roots,
                                  kinova_jaco2_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += KINOVA_JACO2_LANES) {
         double cs[2][KINOVA_JACO2_LANES];
         kinova_jaco2_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2766,14 +2767,51 @@ static void kinova_jaco2_null_vectors(const double *E, const kinova_jaco2_roots 
         }
         (void)kinova_jaco2_inverse_iteration(factor, inverse, x);
         (void)kinova_jaco2_inverse_iteration(factor, inverse, x);
-        KINOVA_JACO2_STORE(out->c + from, c);
-        KINOVA_JACO2_STORE(out->s + from, s);
+        KINOVA_JACO2_STORE(out->c + behind + from, c);
+        KINOVA_JACO2_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            KINOVA_JACO2_STORE(out->n[i] + from, x[i]);
+            KINOVA_JACO2_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double kinova_jaco2_turned(const double *E, double c, double s, double x)
+{
+    kinova_jaco2_lane cosine = kinova_jaco2_all(c), sine = kinova_jaco2_all(s), factor[6][6];
+    double value[KINOVA_JACO2_LANES];
+    kinova_jaco2_turn_on(kinova_jaco2_all(x), &cosine, &sine);
+    KINOVA_JACO2_STORE(value, kinova_jaco2_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void kinova_jaco2_separate(const double *E, double c, double s, kinova_jaco2_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = kinova_jaco2_turned(E, c, s, middle), before = kinova_jaco2_turned(E, c,
+            s, middle - apart);
+        const double after = kinova_jaco2_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < KINOVA_JACO2_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void kinova_jaco2_add_candidate(kinova_jaco2_candidates *out, double c, double s, const
@@ -3370,14 +3408,19 @@ static int kinova_jaco2_attempt(const kinova_jaco2_formulation *form, const kino
                            kinova_jaco2_found *found)
 {
     double link[6][12], E[192];
-    kinova_jaco2_roots roots;
+    kinova_jaco2_roots roots, beside;
     kinova_jaco2_candidates all;
     kinova_jaco2_around(form, loop, link);
     kinova_jaco2_equations(form, link, form->left, E);
     if (!kinova_jaco2_real_roots(kinova_jaco2_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        kinova_jaco2_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     kinova_jaco2_null_vectors(E, &roots, &all);
+    kinova_jaco2_null_vectors(E, &beside, &all);
     kinova_jaco2_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         kinova_jaco2_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -463,7 +463,7 @@ static void sorted_rows(
 #endif
 
 #define MANSEUR_DOTY_ROOTS 24
-#define MANSEUR_DOTY_CANDIDATES 96
+#define MANSEUR_DOTY_CANDIDATES 144
 
 #if MANSEUR_DOTY_LANES > 1
 typedef double manseur_doty_lane __attribute__((vector_size(8 * MANSEUR_DOTY_LANES)));
@@ -2686,11 +2686,12 @@ static inline void manseur_doty_reciprocals(manseur_doty_lane U[6][6], manseur_d
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void manseur_doty_null_vectors(const double *E, const manseur_doty_roots *roots,
                                  manseur_doty_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += MANSEUR_DOTY_LANES) {
         double cs[2][MANSEUR_DOTY_LANES];
         manseur_doty_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2708,14 +2709,51 @@ static void manseur_doty_null_vectors(const double *E, const manseur_doty_roots 
         }
         (void)manseur_doty_inverse_iteration(factor, inverse, x);
         (void)manseur_doty_inverse_iteration(factor, inverse, x);
-        MANSEUR_DOTY_STORE(out->c + from, c);
-        MANSEUR_DOTY_STORE(out->s + from, s);
+        MANSEUR_DOTY_STORE(out->c + behind + from, c);
+        MANSEUR_DOTY_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            MANSEUR_DOTY_STORE(out->n[i] + from, x[i]);
+            MANSEUR_DOTY_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double manseur_doty_turned(const double *E, double c, double s, double x)
+{
+    manseur_doty_lane cosine = manseur_doty_all(c), sine = manseur_doty_all(s), factor[6][6];
+    double value[MANSEUR_DOTY_LANES];
+    manseur_doty_turn_on(manseur_doty_all(x), &cosine, &sine);
+    MANSEUR_DOTY_STORE(value, manseur_doty_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void manseur_doty_separate(const double *E, double c, double s, manseur_doty_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = manseur_doty_turned(E, c, s, middle), before = manseur_doty_turned(E, c,
+            s, middle - apart);
+        const double after = manseur_doty_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < MANSEUR_DOTY_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void manseur_doty_add_candidate(manseur_doty_candidates *out, double c, double s, const
@@ -3312,7 +3350,7 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
                            manseur_doty_found *found)
 {
     double link[6][12], E[192];
-    manseur_doty_roots roots;
+    manseur_doty_roots roots, beside;
     manseur_doty_candidates all;
     manseur_doty_around(form, loop, link);
     if (form->left) {
@@ -3325,7 +3363,12 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
     if (!manseur_doty_real_roots(manseur_doty_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        manseur_doty_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     manseur_doty_null_vectors(E, &roots, &all);
+    manseur_doty_null_vectors(E, &beside, &all);
     manseur_doty_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         manseur_doty_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

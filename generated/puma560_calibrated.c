@@ -464,7 +464,7 @@ static void sorted_rows(
 #endif
 
 #define PUMA560_CALIBRATED_ROOTS 24
-#define PUMA560_CALIBRATED_CANDIDATES 96
+#define PUMA560_CALIBRATED_CANDIDATES 144
 
 #if PUMA560_CALIBRATED_LANES > 1
 typedef double puma560_calibrated_lane __attribute__((vector_size(8 * PUMA560_CALIBRATED_LANES)));
@@ -2635,11 +2635,12 @@ static inline void puma560_calibrated_reciprocals(puma560_calibrated_lane U[6][6
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void puma560_calibrated_null_vectors(const double *E, const puma560_calibrated_roots *roots,
                                  puma560_calibrated_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += PUMA560_CALIBRATED_LANES) {
         double cs[2][PUMA560_CALIBRATED_LANES];
         puma560_calibrated_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2657,14 +2658,53 @@ static void puma560_calibrated_null_vectors(const double *E, const puma560_calib
         }
         (void)puma560_calibrated_inverse_iteration(factor, inverse, x);
         (void)puma560_calibrated_inverse_iteration(factor, inverse, x);
-        PUMA560_CALIBRATED_STORE(out->c + from, c);
-        PUMA560_CALIBRATED_STORE(out->s + from, s);
+        PUMA560_CALIBRATED_STORE(out->c + behind + from, c);
+        PUMA560_CALIBRATED_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            PUMA560_CALIBRATED_STORE(out->n[i] + from, x[i]);
+            PUMA560_CALIBRATED_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double puma560_calibrated_turned(const double *E, double c, double s, double x)
+{
+    puma560_calibrated_lane cosine = puma560_calibrated_all(c), sine = puma560_calibrated_all(s),
+        factor[6][6];
+    double value[PUMA560_CALIBRATED_LANES];
+    puma560_calibrated_turn_on(puma560_calibrated_all(x), &cosine, &sine);
+    PUMA560_CALIBRATED_STORE(value, puma560_calibrated_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void puma560_calibrated_separate(const double *E, double c, double s,
+    puma560_calibrated_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = puma560_calibrated_turned(E, c, s, middle), before =
+            puma560_calibrated_turned(E, c, s, middle - apart);
+        const double after = puma560_calibrated_turned(E, c, s, middle + apart), slope = 0.5 *
+            (after - before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < PUMA560_CALIBRATED_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void puma560_calibrated_add_candidate(puma560_calibrated_candidates *out, double c, double s,
@@ -3275,7 +3315,7 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
                            puma560_calibrated_found *found)
 {
     double link[6][12], E[192];
-    puma560_calibrated_roots roots;
+    puma560_calibrated_roots roots, beside;
     puma560_calibrated_candidates all;
     puma560_calibrated_around(form, loop, link);
     double left[15][32];
@@ -3284,7 +3324,12 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
     if (!puma560_calibrated_real_roots(puma560_calibrated_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        puma560_calibrated_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     puma560_calibrated_null_vectors(E, &roots, &all);
+    puma560_calibrated_null_vectors(E, &beside, &all);
     puma560_calibrated_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         puma560_calibrated_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -462,7 +462,7 @@ static void sorted_rows(
 #endif
 
 #define XARM6_ROOTS 24
-#define XARM6_CANDIDATES 96
+#define XARM6_CANDIDATES 144
 
 #if XARM6_LANES > 1
 typedef double xarm6_lane __attribute__((vector_size(8 * XARM6_LANES)));
@@ -2542,11 +2542,12 @@ static inline void xarm6_reciprocals(xarm6_lane U[6][6], xarm6_lane inverse[6])
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void xarm6_null_vectors(const double *E, const xarm6_roots *roots,
                                  xarm6_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += XARM6_LANES) {
         double cs[2][XARM6_LANES];
         xarm6_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2564,14 +2565,50 @@ static void xarm6_null_vectors(const double *E, const xarm6_roots *roots,
         }
         (void)xarm6_inverse_iteration(factor, inverse, x);
         (void)xarm6_inverse_iteration(factor, inverse, x);
-        XARM6_STORE(out->c + from, c);
-        XARM6_STORE(out->s + from, s);
+        XARM6_STORE(out->c + behind + from, c);
+        XARM6_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            XARM6_STORE(out->n[i] + from, x[i]);
+            XARM6_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double xarm6_turned(const double *E, double c, double s, double x)
+{
+    xarm6_lane cosine = xarm6_all(c), sine = xarm6_all(s), factor[6][6];
+    double value[XARM6_LANES];
+    xarm6_turn_on(xarm6_all(x), &cosine, &sine);
+    XARM6_STORE(value, xarm6_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void xarm6_separate(const double *E, double c, double s, xarm6_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = xarm6_turned(E, c, s, middle), before = xarm6_turned(E, c, s, middle -
+            apart);
+        const double after = xarm6_turned(E, c, s, middle + apart), slope = 0.5 * (after - before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < XARM6_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void xarm6_add_candidate(xarm6_candidates *out, double c, double s, const double n[6])
@@ -3402,7 +3439,7 @@ static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
                            xarm6_found *found)
 {
     double link[6][12], E[192];
-    xarm6_roots roots;
+    xarm6_roots roots, beside;
     xarm6_candidates all;
     xarm6_around(form, loop, link);
     double left[15][32];
@@ -3411,7 +3448,12 @@ static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
     if (!xarm6_real_roots(xarm6_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        xarm6_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     xarm6_null_vectors(E, &roots, &all);
+    xarm6_null_vectors(E, &beside, &all);
     xarm6_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         xarm6_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -462,7 +462,7 @@ static void sorted_rows(
 #endif
 
 #define XARM7_ROOTS 24
-#define XARM7_CANDIDATES 96
+#define XARM7_CANDIDATES 144
 
 #if XARM7_LANES > 1
 typedef double xarm7_lane __attribute__((vector_size(8 * XARM7_LANES)));
@@ -2557,11 +2557,12 @@ static inline void xarm7_reciprocals(xarm7_lane U[6][6], xarm7_lane inverse[6])
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void xarm7_null_vectors(const double *E, const xarm7_roots *roots,
                                  xarm7_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += XARM7_LANES) {
         double cs[2][XARM7_LANES];
         xarm7_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2579,14 +2580,50 @@ static void xarm7_null_vectors(const double *E, const xarm7_roots *roots,
         }
         (void)xarm7_inverse_iteration(factor, inverse, x);
         (void)xarm7_inverse_iteration(factor, inverse, x);
-        XARM7_STORE(out->c + from, c);
-        XARM7_STORE(out->s + from, s);
+        XARM7_STORE(out->c + behind + from, c);
+        XARM7_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            XARM7_STORE(out->n[i] + from, x[i]);
+            XARM7_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double xarm7_turned(const double *E, double c, double s, double x)
+{
+    xarm7_lane cosine = xarm7_all(c), sine = xarm7_all(s), factor[6][6];
+    double value[XARM7_LANES];
+    xarm7_turn_on(xarm7_all(x), &cosine, &sine);
+    XARM7_STORE(value, xarm7_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void xarm7_separate(const double *E, double c, double s, xarm7_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = xarm7_turned(E, c, s, middle), before = xarm7_turned(E, c, s, middle -
+            apart);
+        const double after = xarm7_turned(E, c, s, middle + apart), slope = 0.5 * (after - before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < XARM7_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void xarm7_add_candidate(xarm7_candidates *out, double c, double s, const double n[6])
@@ -3168,7 +3205,7 @@ static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
                            xarm7_found *found)
 {
     double link[6][12], E[192];
-    xarm7_roots roots;
+    xarm7_roots roots, beside;
     xarm7_candidates all;
     xarm7_around(form, loop, link);
     double left[15][32];
@@ -3177,7 +3214,12 @@ static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
     if (!xarm7_real_roots(xarm7_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        xarm7_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     xarm7_null_vectors(E, &roots, &all);
+    xarm7_null_vectors(E, &beside, &all);
     xarm7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         xarm7_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

@@ -546,7 +546,7 @@ static void sorted_rows(
 #endif
 
 #define YASKAWA_HC10_ROOTS 24
-#define YASKAWA_HC10_CANDIDATES 96
+#define YASKAWA_HC10_CANDIDATES 144
 
 #if YASKAWA_HC10_LANES > 1
 typedef double yaskawa_hc10_lane __attribute__((vector_size(8 * YASKAWA_HC10_LANES)));
@@ -2669,11 +2669,12 @@ static inline void yaskawa_hc10_reciprocals(yaskawa_hc10_lane U[6][6], yaskawa_h
     }
 }
 
-/* One candidate for each simple root. */
+/* One candidate for each simple root, all of one group. */
 static void yaskawa_hc10_null_vectors(const double *E, const yaskawa_hc10_roots *roots,
                                  yaskawa_hc10_candidates *out)
 {
     static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    const int behind = out->count;
     for (int from = 0; from < roots->simple; from += YASKAWA_HC10_LANES) {
         double cs[2][YASKAWA_HC10_LANES];
         yaskawa_hc10_lane factor[6][6], inverse[6], x[6], c, s;
@@ -2691,14 +2692,51 @@ static void yaskawa_hc10_null_vectors(const double *E, const yaskawa_hc10_roots 
         }
         (void)yaskawa_hc10_inverse_iteration(factor, inverse, x);
         (void)yaskawa_hc10_inverse_iteration(factor, inverse, x);
-        YASKAWA_HC10_STORE(out->c + from, c);
-        YASKAWA_HC10_STORE(out->s + from, s);
+        YASKAWA_HC10_STORE(out->c + behind + from, c);
+        YASKAWA_HC10_STORE(out->s + behind + from, s);
         for (int i = 0; i < 6; i++) {
-            YASKAWA_HC10_STORE(out->n[i] + from, x[i]);
+            YASKAWA_HC10_STORE(out->n[i] + behind + from, x[i]);
         }
     }
-    out->count = roots->simple;
-    out->groups = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by a small angle. */
+static double yaskawa_hc10_turned(const double *E, double c, double s, double x)
+{
+    yaskawa_hc10_lane cosine = yaskawa_hc10_all(c), sine = yaskawa_hc10_all(s), factor[6][6];
+    double value[YASKAWA_HC10_LANES];
+    yaskawa_hc10_turn_on(yaskawa_hc10_all(x), &cosine, &sine);
+    YASKAWA_HC10_STORE(value, yaskawa_hc10_fold(E, cosine, sine, factor));
+    return value[0];
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+static void yaskawa_hc10_separate(const double *E, double c, double s, yaskawa_hc10_roots *out)
+{
+    double middle = 0.0, apart = 0.0001;
+    for (int round = 0; round < 3; round++) {
+        const double at = yaskawa_hc10_turned(E, c, s, middle), before = yaskawa_hc10_turned(E, c,
+            s, middle - apart);
+        const double after = yaskawa_hc10_turned(E, c, s, middle + apart), slope = 0.5 * (after -
+            before);
+        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < YASKAWA_HC10_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
 }
 
 static void yaskawa_hc10_add_candidate(yaskawa_hc10_candidates *out, double c, double s, const
@@ -3552,7 +3590,7 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
                            yaskawa_hc10_found *found)
 {
     double link[6][12], E[192];
-    yaskawa_hc10_roots roots;
+    yaskawa_hc10_roots roots, beside;
     yaskawa_hc10_candidates all;
     yaskawa_hc10_around(form, loop, link);
     double left[15][32];
@@ -3561,7 +3599,12 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
     if (!yaskawa_hc10_real_roots(yaskawa_hc10_sample, E, &roots)) {
         return 0;
     }
+    beside.simple = all.count = all.groups = 0;
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
+        yaskawa_hc10_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+    }
     yaskawa_hc10_null_vectors(E, &roots, &all);
+    yaskawa_hc10_null_vectors(E, &beside, &all);
     yaskawa_hc10_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         yaskawa_hc10_null_plane(E, roots.double_c[i], roots.double_s[i], &all);

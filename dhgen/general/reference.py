@@ -43,6 +43,8 @@ STEPS_FROM_AFAR = 40
 SAME = 1e-6  # solutions closer than this are one [rad]
 TOGETHER = 1e-3  # singular solutions closer than this are one [rad]
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
+BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
+PARABOLAS = 3  # one after the other that tell them
 # How far, and where to, the pose is moved when both formulations fail: where roots crowd, they
 # come apart only at some distance.
 NUDGES = (1e-3, 3e-3, 1e-2, 3e-2, 3e-2)
@@ -236,7 +238,8 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
         complete = complete and place is not None
         met |= {place} - {None}
     touching = (*found.double, *found.unseen)
-    for angle in (*_nearly_double(found.simple), *touching):
+    beside = (angle for middle in touching for angle in _separated(E, middle))
+    for angle in (*_nearly_double(found.simple), *beside, *touching):
         starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
         if angle in touching and (places or _vanishes(E, angle)):
@@ -253,6 +256,27 @@ def _vanishes(E: FloatArray, angle: float) -> bool:
     _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
     second, smallest = least_values(factor[..., 0])
     return smallest < REGULAR or second < ALONE
+
+
+def _separated(E: FloatArray, angle: float) -> list[float]:
+    """Two simple roots beside an angle where roots may have met, if there are.
+
+    The determinant itself has digits there that its fit lacks. Each parabola is as wide as the one
+    before says that they are apart.
+    """
+    middle, apart = angle, BESIDE
+    for _ in range(PARABOLAS):
+        angles = middle + apart * np.array([-1.0, 0.0, 1.0])
+        before, at, after = map(float, fold(E, np.cos(angles), np.sin(angles))[0])
+        slope, bend = 0.5 * (after - before), 0.5 * (after + before) - at
+        square = slope**2 - 4.0 * bend * at
+        if not (square > 0.0 and bend):
+            return []
+        middle -= 0.5 * slope / bend * apart
+        apart *= np.sqrt(square) / abs(bend)
+        if abs(middle - angle) + apart >= BESIDE:
+            return []  # so far apart that they are known
+    return [middle - 0.5 * apart, middle + 0.5 * apart]
 
 
 def _nearly_double(simple: tuple[float, ...]) -> list[float]:

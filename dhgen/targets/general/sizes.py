@@ -37,7 +37,8 @@ class Sizes:
         looks: How often places are looked at again.
         reach: Cells that a closer look has on both sides.
         roots_and_pairs: Simple roots with the middles of close pairs.
-        angles: Those and the double roots.
+        parabolas: That tell two roots where they nearly meet.
+        angles: Those, the double roots, and what may stand on both sides of them.
         candidates: For joint angles.
         steps: Of the polish from a candidate.
         steps_from_afar: Of the polish from anywhere.
@@ -63,8 +64,9 @@ class Sizes:
     looks: int = LOOKS
     reach: int = REACH
     roots_and_pairs: int = 3 * ROOTS
-    angles: int = 4 * ROOTS
-    candidates: int = 4 * ROOTS
+    parabolas: int = reference.PARABOLAS
+    angles: int = 6 * ROOTS
+    candidates: int = 6 * ROOTS
     steps: int = reference.STEPS
     steps_from_afar: int = reference.STEPS_FROM_AFAR
     batches: int = BATCHES

@@ -26,6 +26,7 @@ class Tolerances:
     fourfold: float = circle.FOURFOLD
     lifted: float = 0.5 * circle.LIFTED**2  # the value of a parabola over its bend
     lifted_closer: float = 0.5 * (circle.LIFTED / roots.NEAR) ** 2
+    beside: float = reference.BESIDE
     near: float = roots.COSINE
     strength: float = roots.STRENGTH
     regular: float = 1.0 / reference.REGULAR**2  # all over the smallest, squared
