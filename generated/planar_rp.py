@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 9220ecb5b3fbabed"
+_KEY = "planar_rp c4833b989d30702a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -915,8 +915,8 @@ def _look_at(T, q, status, q_seed):
 
 def _demand_array(name, array, shape, kind):
     plain = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
-    got = array.dtype if plain else type(array).__name__
-    if got != kind:
+    if not plain or array.dtype != kind:  # a dtype equals some names of types
+        got = array.dtype if plain else type(array).__name__
         raise ValueError(f"{name} must be an array of {kind}, not {got}") from None
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, not {array.shape}") from None

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zyz cb301d4e4ad7f923"
+_KEY = "wrist_zyz c77546953f8ef384"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -736,8 +736,8 @@ def _look_at(T, q, status, q_seed):
 
 def _demand_array(name, array, shape, kind):
     plain = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
-    got = array.dtype if plain else type(array).__name__
-    if got != kind:
+    if not plain or array.dtype != kind:  # a dtype equals some names of types
+        got = array.dtype if plain else type(array).__name__
         raise ValueError(f"{name} must be an array of {kind}, not {got}") from None
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, not {array.shape}") from None

@@ -21,6 +21,7 @@ WRONG = [
     ({"T": POSE.astype(int)}, "T must be an array of float64, not int64"),
     ({"T": POSE.tolist()}, "T must be an array of float64, not list"),
     ({"T": None}, "T must be an array of float64, not NoneType"),
+    ({"T": 1.5}, "T must be an array of float64, not float"),
     ({"T": POSE[:3]}, r"T must have shape \(4, 4\), not \(3, 4\)"),
     ({"T": POSE[None]}, r"T must have shape \(4, 4\), not \(1, 4, 4\)"),
     ({"q": VALUES.astype(int)}, "q must be an array of float64, not int64"),
