@@ -142,6 +142,7 @@ class Failure(Enum):
     """Why a guard ends a branch."""
 
     REACH = "out of reach"
+    ENDLESS = "a slide would have to be endless"
     MERGED = "the same solution as the branch with the other sign"
     INCONSISTENT = "the pose is none that this arm can take"
 
@@ -171,7 +172,8 @@ class Guard:
         axes: The signs it depends on.
         failure: Why.
         margin: For REACH, the value that must not be negative; where a joint chosen before may
-            be to blame for INCONSISTENT, by how much the pose is missed; else None.
+            be to blame, the same for ENDLESS, and for INCONSISTENT by how much the pose is missed;
+            else None.
         chosen: Joints that were free, or nearly so, before this guard.
     """
 

@@ -115,6 +115,7 @@ def close_texts(program: Program) -> list[str]:
 
 _REASONS = {
     Failure.REACH: "out of reach",
+    Failure.ENDLESS: "out of reach",
     Failure.MERGED: "both signs give the same",
     Failure.INCONSISTENT: "the arm can't take this pose",
 }

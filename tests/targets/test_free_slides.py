@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, UNREACHABLE, Solver
-from tests.targets.made import poses_of, residual
+from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, UNREACHABLE, Solver
+from tests.targets.made import poses_of, residual, robot
 
 NAME = "folding_slides"  # slides 1 and 4 are parallel at q3 = 90 degrees
 COUNT = 30
@@ -43,3 +43,22 @@ def test_nearly_parallel(language: str, off: float) -> None:
         assert len(held) == 1
         assert residual(NAME, held, T) < 1e-12
         assert abs(held[0, 2] - values[2]) < 1e-9
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_slide_that_would_be_endless_gets_another_value_of_the_free_joint(language: str) -> None:
+    """Slide 4 is a quotient by the sine of joint 3, which is free and zero without a seed."""
+    name = "slide_by_quotient"
+    low, high = np.array([joint.limits or (0.0, 0.0) for joint in robot(name).joints]).T
+    source, solver = np.random.default_rng(5), Solver(name, language)
+    for _ in range(6 if language == "Python" else 60):
+        q = source.uniform(low, high)
+        q[4] = source.choice([-np.pi / 2, np.pi / 2])
+        T = poses_of(name, q[None])[0]
+        for seed in (None, np.where(np.arange(6) == 2, 0.0, q)):
+            rows, status = solver.all(T, seed)
+            inside = rows[np.isin(status, (OK, FREE_JOINT))]
+            assert len(inside) > 0
+            assert (inside >= low - 2e-9).all()
+            assert (inside <= high + 2e-9).all()
+            assert residual(name, inside, T) < 1e-11

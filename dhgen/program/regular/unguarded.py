@@ -180,6 +180,8 @@ class Unguarded:
                 self._meet(guard)
             case Failure.INCONSISTENT:
                 self._take_if_consistent(guard.condition)
+            case Failure.ENDLESS:
+                self._ends_unless(guard.condition)
             case Failure.REACH:
                 self._end(guard)
                 self._reached = guard
@@ -253,13 +255,16 @@ class Unguarded:
     def _end(self, guard: Guard) -> None:
         """A branch ends where it would be out of reach."""
         if guard.margin is None:
-            inside = self._truth(guard.condition)
-            self._brink.ends(inside)
-            self._endings.unless(inside)
+            self._ends_unless(guard.condition)
         else:
             square = self._arithmetic.plain(self._value(guard.margin))
             self._brink.ends_at_root(square)
             self._endings.at_root(square)
+
+    def _ends_unless(self, condition: Expression) -> None:
+        inside = self._truth(condition)
+        self._brink.ends(inside)
+        self._endings.unless(inside)
 
     def _truth(self, expression: Expression) -> Node:
         return self._value(expression).node

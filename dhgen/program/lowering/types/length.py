@@ -10,6 +10,8 @@ from dhgen.program.lowering.short import is_short, is_within_reach, vanishes
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
     from dhgen.program.lowering.context import Lowering
 
 
@@ -25,8 +27,16 @@ def lower_length(context: Lowering, step: Step) -> None:
     free = is_short(context, builder.absolute(x), degree, f"free{unknown.joint}")
     near = vanishes(context, y, step.coefficient("Y"))
     within = is_within_reach(context, y, x)
-    builder.guard(builder.select(free, near, within), Failure.REACH)
+    condition = builder.select(free, near, within)
+    margin = builder.select(free, _margin(builder, near), _margin(builder, within))
+    builder.guard(condition, Failure.ENDLESS, margin, context.angles.options())
     safe = builder.hint(builder.select(free, builder.integer(1), x), f"divisor{unknown.joint}")
     seed = context.angles.chosen_slide(unknown.joint, free)
     length = builder.select(free, seed, builder.div(y, safe))
     context.angles.solved_slide(unknown.name, length)
+
+
+def _margin(builder: Builder, condition: Node) -> Node:
+    """By how much x <= limit holds."""
+    x, limit = builder.entries[condition].operands
+    return builder.sub(limit, x)
