@@ -22,7 +22,7 @@ COARSE = 2e-5
 # up to ten times as long as its longest link.
 NOTHING = 1e-8
 # What is farther away than so many arms are long rounds positions by more than singular poses bear:
-# with a base 400 sizes away an arm with a spherical wrist passes verification, with 1000 it fails.
+# with a base 200 sizes away an arm with a spherical wrist passes verification, with 700 it fails.
 FAR = 300.0
 
 
