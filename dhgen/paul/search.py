@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from dhgen.paul.form_reader import MOST_UNKNOWNS, FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.silence import without_needless_silence
-from dhgen.paul.step import View, learn
+from dhgen.paul.step import View, learn, steps_of
 from dhgen.paul.witness import build_witnesses
 
 if TYPE_CHECKING:
@@ -120,15 +120,12 @@ class Search:
         beside = len(group) == 1 or self._beside(*group)
         key = tuple(map(id, group))
         if key not in self._steps_of:
-            offers = (
+            self._steps_of[key] = steps_of(
                 equation_type.steps(group, view)
                 for equation_type in self._types
                 if equation_type.arity == len(group)
                 and (beside or equation_type.anywhere)
                 and (equation_type.ordered or not self._is_turned(group))
-            )
-            self._steps_of[key] = tuple(
-                step for offer in offers if not isinstance(offer, str) for step in offer
             )
             if self._steps_of[key] and not beside:
                 self._partners.add(frozenset(id(form.equation) for form in group))

@@ -20,7 +20,7 @@ from dhgen.paul.form_reader import FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import mixed_forms, right_inverse
 from dhgen.paul.problem import Withheld
-from dhgen.paul.step import Kind, View, learn
+from dhgen.paul.step import Kind, View, learn, steps_of
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.witness import build_witnesses
 from dhgen.paul.zeros import outlasts
@@ -104,8 +104,7 @@ def _offers(reader: FormReader, view: View) -> list[Step]:
     """The equations that are of type 2 with Z = 0 in a state, shortest first."""
     angle = Angle()
     groups = [(form,) for form in reader.forms(view.knowledge, 1)]
-    offers = [angle.steps(group, view) for group in groups]
-    steps = [step for offer in offers if not isinstance(offer, str) for step in offer]
+    steps = steps_of(angle.steps(group, view) for group in groups)
     return sorted(filter(_is_homogeneous, steps), key=lambda step: step.penalty)
 
 

@@ -12,7 +12,7 @@ from dhgen.paul.form import Length
 from dhgen.paul.witness import OWN_LENGTHS, RANDOM_LENGTHS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.normal import NormalForm
@@ -199,6 +199,11 @@ def placing(form: Form) -> int:
 
 Offer = tuple[Step, ...] | str
 """The steps that equations give, or why they are not of a type."""
+
+
+def steps_of(offers: Iterable[Offer]) -> tuple[Step, ...]:
+    """The steps of all that give some."""
+    return tuple(step for offer in offers if not isinstance(offer, str) for step in offer)
 
 
 class EquationType(Protocol):

@@ -13,6 +13,8 @@ from dhgen.program.regular.regular import regular
 from tests.derivation.stories import story
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from dhgen.survey.oracle.arm import FloatArray
@@ -25,5 +27,10 @@ def doubtful(name: str, q: FloatArray) -> NDArray[np.bool_]:
     assert solver is not None
     arm = numeric_arm(of.derivation.problem.algebra.chain)
     found = outputs(solver.program, arm.pose(q), None, given_values(arm, q))
-    doubts = found[len(found) - len(solver.doubts) :]
-    return np.asarray(np.any([np.zeros_like(found[0]), *doubts], axis=(0, -1)), dtype=np.bool_)
+    return any_told(found, len(solver.doubts))
+
+
+def any_told(found: Sequence[FloatArray], count: int) -> NDArray[np.bool_]:
+    """Whether any of the last outputs (N, B), so many of them, holds for any branch (N,)."""
+    told = found[len(found) - count :]
+    return np.asarray(np.any([np.zeros_like(found[0]), *told], axis=(0, -1)), dtype=np.bool_)

@@ -24,7 +24,7 @@ from dhgen.program.regular.regular import inverses_kept, regular
 from dhgen.tolerances import SINGLE, TOLERANCES
 from tests.derivation.stories import story
 from tests.kinematics.values import table
-from tests.program.doubts import doubtful
+from tests.program.doubts import any_told, doubtful
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -103,8 +103,7 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     assert solver is not None
     T, free, rows = cases(name)
     found = outputs(solver.program, T, None, free)
-    doubts = np.stack([*found[len(found) - len(solver.doubts) :], np.zeros_like(found[0])])
-    doubt = np.asarray(doubts).any(axis=(0, 2))
+    doubt = any_told(found, len(solver.doubts))
     assert_same(name, np.stack(found[: len(solver.joints)], axis=-1), doubt)
 
     flat = flatten(solver)
@@ -112,8 +111,7 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     found = outputs(flat.program, T, None, free)
     values = found[: flat.joints * len(flat.choices)]
     q = np.stack([column[:, 0] for column in values], axis=-1).reshape(rows.q.shape)
-    doubts = np.stack([*found[len(found) - len(flat.doubts) :], np.zeros_like(found[0])])
-    assert_same(name, q, np.asarray(doubts).any(axis=(0, 2)))
+    assert_same(name, q, any_told(found, len(flat.doubts)))
 
 
 @pytest.mark.parametrize("name", NAMES)
