@@ -545,6 +545,20 @@ static void sorted_rows(
 #endif
 #endif
 
+#if ABB_GOFA_5_LANES > 1 && defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
+ * and what could stay in registers goes through memory. */
+#if ABB_GOFA_5_LANES > 1 && defined(__clang__)
+#define ABB_GOFA_5_UNROLL _Pragma("clang loop unroll(full)")
+#elif ABB_GOFA_5_LANES > 1 && __GNUC__ >= 8
+#define ABB_GOFA_5_UNROLL _Pragma("GCC unroll 16")
+#else
+#define ABB_GOFA_5_UNROLL
+#endif
+
 #define ABB_GOFA_5_ROOTS 24
 #define ABB_GOFA_5_CANDIDATES 144
 
@@ -586,13 +600,23 @@ static inline abb_gofa_5_lane abb_gofa_5_facing(abb_gofa_5_lane x, abb_gofa_5_la
     return (abb_gofa_5_lane)((abb_gofa_5_mask)x ^ sign);
 }
 
+/* by the machine's own instruction: compilers take sqrt of <math.h> one by one, for the sake of
+ * errno */
 static inline abb_gofa_5_lane abb_gofa_5_sqrt(abb_gofa_5_lane x)
 {
+#if ABB_GOFA_5_LANES == 8 && defined(__AVX512F__)
+    return (abb_gofa_5_lane)_mm512_sqrt_pd((__m512d)x);
+#elif ABB_GOFA_5_LANES == 4 && defined(__AVX__)
+    return (abb_gofa_5_lane)_mm256_sqrt_pd((__m256d)x);
+#elif ABB_GOFA_5_LANES == 2 && defined(__SSE2__)
+    return (abb_gofa_5_lane)_mm_sqrt_pd((__m128d)x);
+#else
     abb_gofa_5_lane r = x;
     for (int k = 0; k < ABB_GOFA_5_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
     return r;
+#endif
 }
 #else
 typedef double abb_gofa_5_lane;
@@ -1526,7 +1550,11 @@ static inline abb_gofa_5_lane abb_gofa_5_reflect(abb_gofa_5_lane *const *row, in
     int columns)
 {
     abb_gofa_5_lane axis[6], half[2], length, factor;
-    half[0] = half[1] = abb_gofa_5_all(0.0);
+    for (int i = 0; i < 6; i++) {
+        axis[i] = half[i % 2] = abb_gofa_5_all(0.0); /* compilers don't see that `rows` of them are
+            used */
+    }
+    ABB_GOFA_5_UNROLL
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
         half[i % 2] += axis[i] * axis[i];
@@ -1534,14 +1562,17 @@ static inline abb_gofa_5_lane abb_gofa_5_reflect(abb_gofa_5_lane *const *row, in
     length = abb_gofa_5_with_sign(abb_gofa_5_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
+    ABB_GOFA_5_UNROLL
     for (int j = column + 1; j < columns; j++) {
         abb_gofa_5_lane sum;
         half[0] = axis[0] * row[0][j];
         half[1] = axis[1] * row[1][j];
+        ABB_GOFA_5_UNROLL
         for (int i = 2; i < rows; i++) {
             half[i % 2] += axis[i] * row[i][j];
         }
         sum = (half[0] + half[1]) * factor;
+        ABB_GOFA_5_UNROLL
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1557,6 +1588,7 @@ static inline void abb_gofa_5_act(const double K[12], abb_gofa_5_lane x[15])
     const double t[3] = {K[3], K[7], K[11]};
     const double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
     abb_gofa_5_lane u[3], q[3], v[3], w[3], along;
+    ABB_GOFA_5_UNROLL
     for (int i = 0; i < 3; i++) {
         const double *const row = K + 4 * i;
         u[i] = row[0] * x[1] + row[1] * x[2] + row[2] * x[3];
@@ -1567,6 +1599,7 @@ static inline void abb_gofa_5_act(const double K[12], abb_gofa_5_lane x[15])
     along = t[0] * u[0] + t[1] * u[1] + t[2] * u[2];
     x[7] += 2.0 * (t[0] * q[0] + t[1] * q[1] + t[2] * q[2]) + square * x[0];
     x[8] += along;
+    ABB_GOFA_5_UNROLL
     for (int i = 0; i < 3; i++) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
         x[1 + i] = u[i];
@@ -1608,50 +1641,62 @@ static inline void abb_gofa_5_tangents(const abb_gofa_5_lane x[15], abb_gofa_5_l
 
 typedef void abb_gofa_5_joint_parts(const abb_gofa_5_lane x[15], abb_gofa_5_lane part[3][15]);
 
-/* Columns of features pass a link, and each becomes three by what the joint before it does: column
- * a columns + k is part a of column k. */
-static void abb_gofa_5_pass(const double K[12], double from[15][40], int columns,
-                         abb_gofa_5_joint_parts *parts, double to[15][40])
+/* Columns of features, 16 places wide, pass a link, and each becomes three by what the joint before
+ * it does: column a columns + k of those to come, `width` places wide, is part a of column k. */
+static void abb_gofa_5_pass(const double K[12], const double from[240], int columns,
+                         abb_gofa_5_joint_parts *parts, double *to, int width)
 {
     /* from the last on, so that what runs over is written again */
     for (int k = (columns - 1) / ABB_GOFA_5_LANES * ABB_GOFA_5_LANES; k >= 0; k -= ABB_GOFA_5_LANES)
         {
         abb_gofa_5_lane x[15], part[3][15];
         for (int i = 0; i < 15; i++) {
-            x[i] = ABB_GOFA_5_LOAD(&from[i][k]);
+            x[i] = ABB_GOFA_5_LOAD(from + 16 * i + k);
         }
         abb_gofa_5_act(K, x);
         parts(x, part);
         for (int i = 0; i < 15; i++) {
             for (int a = 0; a < 3; a++) {
-                ABB_GOFA_5_STORE(&to[i][a * columns + k], part[a][i]);
+                ABB_GOFA_5_STORE(to + width * i + a * columns + k, part[a][i]);
             }
         }
     }
 }
 
-/* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say how to reflect others. */
-static inline void abb_gofa_5_clear(double A[6][8], int rows, int columns, double axis[6][8],
+/* Reflections that clear the columns of A, one after the other and all that follow in lanes; `axis`
+ * and `factor` say how to reflect others. The products of a column with all are summed at once, its
+ * own square among them. */
+static inline void abb_gofa_5_clear(double A[8][8], int rows, int columns, double axis[6][8],
                                  double factor[6])
 {
+    ABB_GOFA_5_UNROLL
     for (int c = 0; c < columns; c++) {
-        double square = 0.0, length;
+        const int first = c / ABB_GOFA_5_LANES * ABB_GOFA_5_LANES;
+        double product[8], length;
+        ABB_GOFA_5_UNROLL
         for (int i = c; i < rows; i++) {
-            axis[c][i] = A[c][i];
-            square += A[c][i] * A[c][i];
+            axis[c][i] = A[i][c];
         }
-        length = copysign(sqrt(square), A[c][c]);
+        ABB_GOFA_5_UNROLL
+        for (int j = first; j < columns; j += ABB_GOFA_5_LANES) {
+            abb_gofa_5_lane sum = abb_gofa_5_all(0.0);
+            ABB_GOFA_5_UNROLL
+            for (int i = c; i < rows; i++) {
+                sum += axis[c][i] * ABB_GOFA_5_LOAD(&A[i][j]);
+            }
+            ABB_GOFA_5_STORE(&product[j], sum);
+        }
+        length = copysign(sqrt(product[c]), axis[c][c]);
         axis[c][c] += length;
         factor[c] = 1.0 / (length * axis[c][c] + 1e-300);
-        for (int j = c + 1; j < columns; j++) {
-            double sum = 0.0;
+        ABB_GOFA_5_UNROLL
+        for (int j = first; j < columns; j += ABB_GOFA_5_LANES) {
+            const abb_gofa_5_lane sum = ABB_GOFA_5_LOAD(&product[j]) + length *
+                ABB_GOFA_5_LOAD(&A[c][j]);
+            const abb_gofa_5_lane part = sum * factor[c];
+            ABB_GOFA_5_UNROLL
             for (int i = c; i < rows; i++) {
-                sum += axis[c][i] * A[j][i];
-            }
-            sum *= factor[c];
-            for (int i = c; i < rows; i++) {
-                A[j][i] -= axis[c][i] * sum;
+                ABB_GOFA_5_STORE(&A[i][j], ABB_GOFA_5_LOAD(&A[i][j]) - axis[c][i] * part);
             }
         }
     }
@@ -1661,12 +1706,15 @@ static inline void abb_gofa_5_mirror(double axis[6][8], const double factor[6], 
     columns,
                                   abb_gofa_5_lane x[8])
 {
+    ABB_GOFA_5_UNROLL
     for (int c = 0; c < columns; c++) {
         abb_gofa_5_lane sum = axis[c][c] * x[c];
+        ABB_GOFA_5_UNROLL
         for (int i = c + 1; i < rows; i++) {
             sum += axis[c][i] * x[i];
         }
         sum *= factor[c];
+        ABB_GOFA_5_UNROLL
         for (int i = c; i < rows; i++) {
             x[i] -= axis[c][i] * sum;
         }
@@ -1678,16 +1726,16 @@ static inline void abb_gofa_5_mirror(double axis[6][8], const double factor[6], 
 static void abb_gofa_5_left_side(const abb_gofa_5_formulation *form, double link[6][12], double
     to[15][32])
 {
-    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} };
+    double x[240] = {0.0}, y[240] = {0.0}, all[600] = {0.0};
     (void)form;
-    x[0][0] = x[3][0] = 1.0; /* the origin and z */
-    abb_gofa_5_pass(link[2], x, 1, abb_gofa_5_tangents, y);
-    abb_gofa_5_pass(link[1], y, 3, abb_gofa_5_tangents, x);
-    abb_gofa_5_pass(link[0], x, 9, abb_gofa_5_cosines, y);
+    x[0] = x[48] = 1.0; /* the origin and z */
+    abb_gofa_5_pass(link[2], x, 1, abb_gofa_5_tangents, y, 16);
+    abb_gofa_5_pass(link[1], y, 3, abb_gofa_5_tangents, x, 16);
+    abb_gofa_5_pass(link[0], x, 9, abb_gofa_5_cosines, all, 40);
     for (int k = 0; k < 32; k += ABB_GOFA_5_LANES) {
         abb_gofa_5_lane z[15];
         for (int i = 0; i < 15; i++) {
-            z[i] = ABB_GOFA_5_LOAD(&y[i][k]);
+            z[i] = ABB_GOFA_5_LOAD(all + 40 * i + k);
         }
         abb_gofa_5_act(link[5], z);
         for (int i = 0; i < 15; i++) {
@@ -1703,25 +1751,26 @@ static void abb_gofa_5_equations(const abb_gofa_5_formulation *form, double link
     double (*left)[32],
                          double E[192])
 {
-    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
-    double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
+    double x[240] = {0.0}, y[240] = {0.0}, right[240] = {0.0};
+    double inverse[12], A[8][8] ABB_GOFA_5_ALIGNED = { {0.0} }, still_axis[6][8], still_factor[6],
+        pair_axis[6][8], pair_factor[6];
     /* the features that the outer joint of the right side leaves alone, and those that it mixes:
      * the former hold two of the eight monomials, the latter six */
     static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
-    x[0][0] = x[3][0] = 1.0; /* the origin and z */
+    x[0] = x[48] = 1.0; /* the origin and z */
     abb_gofa_5_invert(link[3], inverse);
-    abb_gofa_5_pass(inverse, x, 1, abb_gofa_5_cosines, y);
+    abb_gofa_5_pass(inverse, x, 1, abb_gofa_5_cosines, y, 16);
     abb_gofa_5_invert(link[4], inverse);
-    abb_gofa_5_pass(inverse, y, 3, abb_gofa_5_cosines, right);
+    abb_gofa_5_pass(inverse, y, 3, abb_gofa_5_cosines, right, 16);
     for (int i = 0; i < 6; i++) {
-        A[0][i] = right[still[i]][1];
-        A[1][i] = right[still[i]][2];
+        A[i][0] = right[16 * still[i] + 1];
+        A[i][1] = right[16 * still[i] + 2];
     }
     abb_gofa_5_clear(A, 6, 2, still_axis, still_factor);
     for (int i = 0; i < 8; i++) {
         for (int k = 0; k < 6; k++) {
-            A[k][i] = right[pair[i]][3 + k];
+            A[i][k] = right[16 * pair[i] + 3 + k];
         }
     }
     abb_gofa_5_clear(A, 8, 6, pair_axis, pair_factor);
@@ -1732,7 +1781,7 @@ static void abb_gofa_5_equations(const abb_gofa_5_formulation *form, double link
         }
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
-            alone[i] = z[still[i]] - right[still[i]][0] * z[0];
+            alone[i] = z[still[i]] - right[16 * still[i]] * z[0];
         }
         for (int i = 0; i < 8; i++) {
             mixed[i] = z[pair[i]];
@@ -1756,7 +1805,9 @@ static inline abb_gofa_5_lane abb_gofa_5_fold(const double *E, abb_gofa_5_lane c
     abb_gofa_5_lane *const last[6] = {factor[0], factor[1], factor[2], factor[3], factor[4],
         factor[5]};
     const abb_gofa_5_lane zero = {0};
+    ABB_GOFA_5_UNROLL
     for (int r = 0; r < 6; r++) {
+        ABB_GOFA_5_UNROLL
         for (int k = 0; k < 9; k++) {
             const int at = 32 * r + 3 * (k % 3) + k / 3;
             M[r][k] = E[at] + E[9 + at] * c + E[18 + at] * s;
@@ -1766,7 +1817,9 @@ static inline abb_gofa_5_lane abb_gofa_5_fold(const double *E, abb_gofa_5_lane c
     determinant *= abb_gofa_5_reflect(rows + 1, 5, 1, 9);
     determinant *= abb_gofa_5_reflect(rows + 2, 4, 2, 9);
     /* now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0 */
+    ABB_GOFA_5_UNROLL
     for (int r = 0; r < 3; r++) {
+        ABB_GOFA_5_UNROLL
         for (int k = 0; k < 9; k++) {
             W[r][k] = M[r][k];
             W[3 + r][k] = k < 6 ? M[3 + r][3 + k] : zero;
@@ -1775,11 +1828,14 @@ static inline abb_gofa_5_lane abb_gofa_5_fold(const double *E, abb_gofa_5_lane c
             }
         }
     }
+    ABB_GOFA_5_UNROLL
     for (int k = 0; k < 3; k++) {
         abb_gofa_5_lane *const four[4] = {W[k], W[3], W[4], W[5]};
         determinant *= abb_gofa_5_reflect(four, 4, k, 9);
     }
+    ABB_GOFA_5_UNROLL
     for (int r = 0; r < 3; r++) {
+        ABB_GOFA_5_UNROLL
         for (int k = 0; k < 6; k++) {
             factor[r][k] = W[3 + r][3 + k];
         }
@@ -1865,34 +1921,35 @@ static void abb_gofa_5_at(const abb_gofa_5_trigonometric *f, double cosine, doub
     }
 }
 
-/* At the edges of the cells what has these coefficients. */
-static void abb_gofa_5_fill_grid(const double *restrict a, const double *restrict b, double
-    *restrict out)
+/* f and f' at the edges of the cells. */
+static void abb_gofa_5_fill_grid(const abb_gofa_5_trigonometric *f, abb_gofa_5_grid *g)
 {
+    const double *const a = f->a, *const b = f->b;
     for (int i = 0; i < 128; i += ABB_GOFA_5_LANES) {
         /* even multiples, the same half a turn on; odd ones, the opposite there */
         abb_gofa_5_lane even = abb_gofa_5_all(a[0]), odd = abb_gofa_5_all(0.0);
+        abb_gofa_5_lane even_slope = odd, odd_slope = odd;
+        ABB_GOFA_5_UNROLL
         for (int m = 1; m < 9; m += 2) {
-            odd += a[m] * ABB_GOFA_5_LOAD(&abb_gofa_5_grid_c[m - 1][i]);
-            even += a[m + 1] * ABB_GOFA_5_LOAD(&abb_gofa_5_grid_c[m][i]);
-            odd += b[m] * ABB_GOFA_5_LOAD(&abb_gofa_5_grid_s[m - 1][i]);
-            even += b[m + 1] * ABB_GOFA_5_LOAD(&abb_gofa_5_grid_s[m][i]);
+            const abb_gofa_5_lane c = ABB_GOFA_5_LOAD(&abb_gofa_5_grid_c[m - 1][i]), s =
+                ABB_GOFA_5_LOAD(&abb_gofa_5_grid_s[m - 1][i]);
+            odd += a[m] * c + b[m] * s;
+            odd_slope += m * b[m] * c - m * a[m] * s;
         }
-        ABB_GOFA_5_STORE(&out[i], even + odd);
-        ABB_GOFA_5_STORE(&out[i + 128], even - odd);
+        ABB_GOFA_5_UNROLL
+        for (int m = 2; m < 9; m += 2) {
+            const abb_gofa_5_lane c = ABB_GOFA_5_LOAD(&abb_gofa_5_grid_c[m - 1][i]), s =
+                ABB_GOFA_5_LOAD(&abb_gofa_5_grid_s[m - 1][i]);
+            even += a[m] * c + b[m] * s;
+            even_slope += m * b[m] * c - m * a[m] * s;
+        }
+        ABB_GOFA_5_STORE(&g->value[i], even + odd);
+        ABB_GOFA_5_STORE(&g->value[i + 128], even - odd);
+        ABB_GOFA_5_STORE(&g->slope[i], even_slope + odd_slope);
+        ABB_GOFA_5_STORE(&g->slope[i + 128], even_slope - odd_slope);
     }
-    out[256] = out[0];
-}
-
-static void abb_gofa_5_fill_grids(const abb_gofa_5_trigonometric *f, abb_gofa_5_grid *g)
-{
-    double a[9], b[9];
-    for (int m = 0; m < 9; m++) {
-        a[m] = m * f->b[m];
-        b[m] = -m * f->a[m];
-    }
-    abb_gofa_5_fill_grid(f->a, f->b, g->value);
-    abb_gofa_5_fill_grid(a, b, g->slope);
+    g->value[256] = g->value[0];
+    g->slope[256] = g->slope[0];
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
@@ -2369,7 +2426,7 @@ static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, const abb_g
     abb_gofa_5_waiting waiting;
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    abb_gofa_5_fill_grids(f, &g);
+    abb_gofa_5_fill_grid(f, &g);
     roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
@@ -2971,17 +3028,21 @@ static inline abb_gofa_5_lane abb_gofa_5_error(const abb_gofa_5_loop *loop, cons
     abb_gofa_5_rigid T;
     abb_gofa_5_lane z[6][3], o[6][3], S[3][3], square = {0}, trace;
     abb_gofa_5_begin(T, identity);
+    ABB_GOFA_5_UNROLL
     for (int k = 0; k < 6; k++) {
         if (k) {
             abb_gofa_5_follow(T, loop->link[k - 1]);
         }
+        ABB_GOFA_5_UNROLL
         for (int i = 0; i < 3; i++) {
             z[k][i] = T[i][2];
             o[k][i] = T[i][3];
         }
         abb_gofa_5_move(T, k, c[k], s[k]);
     }
+    ABB_GOFA_5_UNROLL
     for (int i = 0; i < 3; i++) {
+        ABB_GOFA_5_UNROLL
         for (int j = 0; j < 3; j++) {
             S[i][j] = P[4 * i] * T[j][0] + P[4 * i + 1] * T[j][1] + P[4 * i + 2] * T[j][2];
         }
@@ -2990,10 +3051,13 @@ static inline abb_gofa_5_lane abb_gofa_5_error(const abb_gofa_5_loop *loop, cons
     J[3][6] = 0.5 * (S[2][1] - S[1][2]);
     J[4][6] = 0.5 * (S[0][2] - S[2][0]);
     J[5][6] = 0.5 * (S[1][0] - S[0][1]);
+    ABB_GOFA_5_UNROLL
     for (int i = 0; i < 6; i++) {
         square += J[i][6] * J[i][6];
     }
+    ABB_GOFA_5_UNROLL
     for (int k = 0; k < 6; k++) {
+        ABB_GOFA_5_UNROLL
         for (int i = 0; i < 3; i++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
             J[i][k] = z[k][i1] * (T[i2][3] - o[k][i2]) - z[k][i2] * (T[i1][3] - o[k][i1]);

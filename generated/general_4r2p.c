@@ -542,6 +542,20 @@ static void sorted_rows(
 #endif
 #endif
 
+#if GENERAL_4R2P_LANES > 1 && defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
+ * and what could stay in registers goes through memory. */
+#if GENERAL_4R2P_LANES > 1 && defined(__clang__)
+#define GENERAL_4R2P_UNROLL _Pragma("clang loop unroll(full)")
+#elif GENERAL_4R2P_LANES > 1 && __GNUC__ >= 8
+#define GENERAL_4R2P_UNROLL _Pragma("GCC unroll 16")
+#else
+#define GENERAL_4R2P_UNROLL
+#endif
+
 #define GENERAL_4R2P_ROOTS 24
 #define GENERAL_4R2P_CANDIDATES 144
 
@@ -583,13 +597,23 @@ static inline general_4r2p_lane general_4r2p_facing(general_4r2p_lane x, general
     return (general_4r2p_lane)((general_4r2p_mask)x ^ sign);
 }
 
+/* by the machine's own instruction: compilers take sqrt of <math.h> one by one, for the sake of
+ * errno */
 static inline general_4r2p_lane general_4r2p_sqrt(general_4r2p_lane x)
 {
+#if GENERAL_4R2P_LANES == 8 && defined(__AVX512F__)
+    return (general_4r2p_lane)_mm512_sqrt_pd((__m512d)x);
+#elif GENERAL_4R2P_LANES == 4 && defined(__AVX__)
+    return (general_4r2p_lane)_mm256_sqrt_pd((__m256d)x);
+#elif GENERAL_4R2P_LANES == 2 && defined(__SSE2__)
+    return (general_4r2p_lane)_mm_sqrt_pd((__m128d)x);
+#else
     general_4r2p_lane r = x;
     for (int k = 0; k < GENERAL_4R2P_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
     return r;
+#endif
 }
 #else
 typedef double general_4r2p_lane;
@@ -1545,7 +1569,11 @@ static inline general_4r2p_lane general_4r2p_reflect(general_4r2p_lane *const *r
     column, int columns)
 {
     general_4r2p_lane axis[6], half[2], length, factor;
-    half[0] = half[1] = general_4r2p_all(0.0);
+    for (int i = 0; i < 6; i++) {
+        axis[i] = half[i % 2] = general_4r2p_all(0.0); /* compilers don't see that `rows` of them
+            are used */
+    }
+    GENERAL_4R2P_UNROLL
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
         half[i % 2] += axis[i] * axis[i];
@@ -1553,14 +1581,17 @@ static inline general_4r2p_lane general_4r2p_reflect(general_4r2p_lane *const *r
     length = general_4r2p_with_sign(general_4r2p_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
+    GENERAL_4R2P_UNROLL
     for (int j = column + 1; j < columns; j++) {
         general_4r2p_lane sum;
         half[0] = axis[0] * row[0][j];
         half[1] = axis[1] * row[1][j];
+        GENERAL_4R2P_UNROLL
         for (int i = 2; i < rows; i++) {
             half[i % 2] += axis[i] * row[i][j];
         }
         sum = (half[0] + half[1]) * factor;
+        GENERAL_4R2P_UNROLL
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1642,34 +1673,35 @@ static void general_4r2p_at(const general_4r2p_trigonometric *f, double cosine, 
     }
 }
 
-/* At the edges of the cells what has these coefficients. */
-static void general_4r2p_fill_grid(const double *restrict a, const double *restrict b, double
-    *restrict out)
+/* f and f' at the edges of the cells. */
+static void general_4r2p_fill_grid(const general_4r2p_trigonometric *f, general_4r2p_grid *g)
 {
+    const double *const a = f->a, *const b = f->b;
     for (int i = 0; i < 128; i += GENERAL_4R2P_LANES) {
         /* even multiples, the same half a turn on; odd ones, the opposite there */
         general_4r2p_lane even = general_4r2p_all(a[0]), odd = general_4r2p_all(0.0);
+        general_4r2p_lane even_slope = odd, odd_slope = odd;
+        GENERAL_4R2P_UNROLL
         for (int m = 1; m < 9; m += 2) {
-            odd += a[m] * GENERAL_4R2P_LOAD(&general_4r2p_grid_c[m - 1][i]);
-            even += a[m + 1] * GENERAL_4R2P_LOAD(&general_4r2p_grid_c[m][i]);
-            odd += b[m] * GENERAL_4R2P_LOAD(&general_4r2p_grid_s[m - 1][i]);
-            even += b[m + 1] * GENERAL_4R2P_LOAD(&general_4r2p_grid_s[m][i]);
+            const general_4r2p_lane c = GENERAL_4R2P_LOAD(&general_4r2p_grid_c[m - 1][i]), s =
+                GENERAL_4R2P_LOAD(&general_4r2p_grid_s[m - 1][i]);
+            odd += a[m] * c + b[m] * s;
+            odd_slope += m * b[m] * c - m * a[m] * s;
         }
-        GENERAL_4R2P_STORE(&out[i], even + odd);
-        GENERAL_4R2P_STORE(&out[i + 128], even - odd);
+        GENERAL_4R2P_UNROLL
+        for (int m = 2; m < 9; m += 2) {
+            const general_4r2p_lane c = GENERAL_4R2P_LOAD(&general_4r2p_grid_c[m - 1][i]), s =
+                GENERAL_4R2P_LOAD(&general_4r2p_grid_s[m - 1][i]);
+            even += a[m] * c + b[m] * s;
+            even_slope += m * b[m] * c - m * a[m] * s;
+        }
+        GENERAL_4R2P_STORE(&g->value[i], even + odd);
+        GENERAL_4R2P_STORE(&g->value[i + 128], even - odd);
+        GENERAL_4R2P_STORE(&g->slope[i], even_slope + odd_slope);
+        GENERAL_4R2P_STORE(&g->slope[i + 128], even_slope - odd_slope);
     }
-    out[256] = out[0];
-}
-
-static void general_4r2p_fill_grids(const general_4r2p_trigonometric *f, general_4r2p_grid *g)
-{
-    double a[9], b[9];
-    for (int m = 0; m < 9; m++) {
-        a[m] = m * f->b[m];
-        b[m] = -m * f->a[m];
-    }
-    general_4r2p_fill_grid(f->a, f->b, g->value);
-    general_4r2p_fill_grid(a, b, g->slope);
+    g->value[256] = g->value[0];
+    g->slope[256] = g->slope[0];
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
@@ -2155,7 +2187,7 @@ static void general_4r2p_find_roots(const general_4r2p_trigonometric *f, const g
     general_4r2p_waiting waiting;
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    general_4r2p_fill_grids(f, &g);
+    general_4r2p_fill_grid(f, &g);
     roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
@@ -2404,17 +2436,21 @@ static inline general_4r2p_lane general_4r2p_error(const general_4r2p_loop *loop
     general_4r2p_rigid T;
     general_4r2p_lane z[6][3], o[6][3], S[3][3], square = {0}, trace;
     general_4r2p_begin(T, identity);
+    GENERAL_4R2P_UNROLL
     for (int k = 0; k < 6; k++) {
         if (k) {
             general_4r2p_follow(T, loop->link[k - 1]);
         }
+        GENERAL_4R2P_UNROLL
         for (int i = 0; i < 3; i++) {
             z[k][i] = T[i][2];
             o[k][i] = T[i][3];
         }
         general_4r2p_move(T, k, c[k], s[k]);
     }
+    GENERAL_4R2P_UNROLL
     for (int i = 0; i < 3; i++) {
+        GENERAL_4R2P_UNROLL
         for (int j = 0; j < 3; j++) {
             S[i][j] = P[4 * i] * T[j][0] + P[4 * i + 1] * T[j][1] + P[4 * i + 2] * T[j][2];
         }
@@ -2423,16 +2459,20 @@ static inline general_4r2p_lane general_4r2p_error(const general_4r2p_loop *loop
     J[3][6] = 0.5 * (S[2][1] - S[1][2]);
     J[4][6] = 0.5 * (S[0][2] - S[2][0]);
     J[5][6] = 0.5 * (S[1][0] - S[0][1]);
+    GENERAL_4R2P_UNROLL
     for (int i = 0; i < 6; i++) {
         square += J[i][6] * J[i][6];
     }
+    GENERAL_4R2P_UNROLL
     for (int k = 0; k < 6; k++) {
+        GENERAL_4R2P_UNROLL
         for (int i = 0; i < 3; i++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
             J[i][k] = z[k][i1] * (T[i2][3] - o[k][i2]) - z[k][i2] * (T[i1][3] - o[k][i1]);
             J[3 + i][k] = z[k][i];
         }
     }
+    GENERAL_4R2P_UNROLL
     for (int i = 0; i < 3; i++) {
         J[i][2] = z[2][i];
         J[3 + i][2] = general_4r2p_all(0.0);

@@ -463,6 +463,20 @@ static void sorted_rows(
 #endif
 #endif
 
+#if PUMA560_CALIBRATED_LANES > 1 && defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
+ * and what could stay in registers goes through memory. */
+#if PUMA560_CALIBRATED_LANES > 1 && defined(__clang__)
+#define PUMA560_CALIBRATED_UNROLL _Pragma("clang loop unroll(full)")
+#elif PUMA560_CALIBRATED_LANES > 1 && __GNUC__ >= 8
+#define PUMA560_CALIBRATED_UNROLL _Pragma("GCC unroll 16")
+#else
+#define PUMA560_CALIBRATED_UNROLL
+#endif
+
 #define PUMA560_CALIBRATED_ROOTS 24
 #define PUMA560_CALIBRATED_CANDIDATES 144
 
@@ -508,13 +522,23 @@ static inline puma560_calibrated_lane puma560_calibrated_facing(puma560_calibrat
     return (puma560_calibrated_lane)((puma560_calibrated_mask)x ^ sign);
 }
 
+/* by the machine's own instruction: compilers take sqrt of <math.h> one by one, for the sake of
+ * errno */
 static inline puma560_calibrated_lane puma560_calibrated_sqrt(puma560_calibrated_lane x)
 {
+#if PUMA560_CALIBRATED_LANES == 8 && defined(__AVX512F__)
+    return (puma560_calibrated_lane)_mm512_sqrt_pd((__m512d)x);
+#elif PUMA560_CALIBRATED_LANES == 4 && defined(__AVX__)
+    return (puma560_calibrated_lane)_mm256_sqrt_pd((__m256d)x);
+#elif PUMA560_CALIBRATED_LANES == 2 && defined(__SSE2__)
+    return (puma560_calibrated_lane)_mm_sqrt_pd((__m128d)x);
+#else
     puma560_calibrated_lane r = x;
     for (int k = 0; k < PUMA560_CALIBRATED_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
     return r;
+#endif
 }
 #else
 typedef double puma560_calibrated_lane;
@@ -1463,7 +1487,11 @@ static inline puma560_calibrated_lane puma560_calibrated_reflect(puma560_calibra
     *row, int rows, int column, int columns)
 {
     puma560_calibrated_lane axis[6], half[2], length, factor;
-    half[0] = half[1] = puma560_calibrated_all(0.0);
+    for (int i = 0; i < 6; i++) {
+        axis[i] = half[i % 2] = puma560_calibrated_all(0.0); /* compilers don't see that `rows` of
+            them are used */
+    }
+    PUMA560_CALIBRATED_UNROLL
     for (int i = 0; i < rows; i++) {
         axis[i] = row[i][column];
         half[i % 2] += axis[i] * axis[i];
@@ -1471,14 +1499,17 @@ static inline puma560_calibrated_lane puma560_calibrated_reflect(puma560_calibra
     length = puma560_calibrated_with_sign(puma560_calibrated_sqrt(half[0] + half[1]), axis[0]);
     axis[0] += length;
     factor = 1.0 / (length * axis[0] + 1e-300);
+    PUMA560_CALIBRATED_UNROLL
     for (int j = column + 1; j < columns; j++) {
         puma560_calibrated_lane sum;
         half[0] = axis[0] * row[0][j];
         half[1] = axis[1] * row[1][j];
+        PUMA560_CALIBRATED_UNROLL
         for (int i = 2; i < rows; i++) {
             half[i % 2] += axis[i] * row[i][j];
         }
         sum = (half[0] + half[1]) * factor;
+        PUMA560_CALIBRATED_UNROLL
         for (int i = 0; i < rows; i++) {
             row[i][j] -= axis[i] * sum;
         }
@@ -1494,6 +1525,7 @@ static inline void puma560_calibrated_act(const double K[12], puma560_calibrated
     const double t[3] = {K[3], K[7], K[11]};
     const double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
     puma560_calibrated_lane u[3], q[3], v[3], w[3], along;
+    PUMA560_CALIBRATED_UNROLL
     for (int i = 0; i < 3; i++) {
         const double *const row = K + 4 * i;
         u[i] = row[0] * x[1] + row[1] * x[2] + row[2] * x[3];
@@ -1504,6 +1536,7 @@ static inline void puma560_calibrated_act(const double K[12], puma560_calibrated
     along = t[0] * u[0] + t[1] * u[1] + t[2] * u[2];
     x[7] += 2.0 * (t[0] * q[0] + t[1] * q[1] + t[2] * q[2]) + square * x[0];
     x[8] += along;
+    PUMA560_CALIBRATED_UNROLL
     for (int i = 0; i < 3; i++) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
         x[1 + i] = u[i];
@@ -1548,51 +1581,64 @@ static inline void puma560_calibrated_tangents(const puma560_calibrated_lane x[1
 typedef void puma560_calibrated_joint_parts(const puma560_calibrated_lane x[15],
     puma560_calibrated_lane part[3][15]);
 
-/* Columns of features pass a link, and each becomes three by what the joint before it does: column
- * a columns + k is part a of column k. */
-static void puma560_calibrated_pass(const double K[12], double from[15][40], int columns,
-                         puma560_calibrated_joint_parts *parts, double to[15][40])
+/* Columns of features, 16 places wide, pass a link, and each becomes three by what the joint before
+ * it does: column a columns + k of those to come, `width` places wide, is part a of column k. */
+static void puma560_calibrated_pass(const double K[12], const double from[240], int columns,
+                         puma560_calibrated_joint_parts *parts, double *to, int width)
 {
     /* from the last on, so that what runs over is written again */
     for (int k = (columns - 1) / PUMA560_CALIBRATED_LANES * PUMA560_CALIBRATED_LANES; k >= 0; k -=
         PUMA560_CALIBRATED_LANES) {
         puma560_calibrated_lane x[15], part[3][15];
         for (int i = 0; i < 15; i++) {
-            x[i] = PUMA560_CALIBRATED_LOAD(&from[i][k]);
+            x[i] = PUMA560_CALIBRATED_LOAD(from + 16 * i + k);
         }
         puma560_calibrated_act(K, x);
         parts(x, part);
         for (int i = 0; i < 15; i++) {
             for (int a = 0; a < 3; a++) {
-                PUMA560_CALIBRATED_STORE(&to[i][a * columns + k], part[a][i]);
+                PUMA560_CALIBRATED_STORE(to + width * i + a * columns + k, part[a][i]);
             }
         }
     }
 }
 
-/* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
- * say how to reflect others. */
-static inline void puma560_calibrated_clear(double A[6][8], int rows, int columns, double
+/* Reflections that clear the columns of A, one after the other and all that follow in lanes; `axis`
+ * and `factor` say how to reflect others. The products of a column with all are summed at once, its
+ * own square among them. */
+static inline void puma560_calibrated_clear(double A[8][8], int rows, int columns, double
     axis[6][8],
                                  double factor[6])
 {
+    PUMA560_CALIBRATED_UNROLL
     for (int c = 0; c < columns; c++) {
-        double square = 0.0, length;
+        const int first = c / PUMA560_CALIBRATED_LANES * PUMA560_CALIBRATED_LANES;
+        double product[8], length;
+        PUMA560_CALIBRATED_UNROLL
         for (int i = c; i < rows; i++) {
-            axis[c][i] = A[c][i];
-            square += A[c][i] * A[c][i];
+            axis[c][i] = A[i][c];
         }
-        length = copysign(sqrt(square), A[c][c]);
+        PUMA560_CALIBRATED_UNROLL
+        for (int j = first; j < columns; j += PUMA560_CALIBRATED_LANES) {
+            puma560_calibrated_lane sum = puma560_calibrated_all(0.0);
+            PUMA560_CALIBRATED_UNROLL
+            for (int i = c; i < rows; i++) {
+                sum += axis[c][i] * PUMA560_CALIBRATED_LOAD(&A[i][j]);
+            }
+            PUMA560_CALIBRATED_STORE(&product[j], sum);
+        }
+        length = copysign(sqrt(product[c]), axis[c][c]);
         axis[c][c] += length;
         factor[c] = 1.0 / (length * axis[c][c] + 1e-300);
-        for (int j = c + 1; j < columns; j++) {
-            double sum = 0.0;
+        PUMA560_CALIBRATED_UNROLL
+        for (int j = first; j < columns; j += PUMA560_CALIBRATED_LANES) {
+            const puma560_calibrated_lane sum = PUMA560_CALIBRATED_LOAD(&product[j]) + length *
+                PUMA560_CALIBRATED_LOAD(&A[c][j]);
+            const puma560_calibrated_lane part = sum * factor[c];
+            PUMA560_CALIBRATED_UNROLL
             for (int i = c; i < rows; i++) {
-                sum += axis[c][i] * A[j][i];
-            }
-            sum *= factor[c];
-            for (int i = c; i < rows; i++) {
-                A[j][i] -= axis[c][i] * sum;
+                PUMA560_CALIBRATED_STORE(&A[i][j], PUMA560_CALIBRATED_LOAD(&A[i][j]) - axis[c][i] *
+                    part);
             }
         }
     }
@@ -1602,12 +1648,15 @@ static inline void puma560_calibrated_mirror(double axis[6][8], const double fac
     int columns,
                                   puma560_calibrated_lane x[8])
 {
+    PUMA560_CALIBRATED_UNROLL
     for (int c = 0; c < columns; c++) {
         puma560_calibrated_lane sum = axis[c][c] * x[c];
+        PUMA560_CALIBRATED_UNROLL
         for (int i = c + 1; i < rows; i++) {
             sum += axis[c][i] * x[i];
         }
         sum *= factor[c];
+        PUMA560_CALIBRATED_UNROLL
         for (int i = c; i < rows; i++) {
             x[i] -= axis[c][i] * sum;
         }
@@ -1619,16 +1668,16 @@ static inline void puma560_calibrated_mirror(double axis[6][8], const double fac
 static void puma560_calibrated_left_side(const puma560_calibrated_formulation *form, double
     link[6][12], double to[15][32])
 {
-    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} };
+    double x[240] = {0.0}, y[240] = {0.0}, all[600] = {0.0};
     (void)form;
-    x[0][0] = x[3][0] = 1.0; /* the origin and z */
-    puma560_calibrated_pass(link[2], x, 1, puma560_calibrated_tangents, y);
-    puma560_calibrated_pass(link[1], y, 3, puma560_calibrated_tangents, x);
-    puma560_calibrated_pass(link[0], x, 9, puma560_calibrated_cosines, y);
+    x[0] = x[48] = 1.0; /* the origin and z */
+    puma560_calibrated_pass(link[2], x, 1, puma560_calibrated_tangents, y, 16);
+    puma560_calibrated_pass(link[1], y, 3, puma560_calibrated_tangents, x, 16);
+    puma560_calibrated_pass(link[0], x, 9, puma560_calibrated_cosines, all, 40);
     for (int k = 0; k < 32; k += PUMA560_CALIBRATED_LANES) {
         puma560_calibrated_lane z[15];
         for (int i = 0; i < 15; i++) {
-            z[i] = PUMA560_CALIBRATED_LOAD(&y[i][k]);
+            z[i] = PUMA560_CALIBRATED_LOAD(all + 40 * i + k);
         }
         puma560_calibrated_act(link[5], z);
         for (int i = 0; i < 15; i++) {
@@ -1644,25 +1693,26 @@ static void puma560_calibrated_equations(const puma560_calibrated_formulation *f
     link[6][12], const double (*left)[32],
                          double E[192])
 {
-    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
-    double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
+    double x[240] = {0.0}, y[240] = {0.0}, right[240] = {0.0};
+    double inverse[12], A[8][8] PUMA560_CALIBRATED_ALIGNED = { {0.0} }, still_axis[6][8],
+        still_factor[6], pair_axis[6][8], pair_factor[6];
     /* the features that the outer joint of the right side leaves alone, and those that it mixes:
      * the former hold two of the eight monomials, the latter six */
     static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
-    x[0][0] = x[3][0] = 1.0; /* the origin and z */
+    x[0] = x[48] = 1.0; /* the origin and z */
     puma560_calibrated_invert(link[3], inverse);
-    puma560_calibrated_pass(inverse, x, 1, puma560_calibrated_cosines, y);
+    puma560_calibrated_pass(inverse, x, 1, puma560_calibrated_cosines, y, 16);
     puma560_calibrated_invert(link[4], inverse);
-    puma560_calibrated_pass(inverse, y, 3, puma560_calibrated_cosines, right);
+    puma560_calibrated_pass(inverse, y, 3, puma560_calibrated_cosines, right, 16);
     for (int i = 0; i < 6; i++) {
-        A[0][i] = right[still[i]][1];
-        A[1][i] = right[still[i]][2];
+        A[i][0] = right[16 * still[i] + 1];
+        A[i][1] = right[16 * still[i] + 2];
     }
     puma560_calibrated_clear(A, 6, 2, still_axis, still_factor);
     for (int i = 0; i < 8; i++) {
         for (int k = 0; k < 6; k++) {
-            A[k][i] = right[pair[i]][3 + k];
+            A[i][k] = right[16 * pair[i] + 3 + k];
         }
     }
     puma560_calibrated_clear(A, 8, 6, pair_axis, pair_factor);
@@ -1673,7 +1723,7 @@ static void puma560_calibrated_equations(const puma560_calibrated_formulation *f
         }
         for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
-            alone[i] = z[still[i]] - right[still[i]][0] * z[0];
+            alone[i] = z[still[i]] - right[16 * still[i]] * z[0];
         }
         for (int i = 0; i < 8; i++) {
             mixed[i] = z[pair[i]];
@@ -1698,7 +1748,9 @@ static inline puma560_calibrated_lane puma560_calibrated_fold(const double *E,
     puma560_calibrated_lane *const last[6] = {factor[0], factor[1], factor[2], factor[3], factor[4],
         factor[5]};
     const puma560_calibrated_lane zero = {0};
+    PUMA560_CALIBRATED_UNROLL
     for (int r = 0; r < 6; r++) {
+        PUMA560_CALIBRATED_UNROLL
         for (int k = 0; k < 9; k++) {
             const int at = 32 * r + 3 * (k % 3) + k / 3;
             M[r][k] = E[at] + E[9 + at] * c + E[18 + at] * s;
@@ -1708,7 +1760,9 @@ static inline puma560_calibrated_lane puma560_calibrated_fold(const double *E,
     determinant *= puma560_calibrated_reflect(rows + 1, 5, 1, 9);
     determinant *= puma560_calibrated_reflect(rows + 2, 4, 2, 9);
     /* now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0 */
+    PUMA560_CALIBRATED_UNROLL
     for (int r = 0; r < 3; r++) {
+        PUMA560_CALIBRATED_UNROLL
         for (int k = 0; k < 9; k++) {
             W[r][k] = M[r][k];
             W[3 + r][k] = k < 6 ? M[3 + r][3 + k] : zero;
@@ -1717,11 +1771,14 @@ static inline puma560_calibrated_lane puma560_calibrated_fold(const double *E,
             }
         }
     }
+    PUMA560_CALIBRATED_UNROLL
     for (int k = 0; k < 3; k++) {
         puma560_calibrated_lane *const four[4] = {W[k], W[3], W[4], W[5]};
         determinant *= puma560_calibrated_reflect(four, 4, k, 9);
     }
+    PUMA560_CALIBRATED_UNROLL
     for (int r = 0; r < 3; r++) {
+        PUMA560_CALIBRATED_UNROLL
         for (int k = 0; k < 6; k++) {
             factor[r][k] = W[3 + r][3 + k];
         }
@@ -1807,36 +1864,37 @@ static void puma560_calibrated_at(const puma560_calibrated_trigonometric *f, dou
     }
 }
 
-/* At the edges of the cells what has these coefficients. */
-static void puma560_calibrated_fill_grid(const double *restrict a, const double *restrict b, double
-    *restrict out)
+/* f and f' at the edges of the cells. */
+static void puma560_calibrated_fill_grid(const puma560_calibrated_trigonometric *f,
+    puma560_calibrated_grid *g)
 {
+    const double *const a = f->a, *const b = f->b;
     for (int i = 0; i < 128; i += PUMA560_CALIBRATED_LANES) {
         /* even multiples, the same half a turn on; odd ones, the opposite there */
         puma560_calibrated_lane even = puma560_calibrated_all(a[0]), odd =
             puma560_calibrated_all(0.0);
+        puma560_calibrated_lane even_slope = odd, odd_slope = odd;
+        PUMA560_CALIBRATED_UNROLL
         for (int m = 1; m < 9; m += 2) {
-            odd += a[m] * PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_c[m - 1][i]);
-            even += a[m + 1] * PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_c[m][i]);
-            odd += b[m] * PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_s[m - 1][i]);
-            even += b[m + 1] * PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_s[m][i]);
+            const puma560_calibrated_lane c = PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_c[m -
+                1][i]), s = PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_s[m - 1][i]);
+            odd += a[m] * c + b[m] * s;
+            odd_slope += m * b[m] * c - m * a[m] * s;
         }
-        PUMA560_CALIBRATED_STORE(&out[i], even + odd);
-        PUMA560_CALIBRATED_STORE(&out[i + 128], even - odd);
+        PUMA560_CALIBRATED_UNROLL
+        for (int m = 2; m < 9; m += 2) {
+            const puma560_calibrated_lane c = PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_c[m -
+                1][i]), s = PUMA560_CALIBRATED_LOAD(&puma560_calibrated_grid_s[m - 1][i]);
+            even += a[m] * c + b[m] * s;
+            even_slope += m * b[m] * c - m * a[m] * s;
+        }
+        PUMA560_CALIBRATED_STORE(&g->value[i], even + odd);
+        PUMA560_CALIBRATED_STORE(&g->value[i + 128], even - odd);
+        PUMA560_CALIBRATED_STORE(&g->slope[i], even_slope + odd_slope);
+        PUMA560_CALIBRATED_STORE(&g->slope[i + 128], even_slope - odd_slope);
     }
-    out[256] = out[0];
-}
-
-static void puma560_calibrated_fill_grids(const puma560_calibrated_trigonometric *f,
-    puma560_calibrated_grid *g)
-{
-    double a[9], b[9];
-    for (int m = 0; m < 9; m++) {
-        a[m] = m * f->b[m];
-        b[m] = -m * f->a[m];
-    }
-    puma560_calibrated_fill_grid(f->a, f->b, g->value);
-    puma560_calibrated_fill_grid(a, b, g->slope);
+    g->value[256] = g->value[0];
+    g->slope[256] = g->slope[0];
 }
 
 /* Which of 64 cells may have roots: those where the Bernstein coefficients of the cubic through f
@@ -2338,7 +2396,7 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
     puma560_calibrated_waiting waiting;
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
-    puma560_calibrated_fill_grids(f, &g);
+    puma560_calibrated_fill_grid(f, &g);
     roots->simple = roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
@@ -2959,17 +3017,21 @@ static inline puma560_calibrated_lane puma560_calibrated_error(const puma560_cal
     puma560_calibrated_rigid T;
     puma560_calibrated_lane z[6][3], o[6][3], S[3][3], square = {0}, trace;
     puma560_calibrated_begin(T, identity);
+    PUMA560_CALIBRATED_UNROLL
     for (int k = 0; k < 6; k++) {
         if (k) {
             puma560_calibrated_follow(T, loop->link[k - 1]);
         }
+        PUMA560_CALIBRATED_UNROLL
         for (int i = 0; i < 3; i++) {
             z[k][i] = T[i][2];
             o[k][i] = T[i][3];
         }
         puma560_calibrated_move(T, k, c[k], s[k]);
     }
+    PUMA560_CALIBRATED_UNROLL
     for (int i = 0; i < 3; i++) {
+        PUMA560_CALIBRATED_UNROLL
         for (int j = 0; j < 3; j++) {
             S[i][j] = P[4 * i] * T[j][0] + P[4 * i + 1] * T[j][1] + P[4 * i + 2] * T[j][2];
         }
@@ -2978,10 +3040,13 @@ static inline puma560_calibrated_lane puma560_calibrated_error(const puma560_cal
     J[3][6] = 0.5 * (S[2][1] - S[1][2]);
     J[4][6] = 0.5 * (S[0][2] - S[2][0]);
     J[5][6] = 0.5 * (S[1][0] - S[0][1]);
+    PUMA560_CALIBRATED_UNROLL
     for (int i = 0; i < 6; i++) {
         square += J[i][6] * J[i][6];
     }
+    PUMA560_CALIBRATED_UNROLL
     for (int k = 0; k < 6; k++) {
+        PUMA560_CALIBRATED_UNROLL
         for (int i = 0; i < 3; i++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
             J[i][k] = z[k][i1] * (T[i2][3] - o[k][i2]) - z[k][i2] * (T[i1][3] - o[k][i1]);
