@@ -15,7 +15,8 @@ from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.numeric import Array, NumericArm
+    from dhgen.arrays import FloatArray
+    from dhgen.kinematics.numeric import NumericArm
     from dhgen.robot.robot import Robot
 
 CHECKOUT = Path(__file__).resolve().parent.parent
@@ -93,18 +94,18 @@ class Arm:
         """Which joints are revolute."""
         return tuple(joint.kind is JointKind.REVOLUTE for joint in self.robot.joints)
 
-    def random_poses(self, count: int) -> Array:
+    def random_poses(self, count: int) -> FloatArray:
         """Poses (count, 4, 4) of joint values spread evenly over whole turns and limits."""
         return self.model.pose(self.random_joints(count))
 
-    def random_joints(self, count: int) -> Array:
+    def random_joints(self, count: int) -> FloatArray:
         """The joint values (count, n) of these poses."""
         draw = np.random.default_rng(SEED)
         spans = [_span(joint.kind, joint.limits) for joint in self.robot.joints]
         low, high = np.array(spans).T
         return np.asarray(draw.uniform(low, high, (count, self.dof)))
 
-    def aligned_poses(self, count: int) -> Array:
+    def aligned_poses(self, count: int) -> FloatArray:
         """Poses (count, 4, 4) whose revolute joints stand at multiples of a quarter turn."""
         draw = np.random.default_rng(SEED)
         spans = [_span(joint.kind, joint.limits) for joint in self.robot.joints]

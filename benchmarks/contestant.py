@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
     # how often poses are solved -> CPU seconds it took
     Run = Callable[[int], float]
     # poses (N, 4, 4) -> joint values (rows, n) for each, in the conventions of the robot file
-    Solve = Callable[[Array], list[Array]]
+    Solve = Callable[[FloatArray], list[FloatArray]]
 
 
 class AbsentError(Exception):
@@ -39,7 +39,7 @@ class Contestant:
     tool: str
     way: str
     solve: Solve
-    prepare: Callable[[Array], Run]
+    prepare: Callable[[FloatArray], Run]
     ours: bool = False
 
     @property

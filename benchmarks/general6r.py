@@ -25,7 +25,7 @@ from benchmarks.solvers import GENERATED, ONE_SHIM, generated
 
 if TYPE_CHECKING:
     from benchmarks.arms import Arm
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 PASSES = 5
 GIVEN = (0.0, 1.0)  # [rad]
@@ -67,7 +67,7 @@ def general_arms() -> list[str]:
     ]
 
 
-def measure(arm: Arm, count: int, value: float) -> tuple[Array, float]:
+def measure(arm: Arm, count: int, value: float) -> tuple[FloatArray, float]:
     """The time of every pose [s], and how many solutions there are on the mean.
 
     Args:

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 LINE = 64  # bytes
 
 
-def room(shape: tuple[int, ...]) -> Array:
+def room(shape: tuple[int, ...]) -> FloatArray:
     """Zeros of this shape."""
     count = int(np.prod(shape))
     memory = np.zeros(count + LINE // 8)
@@ -24,7 +24,7 @@ def room(shape: tuple[int, ...]) -> Array:
     return memory[first : first + count].reshape(shape)
 
 
-def lined_up(values: Array) -> Array:
+def lined_up(values: FloatArray) -> FloatArray:
     """A copy of numbers."""
     copy = room(values.shape)
     copy[:] = values

@@ -17,7 +17,7 @@ from dhgen.verify.native import c_compiler
 
 if TYPE_CHECKING:
     from benchmarks.contestant import Run
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 FLAGS = ("-std=c99", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast")
 NATIVE = (*FLAGS, "-march=native")
@@ -106,14 +106,14 @@ class Native:
     library: Any
     interface: Interface
 
-    def solve(self, T: Array) -> list[Array]:
+    def solve(self, T: FloatArray) -> list[FloatArray]:
         """All rows of poses (N, 4, 4) that hold joint values."""
         q = np.full((len(T), self.interface.rows, self.interface.dof), np.nan)
         poses = np.ascontiguousarray(T)
         self.library.bench_solve(ctypes.c_size_t(len(T)), _pointer(poses), _pointer(q))
         return [rows[~np.isnan(rows).any(axis=1)] for rows in q]
 
-    def each(self, T: Array, passes: int) -> Array:
+    def each(self, T: FloatArray, passes: int) -> FloatArray:
         """The least CPU time of every pose (N, 4, 4) alone [s], of so many passes over all (N,)."""
         poses, seconds = np.ascontiguousarray(T), np.empty((passes, len(T)))
         q = np.empty((self.interface.rows, self.interface.dof))
@@ -121,7 +121,7 @@ class Native:
         self.library.bench_each(*sizes, *map(_pointer, (poses, seconds, q)))
         return np.asarray(seconds.min(axis=0))
 
-    def prepare(self, T: Array) -> Run:
+    def prepare(self, T: FloatArray) -> Run:
         """Solves the poses (N, 4, 4) again and again, and tells the CPU time."""
         poses = lined_up(T)
         count = len(T) if self.interface.batch else 1
@@ -179,5 +179,5 @@ def _build(command: list[str]) -> None:
         raise AbsentError(f"{Path(command[0]).name}: {errors[0]}")
 
 
-def _pointer(array: Array) -> Any:  # noqa: ANN401 - ctypes has no type for it
+def _pointer(array: FloatArray) -> Any:  # noqa: ANN401 - ctypes has no type for it
     return array.ctypes.data_as(ctypes.c_void_p)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from benchmarks.arms import Arm
     from benchmarks.contestant import Contestant
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 RIGHT = 1e-6  # largest error of an entry of the pose: what any controller would accept
 SAME = 1e-4  # rows whose joint values differ by less are one solution
@@ -36,7 +36,7 @@ class Quality:
 
 
 def judge_all(
-    arm: Arm, contestants: Sequence[Contestant], T: Array, aligned: Array
+    arm: Arm, contestants: Sequence[Contestant], T: FloatArray, aligned: FloatArray
 ) -> list[Quality]:
     """Judges the answers for random poses and for aligned ones, both (N, 4, 4)."""
     answers = [_Answers.of(arm, each.solve(T), T) for each in contestants]
@@ -60,13 +60,13 @@ def judge_all(
 class _Answers:
     """Right rows of every pose, and how the rest did."""
 
-    right: list[Array]
+    right: list[FloatArray]
     residual: float
     wrong: int
     rows: int
 
     @classmethod
-    def of(cls, arm: Arm, answers: list[Array], T: Array) -> _Answers:
+    def of(cls, arm: Arm, answers: list[FloatArray], T: FloatArray) -> _Answers:
         right, residual, wrong, rows = [], 0.0, 0, 0
         for q, pose in zip(answers, T, strict=True):
             if not len(q):
@@ -81,9 +81,9 @@ class _Answers:
         return cls(right, residual, wrong, rows)
 
 
-def _distinct(rows: list[Array], arm: Arm) -> list[Array]:
+def _distinct(rows: list[FloatArray], arm: Arm) -> list[FloatArray]:
     """Each solution once; angles that differ by whole turns are the same."""
-    kept: list[Array] = []
+    kept: list[FloatArray] = []
     turning = np.array(arm.turning)
     for row in rows:
         if kept:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from benchmarks.contestant import Contestant, Run
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 TURN = 0.01  # CPU seconds that a turn should take at least
 LONGEST = 0.25  # and about at most: slow solvers take fewer poses
@@ -44,7 +44,7 @@ class _Turn:
         return 1e9 * self.run(self.repeats) / (self.repeats * self.poses)
 
 
-def time_all(contestants: Sequence[Contestant], T: Array, rounds: int) -> list[Timing]:
+def time_all(contestants: Sequence[Contestant], T: FloatArray, rounds: int) -> list[Timing]:
     """Times contestants on the same poses (N, 4, 4), in rotation, so that all see the same noise.
 
     Args:
@@ -64,7 +64,9 @@ def time_all(contestants: Sequence[Contestant], T: Array, rounds: int) -> list[T
     ]
 
 
-def try_all(contestants: Sequence[Contestant], T: Array) -> tuple[list[Contestant], list[Absentee]]:
+def try_all(
+    contestants: Sequence[Contestant], T: FloatArray
+) -> tuple[list[Contestant], list[Absentee]]:
     """Who gets through a few of the poses (N, 4, 4), and what happened to the others."""
     able, failed = [], []
     for contestant in contestants:
@@ -78,7 +80,7 @@ def try_all(contestants: Sequence[Contestant], T: Array) -> tuple[list[Contestan
     return able, failed
 
 
-def _turn(contestant: Contestant, T: Array) -> _Turn:
+def _turn(contestant: Contestant, T: FloatArray) -> _Turn:
     """How many poses and repeats make a turn of a good length; warms up on the way."""
     few = contestant.prepare(T[:FEWEST])
     few(1)

@@ -32,7 +32,8 @@ from benchmarks.solvers import GENERATED, generated
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
+
 
 BLOCK = 100_000
 LEAST = 0.05  # seconds that a measurement of few poses should take together
@@ -95,7 +96,7 @@ def _blocks(count: int) -> list[int]:
     return [BLOCK] * whole + ([rest] if rest else [])
 
 
-def _native(name: str, T: Array, folder: Path) -> Callable[[int], None]:
+def _native(name: str, T: FloatArray, folder: Path) -> Callable[[int], None]:
     """The C's batch, on the caller's arrays."""
     module = generated(name)
     library = compiled(GENERATED / f"{name}.c", Interface(NOTHING, 1, 1), NATIVE, folder).library
@@ -112,7 +113,7 @@ def _native(name: str, T: Array, folder: Path) -> Callable[[int], None]:
     return solve
 
 
-def _numba(name: str, T: Array) -> Callable[[int], None]:
+def _numba(name: str, T: FloatArray) -> Callable[[int], None]:
     """Python's batch, on the caller's arrays."""
     module = generated(name)
     q, status = module.ik_batch(T)

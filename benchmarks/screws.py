@@ -11,7 +11,7 @@ from benchmarks.contestant import AbsentError
 
 if TYPE_CHECKING:
     from benchmarks.arms import Arm
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,17 +24,17 @@ class Screws:
         home: The tool's pose (4, 4).
     """
 
-    directions: Array
-    points: Array
-    home: Array
+    directions: FloatArray
+    points: FloatArray
+    home: FloatArray
 
     @property
-    def offsets(self) -> Array:
+    def offsets(self) -> FloatArray:
         """From the base over the axes to the tool, (n + 1, 3)."""
         places = np.vstack([np.zeros(3), self.points, self.home[:3, 3]])
         return np.diff(places, axis=0)
 
-    def without_home_rotation(self, T: Array) -> Array:
+    def without_home_rotation(self, T: FloatArray) -> FloatArray:
         """Poses (N, 4, 4) of a tool frame that is parallel to the base at these joint values."""
         poses = T.copy()
         poses[:, :3, :3] = T[:, :3, :3] @ self.home[:3, :3].T

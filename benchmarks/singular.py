@@ -30,7 +30,7 @@ from dhgen.survey.singular import singular_sets
 
 if TYPE_CHECKING:
     from benchmarks.arms import Arm
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 PASSES = 5
 # A pose is one of those asked for: where it stands among them says what belongs to it.
@@ -67,7 +67,7 @@ def main(arguments: list[str]) -> None:
     show(table(HEAD, rows), "singular", write=chosen.write)
 
 
-def measure(arm: Arm, count: int) -> Array:
+def measure(arm: Arm, count: int) -> FloatArray:
     """The time of every pose [s], of at most so many poses of each kind."""
     name = arm.case.name
     q = np.concatenate(list(singular_sets(arm.robot, count).values()))
@@ -82,11 +82,11 @@ def measure(arm: Arm, count: int) -> Array:
         return native.each(T, PASSES)
 
 
-def _given(arm: Arm, q: Array) -> Array:
+def _given(arm: Arm, q: FloatArray) -> FloatArray:
     return np.asarray(given_values(arm.robot, q), dtype=float)
 
 
-def _pointer(array: Array) -> ctypes.c_void_p:
+def _pointer(array: FloatArray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 TOOL = "dhgen"
 GENERATED = CHECKOUT / "generated"
@@ -81,13 +81,13 @@ def _shim(text: str, arm: Arm, module: Any) -> str:  # noqa: ANN401 - a generate
 def _python(module: Any) -> list[Contestant]:  # noqa: ANN401 - a generated module
     """The generated module, as numba makes it."""
 
-    def single(T: Array) -> list[Array]:
+    def single(T: FloatArray) -> list[FloatArray]:
         return [_held(module.ik_all(pose)[0]) for pose in T]
 
-    def together(T: Array) -> list[Array]:
+    def together(T: FloatArray) -> list[FloatArray]:
         return [_held(rows) for rows in module.ik_batch(T)[0]]
 
-    def into(T: Array) -> Run:
+    def into(T: FloatArray) -> Run:
         q = np.empty((module.MAX_SOLUTIONS, module.DOF))
         status = np.empty(module.MAX_SOLUTIONS, np.uint8)
         poses = [np.ascontiguousarray(pose) for pose in T]
@@ -98,7 +98,7 @@ def _python(module: Any) -> list[Contestant]:  # noqa: ANN401 - a generated modu
 
         return timed(work)
 
-    def fresh(T: Array) -> Run:
+    def fresh(T: FloatArray) -> Run:
         poses = [np.ascontiguousarray(pose) for pose in T]
 
         def work() -> None:
@@ -107,7 +107,7 @@ def _python(module: Any) -> list[Contestant]:  # noqa: ANN401 - a generated modu
 
         return timed(work)
 
-    def batch(T: Array) -> Run:
+    def batch(T: FloatArray) -> Run:
         # As a loop holds them: fresh memory would be measured too.
         out = (
             room((len(T), module.MAX_SOLUTIONS, module.DOF)),
@@ -123,7 +123,7 @@ def _python(module: Any) -> list[Contestant]:  # noqa: ANN401 - a generated modu
     ]
 
 
-def _held(rows: Array) -> Array:
+def _held(rows: FloatArray) -> FloatArray:
     """The rows that hold joint values."""
-    kept: Array = rows[~np.isnan(rows).any(axis=1)]
+    kept: FloatArray = rows[~np.isnan(rows).any(axis=1)]
     return kept

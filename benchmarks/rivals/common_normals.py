@@ -9,14 +9,14 @@ import numpy as np
 
 if TYPE_CHECKING:
     from benchmarks.screws import Screws
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 PARALLEL = 1e-9
 
 Link = tuple[float, float, float, float]  # theta, d, a, alpha
 
 
-def standard_table(frame: Screws) -> tuple[Array, list[Link], Array]:
+def standard_table(frame: Screws) -> tuple[FloatArray, list[Link], FloatArray]:
     """Base (4, 4), a row for every joint with theta at q = 0, and tool (4, 4).
 
     The frame before the first joint and the one after the last are laid so that nothing but the
@@ -48,7 +48,9 @@ def standard_table(frame: Screws) -> tuple[Array, list[Link], Array]:
     return _placed(x[0], z[0], o[0]), rows, np.asarray(np.linalg.inv(last) @ frame.home)
 
 
-def _common_normal(u: Array, p: Array, v: Array, q: Array, near: Array) -> tuple[Array, ...]:
+def _common_normal(
+    u: FloatArray, p: FloatArray, v: FloatArray, q: FloatArray, near: FloatArray
+) -> tuple[FloatArray, ...]:
     """Direction from axis p + s u to axis q + t v, and its feet on both."""
     cross, gap = np.cross(u, v), q - p
     if np.linalg.norm(cross) < PARALLEL:
@@ -62,16 +64,16 @@ def _common_normal(u: Array, p: Array, v: Array, q: Array, near: Array) -> tuple
     return cross / np.sqrt(square), p + s * u, q + t * v
 
 
-def _perpendicular(u: Array) -> Array:
+def _perpendicular(u: FloatArray) -> FloatArray:
     other = np.cross(u, np.eye(3)[np.argmin(np.abs(u))])
     return np.asarray(other / np.linalg.norm(other))
 
 
-def _angle(start: Array, end: Array, about: Array) -> float:
+def _angle(start: FloatArray, end: FloatArray, about: FloatArray) -> float:
     return float(np.arctan2(np.cross(start, end) @ about, start @ end))
 
 
-def _placed(x: Array, z: Array, origin: Array) -> Array:
+def _placed(x: FloatArray, z: FloatArray, origin: FloatArray) -> FloatArray:
     T = np.eye(4)
     T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = x, np.cross(z, x), z, origin
     return T

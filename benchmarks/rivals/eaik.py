@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 
 def contestants(arm: Arm, _: Path) -> list[Contestant]:
@@ -24,10 +24,10 @@ def contestants(arm: Arm, _: Path) -> list[Contestant]:
     if not robot.hasKnownDecomposition():
         raise AbsentError(f"knows no decomposition ({robot.getKinematicFamily()})")
 
-    def solve(T: Array) -> list[Array]:
+    def solve(T: FloatArray) -> list[FloatArray]:
         return [_rows(robot.IK(pose)) for pose in frame.without_home_rotation(T)]
 
-    def one(T: Array) -> Run:
+    def one(T: FloatArray) -> Run:
         poses = list(frame.without_home_rotation(T))
 
         def work() -> None:
@@ -36,7 +36,7 @@ def contestants(arm: Arm, _: Path) -> list[Contestant]:
 
         return timed(work)
 
-    def batch(T: Array) -> Run:
+    def batch(T: FloatArray) -> Run:
         poses = list(frame.without_home_rotation(T))
         return timed(lambda: robot.IK_batched(poses, 1))
 
@@ -47,7 +47,7 @@ def contestants(arm: Arm, _: Path) -> list[Contestant]:
     ]
 
 
-def _rows(answer: Any) -> Array:  # noqa: ANN401 - EAIK's own type
+def _rows(answer: Any) -> FloatArray:  # noqa: ANN401 - EAIK's own type
     """The rows that it does not call least-squares approximations."""
     q = np.array(answer.Q, np.float64)
     exact = ~np.array(answer.is_LS, bool)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
     from benchmarks.screws import Screws
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 AXES = np.array([[0, 0, 1], [0, 1, 0], [0, 1, 0], [0, 0, 1], [0, 1, 0], [0, 0, 1]])  # upright
 
@@ -33,14 +33,14 @@ def contestants(arm: Arm, _: Path) -> list[Contestant]:
     signs = np.sum(frame.directions * AXES, axis=1).round()
     pose_type = imported("scipy.spatial.transform").RigidTransform
 
-    def poses(T: Array) -> Any:  # noqa: ANN401 - a type of SciPy
+    def poses(T: FloatArray) -> Any:  # noqa: ANN401 - a type of SciPy
         return pose_type.from_matrix(frame.without_home_rotation(T))
 
-    def solve(T: Array) -> list[Array]:
+    def solve(T: FloatArray) -> list[FloatArray]:
         rows = (np.array(robot.inverse(pose)).reshape(-1, 6) for pose in poses(T))
         return [signs * each + np.array(arm.case.upright) for each in rows]
 
-    def one(T: Array) -> Run:
+    def one(T: FloatArray) -> Run:
         prepared = list(poses(T))
 
         def work() -> None:
@@ -49,7 +49,7 @@ def contestants(arm: Arm, _: Path) -> list[Contestant]:
 
         return timed(work)
 
-    def batch(T: Array) -> Run:
+    def batch(T: FloatArray) -> Run:
         prepared = poses(T)
         return timed(lambda: robot.reach(prepared))
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 GENERAL = "ikgeo.general_6r"
 
@@ -26,11 +26,11 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     manipulator = imported("ssik").Manipulator.from_axes(frame.directions, frame.offsets)
     artifact = _built(manipulator, arm.case.name, folder)
 
-    def solve(T: Array) -> list[Array]:
+    def solve(T: FloatArray) -> list[FloatArray]:
         answers = (_solutions(artifact, T) for T in frame.without_home_rotation(T))
         return [np.array([s.q for s in each]).reshape(-1, arm.dof) for each in answers]
 
-    def one(T: Array) -> Run:
+    def one(T: FloatArray) -> Run:
         poses = list(frame.without_home_rotation(T))
 
         def work() -> None:
@@ -62,5 +62,5 @@ def _built(manipulator: Any, name: str, folder: Path) -> Any:  # noqa: ANN401 - 
     return module
 
 
-def _solutions(artifact: Any, pose: Array) -> Any:  # noqa: ANN401 - ssik's own types
+def _solutions(artifact: Any, pose: FloatArray) -> Any:  # noqa: ANN401 - ssik's own types
     return artifact.solve(pose, respect_limits=False)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
     from benchmarks.rivals.common_normals import Link
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 FLAGS = ("-std=gnu99", *NATIVE[1:])  # its C says M_PI_2, which C99 does not know
 SHIM = """
@@ -41,10 +41,10 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     solver = _derived(arm, table)
     tool = versioned("roboticstoolbox-python").replace("roboticstoolbox-python", "Robotics Toolbox")
 
-    def answer(pose: Array) -> Array:
+    def answer(pose: FloatArray) -> FloatArray:
         return np.array(solver.solve(pose, joint_limits=False).q).reshape(-1, 6)
 
-    def one(T: Array) -> Run:
+    def one(T: FloatArray) -> Run:
         poses = list(T)
 
         def work() -> None:
@@ -58,7 +58,7 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     shim = SHIM.format(name=arm.case.name)
     native = compiled(source, Interface(shim, rows=64, dof=6), FLAGS, folder)
 
-    def bare(T: Array) -> Array:
+    def bare(T: FloatArray) -> FloatArray:
         """Its C knows neither base nor tool."""
         return np.asarray(np.linalg.inv(table.base) @ T @ np.linalg.inv(table.tool))
 
@@ -77,12 +77,12 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
 class Table:
     """A standard table, every row with theta (or d) at q = 0, the sign of q, and its limits."""
 
-    base: Array
+    base: FloatArray
     links: list[Link]
     kinds: list[JointKind]
     signs: list[int]
     limits: list[tuple[float, float] | None]
-    tool: Array
+    tool: FloatArray
 
 
 def standard(arm: Arm) -> Table:
@@ -115,7 +115,7 @@ def standard(arm: Arm) -> Table:
     return Table(base, links, kinds, signs, limits, arm.model.tool)
 
 
-def _link_transform(a: float, alpha: float) -> Array:
+def _link_transform(a: float, alpha: float) -> FloatArray:
     T = np.eye(4)
     T[0, 3] = a
     T[1:3, 1:3] = [[np.cos(alpha), -np.sin(alpha)], [np.sin(alpha), np.cos(alpha)]]

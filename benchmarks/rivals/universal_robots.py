@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
-    from dhgen.kinematics.numeric import Array
+    from dhgen.arrays import FloatArray
 
 
 def contestants(arm: Arm, _: Path) -> list[Contestant]:
@@ -26,11 +26,11 @@ def contestants(arm: Arm, _: Path) -> list[Contestant]:
         raise AbsentError("takes arms of Universal Robots only")
     robot = getattr(imported("ur_analytic_ik"), arm.case.universal_robot)
 
-    def solve(T: Array) -> list[Array]:
+    def solve(T: FloatArray) -> list[FloatArray]:
         with _quiet():
             return [np.array(robot.inverse_kinematics(pose)).reshape(-1, 6) for pose in T]
 
-    def one(T: Array) -> Run:
+    def one(T: FloatArray) -> Run:
         poses = list(T)
 
         def work() -> None:

@@ -18,8 +18,7 @@ from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.general.kernel import GeneralKernel
     from dhgen.general.rigid import Matrix
     from dhgen.kinematics.chain import Chain, ChainJoint
@@ -65,7 +64,7 @@ def slides_of(chain: Chain) -> tuple[int, ...]:
     return tuple(place for place, kind in kinds if kind is JointKind.PRISMATIC)
 
 
-def joint_values(angles: NDArray[np.float64], chain: Chain) -> NDArray[np.float64]:
+def joint_values(angles: FloatArray, chain: Chain) -> FloatArray:
     """The values (k, n) of the joints that are solved for, from the loop's angles and lengths."""
     solved = chain.solved
     signs = np.array([joint.sign for joint in solved])
@@ -105,7 +104,7 @@ def _missing(chain: Chain) -> int:
     return JOINTS - len(chain.solved) - _only_points(chain)
 
 
-def _matrix(array: NDArray[np.float64]) -> Matrix:
+def _matrix(array: FloatArray) -> Matrix:
     return tuple(tuple(row) for row in array.tolist())
 
 

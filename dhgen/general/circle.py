@@ -16,9 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 DEGREE = 8
 SAMPLES = 24  # 17 determine f; the harmonics beyond the eighth measure the rounding

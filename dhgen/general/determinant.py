@@ -19,9 +19,8 @@ from dhgen.general.hidden_slide import on_circle
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 EQUATIONS = 6
 TINY = 1e-300  # keeps the reflection of a zero column finite; it then changes nothing

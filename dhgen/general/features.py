@@ -16,9 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 ONE, L, P, PP, PL, PXL, W = 0, 1, 4, 7, 8, 9, 12  # where each feature begins
 FEATURES = 15

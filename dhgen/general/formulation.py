@@ -31,9 +31,8 @@ from dhgen.general.hidden_slide import ORDERS, nearness
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 PARTNERS = (1, 2)
 OTHERS = (4, 5)  # the two on the right side

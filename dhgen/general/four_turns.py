@@ -32,9 +32,8 @@ from dhgen.tolerances import TOLERANCES
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 DEGREE = 4
 # At a root the better branch is taken, and the other one too where its determinant is this small:

@@ -17,9 +17,8 @@ import numpy as np
 from dhgen.general.features import slide
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 UNIT = 2.5  # arm sizes; the length at a quarter of a turn, about how far slides go
 # Cosine and sine: half of the way from one sample angle to the next, nearly.

@@ -20,9 +20,8 @@ from dhgen.general.circle import DEGREE, SAMPLES, sample_cosines
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
     At = Callable[[FloatArray, FloatArray], FloatArray]
 
 

@@ -17,9 +17,8 @@ from dhgen.general.rigid import IDENTITY, Matrix, inverse, scaled
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 # From the frame of the last joint to that of the turn [arm sizes]: skew to its axis, at a distance
 # that is neither short nor long, and parallel to none of the frame's axes.

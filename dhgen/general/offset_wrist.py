@@ -19,11 +19,9 @@ from dhgen.general.recover import rigid_inverse, turn
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.general.loop import Loop
 
-    FloatArray = NDArray[np.float64]
 
 EXACT = 1e-9  # what counts as parallel, at right angles, meeting [arm sizes, rad]
 # Of the four ways to place the plane and the elbow, those are tried for which axis 4 is this

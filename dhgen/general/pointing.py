@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    FloatArray = NDArray[np.float64]
+    from dhgen.arrays import FloatArray
 
 
 def any_turn(T: FloatArray) -> FloatArray:

@@ -10,9 +10,7 @@ import numpy as np
 from dhgen.general.recover import EZ, motion
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    FloatArray = NDArray[np.float64]
+    from dhgen.arrays import FloatArray
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,9 +17,8 @@ from dhgen.general.formulation import OTHERS
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
-    FloatArray = NDArray[np.float64]
 
 TINY = 1e-300
 # Of the largest diagonal: emitted code, which iterates to a null vector, takes none as smaller.

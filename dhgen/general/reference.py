@@ -27,8 +27,9 @@ from dhgen.tolerances import TOLERANCES
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from dhgen.arrays import FloatArray
     from dhgen.general.formulation import Formulation
     from dhgen.general.four_turns import FourTurns
     from dhgen.general.kernel import GeneralKernel
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
     from dhgen.general.offset_wrist import OffsetWrist
     from dhgen.general.rigid import Matrix
 
-    FloatArray = NDArray[np.float64]
 
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40

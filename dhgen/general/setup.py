@@ -29,14 +29,12 @@ from dhgen.general.vanishing import Vanishing
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.general.formulation import Formulation
     from dhgen.general.links import Link
     from dhgen.general.loop import Loop
     from dhgen.general.rigid import Matrix
 
-    FloatArray = NDArray[np.float64]
 
 WITNESSES = 120
 FEW_WITNESSES = 40  # for each special value of a held joint

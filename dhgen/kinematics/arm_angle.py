@@ -17,11 +17,9 @@ import numpy as np
 from dhgen.kinematics.neighbours import EXACT
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.numeric import NumericArm
 
-    Array = NDArray[np.float64]
 
 ELBOW = 4  # its axis
 
@@ -38,25 +36,25 @@ class Triangle:
         fourth: Direction of axis 4, (..., 3).
     """
 
-    shoulder: Array
-    elbow: Array
-    wrist: Array
-    first: Array
-    fourth: Array
+    shoulder: FloatArray
+    elbow: FloatArray
+    wrist: FloatArray
+    first: FloatArray
+    fourth: FloatArray
 
     @property
-    def side(self) -> Array:
+    def side(self) -> FloatArray:
         """On which side of the arm the elbow is, as axis 4 sees it: zero for a stretched arm."""
         across = np.cross(self.wrist - self.shoulder, self.elbow - self.shoulder)
         return np.asarray(np.sum(across * self.fourth, axis=-1))
 
     @property
-    def lean(self) -> Array:
+    def lean(self) -> FloatArray:
         """Wrist from elbow along axis 4: zero where a stretched arm is straight."""
         return np.asarray(np.sum((self.wrist - self.elbow) * self.fourth, axis=-1))
 
 
-def triangle(arm: NumericArm, q: Array) -> Triangle:
+def triangle(arm: NumericArm, q: FloatArray) -> Triangle:
     """Shoulder, elbow and wrist at joint values (..., 7)."""
     z, p = arm.axes(q)
     shoulder = _meeting(z, p, 0, 1)
@@ -65,7 +63,7 @@ def triangle(arm: NumericArm, q: Array) -> Triangle:
     return Triangle(shoulder, elbow, _meeting(z, p, 4, 5), z[..., 0, :], z[..., 3, :])
 
 
-def _meeting(z: Array, p: Array, one: int, other: int) -> Array:
+def _meeting(z: FloatArray, p: FloatArray, one: int, other: int) -> FloatArray:
     """The point of an axis nearest to another that is not parallel to it."""
     normal = np.cross(z[..., one, :], z[..., other, :])
     reach = np.cross(p[..., other, :] - p[..., one, :], z[..., other, :])
@@ -73,7 +71,7 @@ def _meeting(z: Array, p: Array, one: int, other: int) -> Array:
     return np.asarray(p[..., one, :] + along[..., None] * z[..., one, :])
 
 
-def arm_angles(arm: NumericArm, q: Array, *, aside: float, merge: float) -> Array:
+def arm_angles(arm: NumericArm, q: FloatArray, *, aside: float, merge: float) -> FloatArray:
     """The arm angle of joint values (..., 7), in (-pi, pi].
 
     Args:
@@ -97,7 +95,7 @@ def arm_angles(arm: NumericArm, q: Array, *, aside: float, merge: float) -> Arra
     return np.asarray(np.arctan2(sine, cosine))
 
 
-def elbow_rates(arm: NumericArm, q: Array) -> Array:
+def elbow_rates(arm: NumericArm, q: FloatArray) -> FloatArray:
     """How fast the elbow leaves the arm's plane with every joint [arm sizes], (..., 7)."""
     found = triangle(arm, q)
     normal = np.cross(found.wrist - found.shoulder, found.elbow - found.shoulder)
@@ -111,8 +109,8 @@ def elbow_rates(arm: NumericArm, q: Array) -> Array:
 
 
 def plane_miss(
-    arm: NumericArm, T: Array, psi: float, q: Array, aside: float
-) -> tuple[Array, Array]:
+    arm: NumericArm, T: FloatArray, psi: float, q: FloatArray, aside: float
+) -> tuple[FloatArray, FloatArray]:
     """By how much the elbow's plane misses an arm angle, and how fast the joints turn it.
 
     The plane is turned about the line from the shoulder to the wrist of a pose, by joints before
@@ -148,13 +146,15 @@ def plane_miss(
     return np.where(reach[..., 0] > aside * arm.chain.size, miss, 0.0), rates
 
 
-def wrist_in_tool(arm: NumericArm) -> Array:
+def wrist_in_tool(arm: NumericArm) -> FloatArray:
     """Where the tool's frame sees the wrist, (3,)."""
     home = np.zeros(arm.chain.dof)
     return np.asarray(np.linalg.solve(arm.pose(home), [*triangle(arm, home).wrist, 1.0])[:3])
 
 
-def _base_plane(arm: NumericArm, w: Array, first: Array, aside: float) -> tuple[Array, Array]:
+def _base_plane(
+    arm: NumericArm, w: FloatArray, first: FloatArray, aside: float
+) -> tuple[FloatArray, FloatArray]:
     """Where the plane of axis 1 and the arm's line points to, times the line, and across it."""
     reference = np.cross(w, first)
     length = _norm(reference)
@@ -179,5 +179,5 @@ def is_planar(arm: NumericArm) -> bool:
     return bool(abs(lean) <= EXACT * arm.chain.size)
 
 
-def _norm(vector: Array) -> Array:
+def _norm(vector: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(vector, axis=-1, keepdims=True))

@@ -23,12 +23,10 @@ from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.robot.expression import Expression
     from dhgen.robot.robot import AxisJoint, ReferenceAxes, Robot
 
-    Vector = NDArray[np.float64]
 
 ROUNDING = 1e-12  # of the entries of a rotation
 FAR = 10.0  # arm sizes: where axes are nearly parallel their common normal is no place for a frame
@@ -80,12 +78,12 @@ def table_of_axes(robot: Robot, reference: ReferenceAxes) -> tuple[Robot, DhTabl
     return replace(robot, geometry=table, base=base, tool=tool), table
 
 
-def _unit(vector: list[float]) -> Vector:
+def _unit(vector: list[float]) -> FloatArray:
     array = np.array(vector)
     return np.asarray(array / np.linalg.norm(array))
 
 
-def _start_frame(direction: Vector, point: Vector) -> Vector:
+def _start_frame(direction: FloatArray, point: FloatArray) -> FloatArray:
     """A frame at the point of the first axis nearest to the origin, z along the axis."""
     helper = np.eye(3)[0] if abs(direction[0]) < 0.9 else np.eye(3)[1]
     x = _unit(list(helper - direction * (helper @ direction)))
@@ -93,8 +91,8 @@ def _start_frame(direction: Vector, point: Vector) -> Vector:
 
 
 def _common_normal(
-    current: Vector, direction: Vector, point: Vector, size: float
-) -> tuple[_Passage, Vector]:
+    current: FloatArray, direction: FloatArray, point: FloatArray, size: float
+) -> tuple[_Passage, FloatArray]:
     """The passage from the axis of a frame to the next axis, and the frame there."""
     origin, x, y, z = current[:3, 3], current[:3, 0], current[:3, 1], current[:3, 2]
     between = point - origin
@@ -121,7 +119,7 @@ def _common_normal(
     return passage, _pose(axis, direction, landing)
 
 
-def _pose(x: Vector, z: Vector, origin: Vector) -> Vector:
+def _pose(x: FloatArray, z: FloatArray, origin: FloatArray) -> FloatArray:
     frame = np.eye(4)
     frame[:3, :3] = np.column_stack([x, np.cross(z, x), z])
     frame[:3, 3] = origin
@@ -161,14 +159,14 @@ def _number(value: float) -> Expression:
     return Negate(exact) if value < 0.0 else exact
 
 
-def _matrix(frame: Frame, values: Mapping[str, float]) -> Vector:
+def _matrix(frame: Frame, values: Mapping[str, float]) -> FloatArray:
     matrix = np.eye(4)
     matrix[:3, :3] = np.array([evaluate(c, values) for c in frame.rotation]).reshape(3, 3)
     matrix[:3, 3] = [evaluate(c, values) for c in frame.xyz]
     return matrix
 
 
-def _frame(matrix: Vector, size: float) -> Frame:
+def _frame(matrix: FloatArray, size: float) -> Frame:
     exact = [_cosine(float(entry), SNAP) for entry in matrix[:3, :3].flat]
     R = np.array([evaluate(entry, {}) for entry in exact]).reshape(3, 3)
     if np.abs(R @ R.T - np.eye(3)).max() > ROUNDING:  # a small angle has a cosine of nearly 1

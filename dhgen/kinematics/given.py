@@ -10,15 +10,12 @@ from dhgen.kinematics.arm_angle import arm_angles
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.numeric import NumericArm
     from dhgen.tolerances import Tolerances
 
-    Array = NDArray[np.float64]
 
-
-def given_values(arm: NumericArm, q: Array, tolerances: Tolerances = TOLERANCES) -> Array:
+def given_values(arm: NumericArm, q: FloatArray, tolerances: Tolerances = TOLERANCES) -> FloatArray:
     """What a caller gives to be told joint values again.
 
     Args:

@@ -15,11 +15,9 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
 
-    Array = NDArray[np.float64]
 
 EXACT = 1e-9  # [rad, or arm sizes] rounding
 
@@ -64,7 +62,7 @@ def axis_triples(chain: Chain) -> tuple[Triple, ...]:
     )
 
 
-def _triple(axes: dict[int, tuple[Array, Array]], joints: tuple[int, int, int]) -> Triple:
+def _triple(axes: dict[int, tuple[FloatArray, FloatArray]], joints: tuple[int, int, int]) -> Triple:
     before, middle, after = (axes[joint] for joint in joints)
     slides = joints[2] - joints[0] > 2
     return Triple(
@@ -74,7 +72,7 @@ def _triple(axes: dict[int, tuple[Array, Array]], joints: tuple[int, int, int]) 
     )
 
 
-def _axes(chain: Chain) -> dict[int, tuple[Array, Array]]:
+def _axes(chain: Chain) -> dict[int, tuple[FloatArray, FloatArray]]:
     """Point and direction of every revolute axis, all angles and lengths zero."""
     directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
     return {
@@ -84,13 +82,15 @@ def _axes(chain: Chain) -> dict[int, tuple[Array, Array]]:
     }
 
 
-def _tilt(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
+def _tilt(one: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArray]) -> float:
     sine = np.linalg.norm(np.cross(one[1], other[1]))
     return float(np.arctan2(sine, abs(one[1] @ other[1])))
 
 
 def _miss(
-    before: tuple[Array, Array], middle: tuple[Array, Array], after: tuple[Array, Array]
+    before: tuple[FloatArray, FloatArray],
+    middle: tuple[FloatArray, FloatArray],
+    after: tuple[FloatArray, FloatArray],
 ) -> float:
     if min(_tilt(middle, before), _tilt(middle, after)) < EXACT:
         return float("inf")
@@ -98,7 +98,9 @@ def _miss(
     return max(near, far, abs(foot - other_foot))
 
 
-def _common_normal(axis: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[float, float]:
+def _common_normal(
+    axis: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArray]
+) -> tuple[float, float]:
     """Distance of two axes, and where along the first one their common normal stands."""
     (point, direction), (other_point, other_direction) = axis, other
     normal = np.cross(direction, other_direction)

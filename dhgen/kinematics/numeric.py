@@ -11,11 +11,8 @@ from dhgen.kinematics.chain import Chain, Fixed
 from dhgen.kinematics.ring import terms_in_numbers
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.transform import Transform
-
-    Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,24 +27,24 @@ class NumericArm:
     """
 
     chain: Chain
-    base: Array
-    tool: Array
-    elements: tuple[Array | int, ...]
+    base: FloatArray
+    tool: FloatArray
+    elements: tuple[FloatArray | int, ...]
 
-    def pose(self, q: Array) -> Array:
+    def pose(self, q: FloatArray) -> FloatArray:
         """T of joint values, shape (..., n) to (..., 4, 4)."""
         return self._frames(q)[0]
 
-    def axes(self, q: Array) -> tuple[Array, Array]:
+    def axes(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""
         frames = self._frames(q)[1]
         return frames[..., :3, 2], frames[..., :3, 3]
 
-    def jacobian(self, q: Array) -> Array:
+    def jacobian(self, q: FloatArray) -> FloatArray:
         """The geometric Jacobian (..., 6, n): velocity of the tool's origin, angular velocity."""
         return self.moved(q)[1]
 
-    def moved(self, q: Array) -> tuple[Array, Array]:
+    def moved(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Pose (..., 4, 4) and geometric Jacobian (..., 6, n) of joint values (..., n)."""
         T, frames = self._frames(q)
         directions, points = frames[..., :3, 2], frames[..., :3, 3]
@@ -59,7 +56,7 @@ class NumericArm:
         signs = np.array([joint.sign for joint in self.chain.joints])
         return T, np.swapaxes(columns, -1, -2) * signs
 
-    def steps(self, q: Array) -> Array:
+    def steps(self, q: FloatArray) -> FloatArray:
         """What the joints' own transforms are for joint values (..., n), (..., n, 4, 4)."""
         joints, turns = self.chain.joints, self.chain.turning
         values = q * [joint.sign for joint in joints] + [joint.offset for joint in joints]
@@ -72,7 +69,7 @@ class NumericArm:
         steps[..., 2, 3] = np.where(turns, 0.0, values)
         return steps
 
-    def _frames(self, q: Array) -> tuple[Array, Array]:
+    def _frames(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """The pose (..., 4, 4), and the frames that the joints move in (..., n, 4, 4)."""
         steps = self.steps(np.asarray(q, np.float64))
         frames = np.empty_like(steps)
@@ -97,7 +94,7 @@ def numeric_arm(chain: Chain) -> NumericArm:
     return NumericArm(chain, _matrix(chain.base, values), _matrix(chain.tool, values), elements)
 
 
-def _matrix(transform: Transform, values: dict[str, float]) -> Array:
+def _matrix(transform: Transform, values: dict[str, float]) -> FloatArray:
     matrix = np.eye(4)
     for row in range(3):
         for column in range(4):

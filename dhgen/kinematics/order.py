@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from dhgen.arrays import FloatArray
 
 TIE = 1e-9  # values closer than this don't decide which of two solutions comes first
 
 
-def _ascending(first: NDArray[np.float64], second: NDArray[np.float64]) -> int:
+def _ascending(first: FloatArray, second: FloatArray) -> int:
     """Negative when the joint values `first` (n,) stand before `second`."""
     gaps = first - second
     apart = np.flatnonzero(np.abs(gaps) > TIE)

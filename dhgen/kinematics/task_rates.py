@@ -9,15 +9,12 @@ import numpy as np
 from dhgen.kinematics.arm_angle import elbow_rates
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.numeric import NumericArm
 
-    Array = NDArray[np.float64]
 
-
-def task_jacobian(arm: NumericArm, q: Array) -> Array:
+def task_jacobian(arm: NumericArm, q: FloatArray) -> FloatArray:
     """How the numbers that the task names change with the joints, all lengths in arm sizes.
 
     Args:
@@ -39,12 +36,12 @@ def task_jacobian(arm: NumericArm, q: Array) -> Array:
     return np.concatenate(named, axis=-2)
 
 
-def units(chain: Chain) -> Array:
+def units(chain: Chain) -> FloatArray:
     """What joint values are measured in (n,): rad, or the size of the arm."""
     return np.where(chain.turning, 1.0, chain.size)
 
 
-def task_rates(arm: NumericArm, q: Array) -> Array:
+def task_rates(arm: NumericArm, q: FloatArray) -> FloatArray:
     """How what is asked for changes with the joints that are solved for, lengths in arm sizes.
 
     Args:

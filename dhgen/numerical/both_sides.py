@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.numerical.kernel import NumericalKernel
 
-    FloatArray = NDArray[np.float64]
     Moved = Callable[[FloatArray], FloatArray]
     Turning = tuple[tuple[int, int], ...]
 

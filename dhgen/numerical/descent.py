@@ -18,11 +18,8 @@ from dhgen.numerical.miss import miss
 from dhgen.numerical.reference import damped_step, shortened, sideways
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.numerical.kernel import NumericalKernel
-
-    FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

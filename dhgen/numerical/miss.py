@@ -13,11 +13,9 @@ from dhgen.kinematics.arm_angle import plane_miss
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.numerical.kernel import NumericalKernel
 
-    FloatArray = NDArray[np.float64]
 
 ASIDE = 1e-9  # a sine below this gives no axis to turn about
 ANY_AXIS = (0.48, 0.6, 0.64)  # is taken then, where half a turn is missing

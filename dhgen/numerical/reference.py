@@ -21,9 +21,9 @@ from dhgen.tolerances import TOLERANCES
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.numerical.kernel import NumericalKernel
 
-    FloatArray = NDArray[np.float64]
     Limits = tuple[FloatArray, FloatArray]
 
 

@@ -16,11 +16,8 @@ from dhgen.numerical.miss import miss, pose_miss
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.numerical.kernel import NumericalKernel
-
-    FloatArray = NDArray[np.float64]
 
 
 def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: FloatArray) -> FloatArray:

@@ -28,14 +28,12 @@ from dhgen.paul.moving import moving_parts
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
     from dhgen.paul.problem import Problem
 
-    Array = NDArray[np.float64]
     Vector = tuple[Polynomial, ...]
 
 SHOULDER = 3  # joints before the elbow
@@ -182,7 +180,7 @@ class _Builder:
             fixed.append(element)
         return product(fixed, self._algebra)
 
-    def _is(self, origin: Vector, wanted: Array) -> bool:
+    def _is(self, origin: Vector, wanted: FloatArray) -> bool:
         if not self._are_constant(origin):
             return False
         place = np.array([constant_value(self._algebra, entry) for entry in origin])

@@ -27,8 +27,7 @@ from dhgen.robot.robot import JointKind
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
@@ -38,7 +37,6 @@ if TYPE_CHECKING:
     from dhgen.paul.search import Route, Search
     from dhgen.paul.step import Step
 
-    Values = NDArray[np.float64]
     Known = dict[tuple[State, tuple[Unknown, ...], tuple[Polynomial, ...]], bool]
 
 ROUTES = 24  # so many orders are looked into
@@ -90,7 +88,7 @@ def audited(pool: Pool, steps: Sequence[Step], known: Known) -> tuple[Step, ...]
     return tuple(found)
 
 
-def silent_places(pool: Pool, steps: Sequence[Step]) -> Values:
+def silent_places(pool: Pool, steps: Sequence[Step]) -> FloatArray:
     """Joint values where steps say nothing although their angles are not free, (n, dof)."""
     places = [_none(pool)]
     for knowledge, step in _with_knowledge(pool, steps):
@@ -99,7 +97,7 @@ def silent_places(pool: Pool, steps: Sequence[Step]) -> Values:
     return np.concatenate(places)
 
 
-def places_without_a_word(pool: Pool, steps: Sequence[Step]) -> Values:
+def places_without_a_word(pool: Pool, steps: Sequence[Step]) -> FloatArray:
     """Joint values where steps say nothing, be their angles free or not, (n, dof)."""
     return np.concatenate([_none(pool), *(_wordless_at(pool, step) for step in steps)])
 
@@ -112,13 +110,13 @@ def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowled
         knowledge = learn(knowledge, step)
 
 
-def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> Values:
+def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> FloatArray:
     """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
     q = _wordless_at(pool, step)
     return np.asarray(q[_are_fixed(knowledge, step.angle, q)]) if len(q) else q
 
 
-def _wordless_at(pool: Pool, step: Step) -> Values:
+def _wordless_at(pool: Pool, step: Step) -> FloatArray:
     """Some joint values where a step says nothing about its angle, (n, dof)."""
     factors = _factors(step)
     if not factors or any(map(pool.problem.algebra.is_constant, factors)):
@@ -126,7 +124,7 @@ def _wordless_at(pool: Pool, step: Step) -> Values:
     return _joint_values(pool.problem.algebra.chain, _zeros(pool, factors))
 
 
-def _none(pool: Pool) -> Values:
+def _none(pool: Pool) -> FloatArray:
     return np.empty((0, pool.problem.algebra.chain.dof))
 
 
@@ -138,7 +136,7 @@ def _factors(step: Step) -> list[Polynomial]:
     return [polynomial for polynomial in found if polynomial]
 
 
-def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> Values:
+def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> FloatArray:
     """Some common zeros, angles and lengths as the algebra sees them (dof, n)."""
     source, dof = np.random.default_rng(31), pool.problem.algebra.chain.dof
     q = source.uniform(-3.0, 3.0, (dof, STARTS))
@@ -157,14 +155,14 @@ def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> Values:
     return q[:, np.all(np.abs(missed) < ZERO, axis=1)]
 
 
-def _at(pool: Pool, factors: Sequence[Polynomial], q: Values) -> Values:
+def _at(pool: Pool, factors: Sequence[Polynomial], q: FloatArray) -> FloatArray:
     """Polynomials in joints and entries of the pose, (factors, n)."""
     samples = Samples(values_at(pool.problem.algebra, q))
     add_pose(pool, samples)
     return np.stack([samples.value(factor) for factor in factors])
 
 
-def _joint_values(chain: Chain, q: Values) -> Values:
+def _joint_values(chain: Chain, q: FloatArray) -> FloatArray:
     """Of what the algebra sees, as the caller sees them (n, dof)."""
     found = [
         joint.sign * (row * (chain.size if joint.kind is JointKind.PRISMATIC else 1) - joint.offset)
@@ -173,7 +171,7 @@ def _joint_values(chain: Chain, q: Values) -> Values:
     return np.stack(found, axis=1)
 
 
-def _are_fixed(knowledge: Knowledge, angle: AngleSum, q: Values) -> Values:
+def _are_fixed(knowledge: Knowledge, angle: AngleSum, q: FloatArray) -> FloatArray:
     """Whether an angle can't be turned while the pose and what is known are held, (n,)."""
     chain = knowledge.runs.algebra.chain
     arm = numeric_arm(chain)
@@ -194,7 +192,7 @@ def _are_fixed(knowledge: Knowledge, angle: AngleSum, q: Values) -> Values:
     return np.asarray(~np.any(null & (moves > FREE), axis=1))
 
 
-def _rates(chain: Chain, angle: AngleSum) -> Values:
+def _rates(chain: Chain, angle: AngleSum) -> FloatArray:
     """How an angle changes with every joint, (dof,)."""
     rates = np.zeros(chain.dof)
     for joint, sign in angle.terms:

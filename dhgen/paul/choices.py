@@ -23,13 +23,11 @@ from dhgen.robot.robot import JointKind
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.mobility import Surplus
 
-    Array = NDArray[np.float64]
 
 MOST_CHOICES = 16  # trying more would take longer than a refusal may
 MOST_SHOWN = 100  # characters of sets in a line
@@ -140,11 +138,11 @@ def _has_structure(chain: Chain) -> bool:
     return False
 
 
-def _parallel(z: Array) -> bool:
+def _parallel(z: FloatArray) -> bool:
     return bool(np.abs(np.cross(z[:, :1], z[:, 1:])).max() < EXACT)
 
 
-def _concurrent(z: Array, p: Array) -> bool:
+def _concurrent(z: FloatArray, p: FloatArray) -> bool:
     """Whether three lines (N, 3, 3) meet in one point, in each of N positions."""
     across = np.eye(3) - z[..., :, None] * z[..., None, :]
     normal = across.sum(axis=1)

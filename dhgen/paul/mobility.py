@@ -22,11 +22,8 @@ from dhgen.robot.robot import JointKind
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
-
     from dhgen.kinematics.chain import Chain
 
-    Array = NDArray[np.float64]
 
 POSITIONS = 3
 NULL = 1e-9  # a singular value, or a joint's part in a null vector, this small is zero

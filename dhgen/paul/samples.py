@@ -10,12 +10,10 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Exponents
 
-    Values = NDArray[np.float64]
     Numbers = tuple[float, ...]
 
 FEW = 64  # monomials that there is room for at first
@@ -30,19 +28,19 @@ class Samples:
         values: Shape (generators, places).
     """
 
-    def __init__(self, values: Values) -> None:
+    def __init__(self, values: FloatArray) -> None:
         self.values = values
         self._rows: dict[Exponents, int] = {}
         self._monomials = np.empty((FEW, values.shape[1]))
-        self._found: dict[Polynomial, tuple[Values, Values]] = {}
+        self._found: dict[Polynomial, tuple[FloatArray, FloatArray]] = {}
         self._numbers: dict[Polynomial, tuple[Numbers, Numbers]] = {}
         self._nothing = np.zeros(values.shape[1]), np.zeros(values.shape[1])
 
-    def value(self, polynomial: Polynomial) -> Values:
+    def value(self, polynomial: Polynomial) -> FloatArray:
         """The polynomial, shape (places,)."""
         return self.value_and_size(polynomial)[0]
 
-    def value_and_size(self, polynomial: Polynomial) -> tuple[Values, Values]:
+    def value_and_size(self, polynomial: Polynomial) -> tuple[FloatArray, FloatArray]:
         """The polynomial and the sum of the sizes of its terms, each of shape (places,)."""
         if not polynomial:
             return self._nothing
@@ -70,7 +68,7 @@ class Samples:
         sums = (np.add.reduceat(each, starts) for each in (terms, np.abs(terms)))
         self._found.update(zip(new, zip(*sums, strict=True), strict=True))
 
-    def _terms(self, polynomials: Sequence[Polynomial]) -> Values:
+    def _terms(self, polynomials: Sequence[Polynomial]) -> FloatArray:
         """All terms of all of them, shape (terms, places)."""
         rows = self._rows
         monomials = list(chain.from_iterable(polynomials))
@@ -84,12 +82,12 @@ class Samples:
         return _factors(*polynomials) * self._monomials[[rows[each] for each in monomials]]
 
 
-def terms_on(polynomial: Polynomial, values: Values) -> Values:
+def terms_on(polynomial: Polynomial, values: FloatArray) -> FloatArray:
     """Every term on every column of `values`, shape (terms, columns)."""
     return _factors(polynomial) * monomials_on(list(polynomial), values)
 
 
-def monomials_on(monomials: Sequence[Exponents], values: Values) -> Values:
+def monomials_on(monomials: Sequence[Exponents], values: FloatArray) -> FloatArray:
     """Every monomial on every column of `values`, shape (monomials, columns)."""
     exponents = np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(-1, len(values))
     used = np.flatnonzero(exponents.any(axis=0))
@@ -98,7 +96,7 @@ def monomials_on(monomials: Sequence[Exponents], values: Values) -> Values:
     return np.asarray(powers[exponents[:, used], np.arange(len(used))].prod(axis=1))
 
 
-def _factors(*polynomials: Polynomial) -> Values:
+def _factors(*polynomials: Polynomial) -> FloatArray:
     """The coefficients, shape (terms, 1)."""
     numbers = [int(c.numerator) / int(c.denominator) for p in polynomials for c in p.values()]
     return np.array(numbers)[:, None]

@@ -10,12 +10,9 @@ from dhgen.paul.step import Kind
 from dhgen.paul.witness import OWN_LENGTHS, VANISHING
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step, View
-
-    Values = NDArray[np.float64]
 
 
 def without_needless_silence(steps: list[Step], view: View) -> list[Step]:
@@ -51,7 +48,9 @@ def _are_single(step: Step, other: Step) -> bool:
     return alone and step.unknowns == other.unknowns
 
 
-def _is_multiple(place: Values, square: Values, places: Values, squares: Values) -> bool:
+def _is_multiple(
+    place: FloatArray, square: FloatArray, places: FloatArray, squares: FloatArray
+) -> bool:
     """Whether an equation of type 2 differs from one of others by a factor that varies.
 
     Then the solution is as far from the direction of (X, Y) in both, whatever their angles are.
@@ -63,7 +62,7 @@ def _is_multiple(place: Values, square: Values, places: Values, squares: Values)
     return bool(np.any(varies & same))
 
 
-def _place(step: Step, view: View) -> tuple[Values, Values]:
+def _place(step: Step, view: View) -> tuple[FloatArray, FloatArray]:
     """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
     angle = step.angle
     algebra, on = view.knowledge.runs.algebra, view.witnesses.evaluate

@@ -20,14 +20,12 @@ from dhgen.paul.samples import Samples, terms_on
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import Algebra, AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
     from dhgen.paul.problem import Problem
 
-    Values = NDArray[np.float64]
 
 COUNT = 4
 LOOSE = 2
@@ -52,7 +50,7 @@ class Witnesses:
     samples: Samples
     loose: Samples
 
-    def evaluate(self, polynomial: Polynomial) -> Values:
+    def evaluate(self, polynomial: Polynomial) -> FloatArray:
         """The polynomial on every witness, shape (COUNT,)."""
         return self.samples.value(polynomial)
 
@@ -149,7 +147,7 @@ def build_witnesses(pool: Pool) -> Witnesses:
     return witnesses
 
 
-def _loose(algebra: Algebra, source: random.Random) -> Values:
+def _loose(algebra: Algebra, source: random.Random) -> FloatArray:
     values = np.zeros((len(algebra.ring.gens), LOOSE))
     for column in range(LOOSE):
         named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *algebra.coordinates)}
@@ -211,12 +209,12 @@ def add_pose(pool: Pool, samples: Samples) -> None:
             samples.values[index[name]] = place[:, column, 0]
 
 
-def _column(entries: Sequence[Polynomial], samples: Samples) -> Values:
+def _column(entries: Sequence[Polynomial], samples: Samples) -> FloatArray:
     """Columns of polynomials, (places, n, 1)."""
     return np.stack([samples.value(entry) for entry in entries], axis=1)[:, :, None]
 
 
-def _forward(problem: Problem, samples: Samples) -> Values:
+def _forward(problem: Problem, samples: Samples) -> FloatArray:
     """A_1 ... A_n as numbers, (places, 4, 4): its entries have many terms, those of links few."""
     links = [problem.spans.product(place, place + 1) for place in range(len(problem.links))]
     places = list(product(range(3), range(4)))
@@ -230,6 +228,6 @@ def _forward(problem: Problem, samples: Samples) -> Values:
     return T
 
 
-def _times(first: Values, second: Values) -> Values:
+def _times(first: FloatArray, second: FloatArray) -> FloatArray:
     """Products of matrices, (places, n, k), by sums whose order no machine's library chooses."""
     return np.asarray((first[..., None] * second[:, None]).sum(axis=2))

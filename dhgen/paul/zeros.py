@@ -9,12 +9,10 @@ import numpy as np
 from dhgen.paul.samples import terms_on
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
 
-    Values = NDArray[np.float64]
 
 TRIED = 40  # ways through the space of joints, of which some cross a zero
 HALVINGS = 60
@@ -40,12 +38,12 @@ def outlasts(algebra: Algebra, other: Polynomial, first: Polynomial) -> bool:
     return bool(np.any(np.abs(_at(algebra, other, low)) > APART * usual))
 
 
-def _at(algebra: Algebra, polynomial: Polynomial, q: Values) -> Values:
+def _at(algebra: Algebra, polynomial: Polynomial, q: FloatArray) -> FloatArray:
     """A polynomial on joint values of shape (dof, n)."""
     return np.asarray(terms_on(polynomial, values_at(algebra, q)).sum(axis=0))
 
 
-def values_at(algebra: Algebra, q: Values) -> Values:
+def values_at(algebra: Algebra, q: FloatArray) -> FloatArray:
     """The generators of an arm but those of the pose, (generators, n).
 
     Args:

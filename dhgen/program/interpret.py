@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.program.ir import Expression, Program
 
     Array = NDArray[Any]
@@ -52,7 +53,7 @@ class Rows:
             it, shape (N, B).
     """
 
-    q: NDArray[np.float64]
+    q: FloatArray
     solved: NDArray[np.bool_]
     free: NDArray[np.bool_]
     close: NDArray[np.bool_]
@@ -60,9 +61,9 @@ class Rows:
 
 def interpret(
     program: Program,
-    poses: NDArray[np.float64],
-    seed: NDArray[np.float64] | None = None,
-    free: NDArray[np.float64] | None = None,
+    poses: FloatArray,
+    seed: FloatArray | None = None,
+    free: FloatArray | None = None,
 ) -> Rows:
     """Runs a program.
 
@@ -88,9 +89,9 @@ def interpret(
 
 def outputs(
     program: Program,
-    poses: NDArray[np.float64],
-    seed: NDArray[np.float64] | None = None,
-    free: NDArray[np.float64] | None = None,
+    poses: FloatArray,
+    seed: FloatArray | None = None,
+    free: FloatArray | None = None,
 ) -> list[NDArray[Any]]:
     """Runs a program without guards: its outputs, each of shape (N, B). Arguments as above."""
     return _Run(program, poses, seed, free).outputs()
@@ -100,9 +101,9 @@ class _Run:
     def __init__(
         self,
         program: Program,
-        poses: NDArray[np.float64],
-        seed: NDArray[np.float64] | None,
-        free: NDArray[np.float64] | None,
+        poses: FloatArray,
+        seed: FloatArray | None,
+        free: FloatArray | None,
         moved: Array | None = None,
     ) -> None:
         self._program = program

@@ -15,7 +15,7 @@ from dhgen.survey.singular import in_a_family, is_redundant, singular_sets
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
     from dhgen.survey.trial import Trial
 
 SAME = 1e-5  # [rad or arm sizes] a row and a solution of the oracle's

@@ -22,8 +22,9 @@ from dhgen.survey.oracle.problem import state
 from dhgen.verify.singular import SINGULAR, TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import Arm, FloatArray
+    from dhgen.survey.oracle.arm import Arm
 
 STEP, CORRECTIONS = 1e-2, 20
 

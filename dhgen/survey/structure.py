@@ -12,12 +12,10 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.neighbours import Triple
 
-    Array = NDArray[np.float64]
 
 TASKS = {
     TaskKind.POSE: "",
@@ -76,7 +74,7 @@ def _named(triple: Triple) -> str:
     return "-".join(map(str, triple.joints))
 
 
-def _is_ortho_parallel(chain: Chain, directions: list[Array], meeting: list[Triple]) -> bool:
+def _is_ortho_parallel(chain: Chain, directions: list[FloatArray], meeting: list[Triple]) -> bool:
     """Six turns: axis 2 across axis 1, axis 3 parallel to axis 2, axis 4 across it, a wrist."""
     if chain.free or chain.joint_types != "RRRRRR" or (4, 5, 6) not in {t.joints for t in meeting}:
         return False
@@ -84,14 +82,14 @@ def _is_ortho_parallel(chain: Chain, directions: list[Array], meeting: list[Trip
     return _across(one, two) and _parallel(two, three) and _across(three, four)
 
 
-def _parallel(one: Array, other: Array) -> bool:
+def _parallel(one: FloatArray, other: FloatArray) -> bool:
     return bool(np.linalg.norm(np.cross(one, other)) < EXACT)
 
 
-def _across(one: Array, other: Array) -> bool:
+def _across(one: FloatArray, other: FloatArray) -> bool:
     return bool(abs(one @ other) < EXACT)
 
 
-def _directions(chain: Chain) -> list[Array]:
+def _directions(chain: Chain) -> list[FloatArray]:
     """Of every axis, all angles zero: what neighbours are to each other does not depend on it."""
     return list(numeric_arm(chain).axes(np.zeros(chain.dof))[0])

@@ -15,8 +15,9 @@ from dhgen.survey.oracle.problem import task_entries
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import Arm, FloatArray
+    from dhgen.survey.oracle.arm import Arm
     from dhgen.verify.native import CompiledSolver
 
 

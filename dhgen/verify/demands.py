@@ -13,11 +13,9 @@ from dhgen.tolerances import TOLERANCES
 from dhgen.verify.measures import Measures
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.targets.module import SolverModule
 
-    Array = NDArray[np.float64]
 
 RESIDUAL = TOLERANCES.promised  # of the arm's size: what a row may miss its pose by
 GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are polished
@@ -43,14 +41,16 @@ class Demands:
         self.residual = 0.0
         self._chain = module.chain
 
-    def forward(self, solver: Any, q: Array, T: Array, J: Array, where: str) -> None:  # noqa: ANN401
+    def forward(self, solver: Any, q: FloatArray, T: FloatArray, J: FloatArray, where: str) -> None:  # noqa: ANN401
         """A language's pose and Jacobian are right."""
         miss = self.measures.pose_miss(solver.fk(q), T)
         self.at_most(miss, AGREEMENT, f"{where} fk is off")
         miss = self.measures.jacobian_miss(solver.jacobian(q), J)
         self.at_most(miss, JACOBIAN, f"{where} Jacobian is off")
 
-    def agree(self, rows: Array, others: Array, T: Array, what: str, where: str) -> None:
+    def agree(
+        self, rows: FloatArray, others: FloatArray, T: FloatArray, what: str, where: str
+    ) -> None:
         """Joint values agree up to rounding, as far as the pose fixes what meets it so well."""
         if not len(rows):
             return
@@ -60,7 +60,7 @@ class Demands:
             enough /= min(max(self.measures.fixed(rows), 1e-9), 1.0)
         self.at_most(miss, enough, f"{where}: Python and {what} differ")
 
-    def reproduce(self, rows: Array, T: Array, where: str) -> None:
+    def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> None:
         """Every row reproduces its pose."""
         if len(rows):
             miss = self.measures.residual(rows, T)
@@ -68,12 +68,12 @@ class Demands:
             enough = RESIDUAL if self.has_branches else GENERAL_RESIDUAL
             self.at_most(miss, enough, f"{where}: a row misses the pose, in arm sizes")
 
-    def recover(self, rows: Array, q: Array, enough: float, where: str) -> None:
+    def recover(self, rows: FloatArray, q: FloatArray, enough: float, where: str) -> None:
         """The generating joint values are among the rows: free joints took them from the seed."""
         miss = float(self.measures.joint_miss(rows, q).max(axis=1).min())
         self.at_most(miss, enough, f"{where}: q is not among the solutions, the nearest is off")
 
-    def is_as_good(self, rows: Array, q: Array, T: Array) -> bool:
+    def is_as_good(self, rows: FloatArray, q: FloatArray, T: FloatArray) -> bool:
         """Whether the pose hardly tells joint values from those of a row with no free joint.
 
         Of an arm that is singular there rounding moves them: where two solutions meet beside a
@@ -86,25 +86,25 @@ class Demands:
         ways = (way for row in held for way in self.measures.ways(row, q))
         return any(self.measures.residual(way, T) <= GENERAL_RESIDUAL for way in ways)
 
-    def are_at_an_edge(self, rows: Array) -> bool:
+    def are_at_an_edge(self, rows: FloatArray) -> bool:
         """Whether the arm is so singular at each of these that rounding may decide on them."""
         return all(self.measures.fixed(row) <= TOLERANCES.told for row in rows)
 
-    def nearest(self, found: Array, q: Array, where: str) -> None:
+    def nearest(self, found: FloatArray, q: FloatArray, where: str) -> None:
         """The generating joint values are the nearest to themselves."""
         miss = float(np.abs(found - q).max()) / max(1.0, self._chain.size)
         self.at_most(miss, FOUND, f"{where} is off")
 
-    def arm_angle(self, angles: Array, asked: Array, where: str) -> None:
+    def arm_angle(self, angles: FloatArray, asked: FloatArray, where: str) -> None:
         """Arm angles are the one that was asked for."""
         miss = float(np.abs(np.remainder(angles - asked + np.pi, 2.0 * np.pi) - np.pi).max())
         self.at_most(miss, FOUND, f"{where}: an arm angle is off")
 
-    def values(self, q: Array) -> Array:
+    def values(self, q: FloatArray) -> FloatArray:
         """The values of free joints, or the arm angle, (..., k)."""
         return given_values(self.measures.arm, q)
 
-    def given(self, q: Array) -> list[Array]:
+    def given(self, q: FloatArray) -> list[FloatArray]:
         """The argument for them, where there are any."""
         return [self.values(q)] if self._chain.given else []
 

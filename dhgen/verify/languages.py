@@ -13,12 +13,11 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.targets.module import SolverModule
     from dhgen.verify.demands import Demands
     from dhgen.verify.native import CompiledSolver
     from dhgen.verify.samples import Sample
-
-    Array = NDArray[np.float64]
 
 
 class Languages:
@@ -47,15 +46,21 @@ class Languages:
         self._chain = module.chain
         self._demands = demands
 
-    def forward(self, q: Array, T: Array, J: Array, where: str) -> None:
+    def forward(self, q: FloatArray, T: FloatArray, J: FloatArray, where: str) -> None:
         """The pose and the Jacobian of joint values are right."""
         compiled = [("C", build) for build in self._builds]
         for language, solver in [("Python", self.python), *compiled]:
             self._demands.forward(solver, q, T, J, f"{where}: {language}'s")
 
     def call(
-        self, T: Array, seed: Array, where: str, *, compared: bool = True, singular: bool = False
-    ) -> tuple[Array, NDArray[np.uint8]]:
+        self,
+        T: FloatArray,
+        seed: FloatArray,
+        where: str,
+        *,
+        compared: bool = True,
+        singular: bool = False,
+    ) -> tuple[FloatArray, NDArray[np.uint8]]:
         """Python's rows; C's are the same, or at least solutions where roots have no branches."""
         given = self._demands.given(seed)
         rows, status = self.python.ik_all(T, *given, seed)
@@ -74,7 +79,7 @@ class Languages:
             self._demands.agree(rows[both], other[both], T, "C", where)
         return rows, status
 
-    def _may_be_alone(self, rows: Array, T: Array, where: str, *, singular: bool) -> bool:
+    def _may_be_alone(self, rows: FloatArray, T: FloatArray, where: str, *, singular: bool) -> bool:
         """Whether one language may have rows that the other has not.
 
         Where an arm is singular rounding decides whether it just reaches: with equal links, its
@@ -83,7 +88,7 @@ class Languages:
         self._demands.reproduce(rows, T, where)
         return not len(rows) or (singular and self._demands.are_at_an_edge(rows))
 
-    def unseeded(self, T: Array, q: Array, where: str) -> None:
+    def unseeded(self, T: FloatArray, q: FloatArray, where: str) -> None:
         """The arm takes the pose without a seed, too."""
         given, zeros = self._demands.given(q), np.zeros(self._chain.dof)
         found = [("Python", *self.python.ik_all(T, *given))]
@@ -94,7 +99,7 @@ class Languages:
             if not held.any():
                 raise VerificationError(f"{where}: without a seed {language} finds no solution")
 
-    def batch(self, sample: Sample, poses: Array) -> None:
+    def batch(self, sample: Sample, poses: FloatArray) -> None:
         """Batches hold the rows of single poses."""
         given = self._demands.given(sample.q)
         zeros = np.zeros(self._chain.dof)
@@ -116,7 +121,9 @@ class Languages:
                     held = np.isfinite(one).all(axis=1)
                     self._demands.agree(rows[held], one[held], T, language, where)
 
-    def whole(self, T: Array, q: Array, rows: Array, status: NDArray[np.uint8], where: str) -> None:
+    def whole(
+        self, T: FloatArray, q: FloatArray, rows: FloatArray, status: NDArray[np.uint8], where: str
+    ) -> None:
         """What serves singular poses in Python gives the same at ordinary ones."""
         given = self._demands.given(q)
         _, pose = self.python._read(T, *given)  # noqa: SLF001
@@ -127,7 +134,7 @@ class Languages:
         held = np.isfinite(rows).all(axis=1)
         self._demands.agree(rows[held], others[held], T, "its careful solver", where)
 
-    def nearest(self, q: Array, T: Array, where: str) -> None:
+    def nearest(self, q: FloatArray, T: FloatArray, where: str) -> None:
         """The generating joint values are the nearest to themselves."""
         given = self._demands.given(q)
         nearest = [("Python's ik", self.python.ik(T, *given, q))]
@@ -135,7 +142,7 @@ class Languages:
         for what, found in nearest:
             self._demands.nearest(found, q, f"{where}: {what}")
 
-    def arm_angles(self, rows: Array, q: Array, where: str) -> None:
+    def arm_angles(self, rows: FloatArray, q: FloatArray, where: str) -> None:
         """Every row has the arm angle of the generating joint values, and the files say so."""
         if not self._chain.arm_angle:
             return

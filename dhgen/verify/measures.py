@@ -12,11 +12,9 @@ from dhgen.kinematics.task_entries import task_entries
 from dhgen.kinematics.task_rates import task_rates
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
 
-    Array = NDArray[np.float64]
 
 STEP = 1e-5  # [rad or length] of the differences
 WAY = 17  # joint values on the way from one solution to another
@@ -35,22 +33,22 @@ class Measures:
         self._chain = chain
         self._turns = np.array(chain.turning)
 
-    def pose_miss(self, got: Array, T: Array) -> float:
+    def pose_miss(self, got: FloatArray, T: FloatArray) -> float:
         """The largest difference of two poses' entries, relative to how far the pose is away."""
         scale = np.ones((4, 4))
         scale[:3, 3] = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
         return float(np.abs((got - T) / scale).max())
 
-    def jacobian_miss(self, got: Array, wanted: Array) -> float:
+    def jacobian_miss(self, got: FloatArray, wanted: FloatArray) -> float:
         """The largest difference of two Jacobians, relative to their size."""
         return float(np.abs(got - wanted).max()) / max(1.0, float(np.abs(wanted).max()))
 
-    def joint_miss(self, rows: Array, others: Array) -> Array:
+    def joint_miss(self, rows: FloatArray, others: FloatArray) -> FloatArray:
         """Differences of joint values, whole turns aside."""
         miss = np.abs(self._short_way(rows - others))
         return np.asarray(np.where(self._turns, miss, miss / self._chain.size))
 
-    def ways(self, row: Array, q: Array) -> Array:
+    def ways(self, row: FloatArray, q: FloatArray) -> FloatArray:
         """Joint values (2, WAY, n) on ways from a row to others, the short way round.
 
         The straight one, and one on which the joints that differ by little move first.
@@ -60,12 +58,12 @@ class Measures:
         bent = np.where(little, np.minimum(2.0 * part, 1.0), np.maximum(2.0 * part - 1.0, 0.0))
         return np.asarray(row + np.stack([part * moved, bent * moved]))
 
-    def _short_way(self, moved: Array) -> Array:
+    def _short_way(self, moved: FloatArray) -> FloatArray:
         """Differences of joint values without whole turns."""
         turns = 2.0 * np.pi * np.round(moved / (2.0 * np.pi))
         return np.asarray(moved - np.where(self._turns, turns, 0.0))
 
-    def residual(self, rows: Array, T: Array) -> float:
+    def residual(self, rows: FloatArray, T: FloatArray) -> float:
         """The largest miss of the pose's entries that the task names, by any row."""
         reached = self.arm.pose(rows)
         worst = 0.0
@@ -76,11 +74,11 @@ class Measures:
             worst = max(worst, miss) if miss == miss else np.inf  # noqa: PLR0124 - NaN
         return worst
 
-    def fixed(self, q: Array) -> float:
+    def fixed(self, q: FloatArray) -> float:
         """How well poses fix joint values (..., n): the task's least singular value of all."""
         return float(np.linalg.svd(task_rates(self.arm, q), compute_uv=False)[..., -1].min())
 
-    def jacobians(self, q: Array, T: Array) -> Array:
+    def jacobians(self, q: FloatArray, T: FloatArray) -> FloatArray:
         """By central differences, for joint values (N, n) and their poses (N, 4, 4): (N, 6, n)."""
         moves = STEP * np.eye(self._chain.dof)
         there, back = (self.arm.pose(q[:, None] + way * moves) for way in (1.0, -1.0))

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    from dhgen.arrays import FloatArray
+
 
 C_FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 NOTHING = """\
@@ -91,27 +92,27 @@ class CompiledSolver:
     rows: int
     free: int
 
-    def fk(self, q: Array) -> Array:
+    def fk(self, q: FloatArray) -> FloatArray:
         """The pose (4, 4) of joint values (n,)."""
         T = np.empty((4, 4))
         self.library[f"{self.name}_fk"](_pointer(q), _pointer(T))
         return T
 
-    def jacobian(self, q: Array) -> Array:
+    def jacobian(self, q: FloatArray) -> FloatArray:
         """The Jacobian (6, n)."""
         J = np.empty((6, self.dof))
         self.library[f"{self.name}_jacobian"](_pointer(q), _pointer(J))
         return J
 
-    def arm_angle(self, q: Array) -> float:
+    def arm_angle(self, q: FloatArray) -> float:
         """The arm angle of joint values (n,)."""
         function = self.library[f"{self.name}_arm_angle"]
         function.restype = ctypes.c_double
         return float(function(_pointer(q)))
 
     def ik(
-        self, T: Array, seed: Array, free: Array | None = None
-    ) -> tuple[Array, NDArray[np.uint8]]:
+        self, T: FloatArray, seed: FloatArray, free: FloatArray | None = None
+    ) -> tuple[FloatArray, NDArray[np.uint8]]:
         """All rows (B, n) and their statuses (B,)."""
         q = np.empty((self.rows, self.dof))
         status = np.empty(self.rows, np.uint8)
@@ -122,7 +123,9 @@ class CompiledSolver:
         )
         return q, status
 
-    def batch(self, T: Array, free: Array | None = None) -> tuple[Array, NDArray[np.uint8]]:
+    def batch(
+        self, T: FloatArray, free: FloatArray | None = None
+    ) -> tuple[FloatArray, NDArray[np.uint8]]:
         """All rows (N, B, n) and their statuses (N, B) of many poses (N, 4, 4)."""
         q = np.empty((len(T), self.rows, self.dof))
         status = np.empty((len(T), self.rows), np.uint8)
@@ -134,7 +137,9 @@ class CompiledSolver:
         )
         return q, status
 
-    def nearest(self, T: Array, seed: Array, free: Array | None = None) -> Array:
+    def nearest(
+        self, T: FloatArray, seed: FloatArray, free: FloatArray | None = None
+    ) -> FloatArray:
         """The row nearest to the seed (n,), NaN without one."""
         q = np.empty(self.dof)
         given = [] if free is None else [np.ascontiguousarray(free, np.float64)]

@@ -14,12 +14,10 @@ from dhgen.robot.task import TaskKind
 from dhgen.verify.singular import TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.robot.task import Task
 
-    Array = NDArray[np.float64]
 
 NEAR = (1e-6, 1e-8, 1e-10)  # [rad] distances from a singular angle
 CLEAR = 1e-3  # least growth of the singular value from a singular place
@@ -37,7 +35,7 @@ class Sample:
     """
 
     name: str
-    q: Array
+    q: FloatArray
     near: bool = False
 
 
@@ -95,7 +93,7 @@ def _singular(chain: Chain, source: np.random.Generator, count: int) -> tuple[Sa
     )
 
 
-def _ranges(chain: Chain) -> tuple[Array, Array]:
+def _ranges(chain: Chain) -> tuple[FloatArray, FloatArray]:
     """Lowest and highest value of each joint; without limits a turn, or the arm's size."""
     free = zip(*_strokes(chain), strict=True)
     pairs = [joint.limits or pair for joint, pair in zip(chain.joints, free, strict=True)]
@@ -103,7 +101,7 @@ def _ranges(chain: Chain) -> tuple[Array, Array]:
     return low, high
 
 
-def _strokes(chain: Chain) -> tuple[Array, Array]:
+def _strokes(chain: Chain) -> tuple[FloatArray, FloatArray]:
     """The same with whole turns of every joint that turns."""
     turn, size = (-np.pi, np.pi), (-chain.size, chain.size)
     pairs = [
@@ -113,12 +111,12 @@ def _strokes(chain: Chain) -> tuple[Array, Array]:
     return low, high
 
 
-def _uniform(chain: Chain, source: np.random.Generator, count: int) -> Array:
+def _uniform(chain: Chain, source: np.random.Generator, count: int) -> FloatArray:
     low, high = _ranges(chain)
     return source.uniform(low, high, (count, chain.dof))
 
 
-def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Array:
+def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> FloatArray:
     """Multiples of a right angle where the limits allow it, lengths at simple fractions."""
     low, high = _ranges(chain)
     angles = source.integers(-2, 3, (count, chain.dof)) * (np.pi / 2)
@@ -127,7 +125,7 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Arra
     return np.clip(np.where(chain.turning, angles, lengths), low, high)
 
 
-def spoiled_poses(task: Task, T: Array) -> list[Array]:
+def spoiled_poses(task: Task, T: FloatArray) -> list[FloatArray]:
     """Poses like T that are none: not finite, mirrored, stretched, in other coordinates."""
     row, column = (task.position_rows[0], 3) if task.position_rows else (0, 0)
     spoiled = [T.copy() for _ in range(4 if task.names_rotation else 2)]

@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.targets.module import SolverModule
     from dhgen.verify.samples import Sample
 
-    Array = NDArray[np.float64]
 
 COUNT = 150  # poses of each sort
 RESIDUAL = 5e-5  # of the arm's size: what a row may miss its pose by; a free joint moves it most
@@ -101,23 +101,23 @@ class _Checker:
             if not endless and not (self._ik(far, joints)[1] == Status.UNREACHABLE).all():
                 raise VerificationError(f"{name}: claims to reach a pose out of reach:\n{far}")
 
-    def _fk(self, q: Array) -> Array:
+    def _fk(self, q: FloatArray) -> FloatArray:
         T = np.empty((4, 4), np.float32)
         self._call("fk", q, T)
         return np.asarray(T, np.float64)
 
-    def _ik(self, T: NDArray[Any], seed: Array) -> tuple[Array, NDArray[np.uint8]]:
+    def _ik(self, T: NDArray[Any], seed: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
         rows = np.empty((self._module.solver.rows, self._chain.dof), np.float32)
         status = np.empty(len(rows), np.uint8)
         self._call("ik", T, *self._given(seed), seed, rows, status)
         return np.asarray(rows, np.float64), status
 
-    def _nearest(self, T: NDArray[Any], seed: Array) -> Array:
+    def _nearest(self, T: NDArray[Any], seed: FloatArray) -> FloatArray:
         q = np.empty(self._chain.dof, np.float32)
         self._call("ik_nearest", T, *self._given(seed), seed, q)
         return np.asarray(q, np.float64)
 
-    def _given(self, q: Array) -> list[Array]:
+    def _given(self, q: FloatArray) -> list[FloatArray]:
         """The argument for free joints or the arm angle, where there are any."""
         values = given_values(self._measures.arm, q, SINGLE.tolerances)
         return [values] if self._chain.given else []

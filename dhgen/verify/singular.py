@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
-    Found = tuple[NDArray[np.intp], Array]
+    from dhgen.arrays import FloatArray
+
+    Found = tuple[NDArray[np.intp], FloatArray]
 
 TRIED = 3  # random arms for each that is wanted: some have no singular place along the joint
 PLACES = 49  # along the joint, to see where the determinant changes its sign
@@ -29,17 +30,19 @@ GOLDEN = 0.3819660112501051
 SINGULAR = 1e-9  # least singular value, lengths in arm sizes
 
 
-def whole_turns(low: Array, high: Array, turns: NDArray[np.bool_]) -> tuple[Array, Array]:
+def whole_turns(
+    low: FloatArray, high: FloatArray, turns: NDArray[np.bool_]
+) -> tuple[FloatArray, FloatArray]:
     """The ranges to look along: zero and pi, where arms are straight, are to lie inside."""
     beyond = np.where(turns, BEYOND, 0.0)
     return low + beyond, high + beyond
 
 
 def singular_places(
-    rates: Callable[[Array], Array],
-    q: Array,
+    rates: Callable[[FloatArray], FloatArray],
+    q: FloatArray,
     joints: NDArray[np.intp],
-    ends: tuple[Array, Array],
+    ends: tuple[FloatArray, FloatArray],
     chance: np.random.Generator,
 ) -> Found:
     """Arms of which one joint is moved to where the task's Jacobian loses rank.
@@ -71,18 +74,21 @@ def singular_places(
 class _Line:
     """Arms (N, n) whose joint (N,) is moved to places (N, PLACES)."""
 
-    q: Array
+    q: FloatArray
     joints: NDArray[np.intp]
-    places: Array
+    places: FloatArray
 
-    def everywhere(self) -> Array:
+    def everywhere(self) -> FloatArray:
         """Joint values (N, PLACES, n)."""
         line = np.repeat(self.q[:, None], PLACES, axis=1)
         np.put_along_axis(line, self.joints[:, None, None], self.places[..., None], axis=2)
         return line
 
     def crossed(
-        self, sign: Callable[[Array], Array], signs: Array, chance: np.random.Generator
+        self,
+        sign: Callable[[FloatArray], FloatArray],
+        signs: FloatArray,
+        chance: np.random.Generator,
     ) -> Found:
         """Where a sign changes, by bisection."""
         changes = signs[:, :-1] * signs[:, 1:] < 0
@@ -96,7 +102,10 @@ class _Line:
         return found, self._at(found, middle)
 
     def touched(
-        self, value: Callable[[Array], Array], values: Array, chance: np.random.Generator
+        self,
+        value: Callable[[FloatArray], FloatArray],
+        values: FloatArray,
+        chance: np.random.Generator,
     ) -> Found:
         """Where what can't be negative is least, by golden section."""
         dips = (values[:, 1:-1] < values[:, :-2]) & (values[:, 1:-1] <= values[:, 2:])
@@ -108,7 +117,7 @@ class _Line:
             left, right = np.where(lower, left, left + third), np.where(lower, right - third, right)
         return found, self._at(found, (left + right) / 2)
 
-    def _at(self, numbers: NDArray[np.intp], values: Array) -> Array:
+    def _at(self, numbers: NDArray[np.intp], values: FloatArray) -> FloatArray:
         q = self.q[numbers]
         q[np.arange(len(q)), self.joints[numbers]] = values
         return q
@@ -122,10 +131,10 @@ def _any_of(
     return found, np.where(marks, first, -1.0).argmax(axis=1)[found]
 
 
-def _sign(J: Array) -> Array:
+def _sign(J: FloatArray) -> FloatArray:
     return np.asarray(np.sign(np.linalg.det(J)))
 
 
-def _least(J: Array) -> Array:
+def _least(J: FloatArray) -> FloatArray:
     """The least singular value."""
     return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1])

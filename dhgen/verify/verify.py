@@ -30,10 +30,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.targets.module import SolverModule
     from dhgen.verify.samples import Sample
-
-    Array = NDArray[np.float64]
 
 
 COUNT = 150  # poses of each sort
@@ -143,7 +142,7 @@ class _Checker:
             self.solutions += int(solved.sum())
         self._languages.batch(sample, poses)
 
-    def _may_be_moved(self, q: Array, status: NDArray[np.uint8]) -> bool:
+    def _may_be_moved(self, q: FloatArray, status: NDArray[np.uint8]) -> bool:
         """Whether a free joint may have been taken from q so that limits are kept.
 
         If that did not do, its row is out of limits.

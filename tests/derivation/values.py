@@ -32,8 +32,7 @@ from tests.kinematics.values import number as value_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.targets.derivation.story import Story
     from dhgen.targets.derivation.text.formula import Formula
@@ -154,7 +153,7 @@ def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -
 
 
 def _shoulder(
-    story: Story, inner: dict[int, float], links: list[NDArray[np.float64]], base: Value
+    story: Story, inner: dict[int, float], links: list[FloatArray], base: Value
 ) -> Letters:
     """B_m, the entries of B_0, and the vectors of the arm in the base and in frame 3."""
     chain = story.algebra.chain
@@ -175,10 +174,10 @@ def _shoulder(
     return {name: value[:, None] if np.ndim(value) == 1 else value for name, value in found.items()}
 
 
-def _points(story: Story, target: NDArray[np.float64], values: dict[str, float]) -> Letters:
+def _points(story: Story, target: FloatArray, values: dict[str, float]) -> Letters:
     """The entries of named points: of the tool seen from the base, of the base from the tool."""
     pool = story.derivation.pool
-    inverse: NDArray[np.float64] = np.asarray(np.linalg.inv(target), dtype=np.float64)
+    inverse: FloatArray = np.asarray(np.linalg.inv(target), dtype=np.float64)
     seen = [(point.names, point.in_tool, target) for point in pool.points]
     seen += [(point.names, point.in_base, inverse) for point in pool.base_points]
     found: Letters = {}
@@ -195,7 +194,7 @@ def _limits(story: Story) -> Letters:
 
 def _link(
     chain: Chain, place: int, inner: dict[int, float], values: dict[str, float]
-) -> NDArray[np.float64]:
+) -> FloatArray:
     total = np.eye(4)
     for element in chain.links[place]:
         match element:

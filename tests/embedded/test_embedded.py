@@ -17,7 +17,8 @@ from tests.targets.made import NAMES, apart, made, poses_of, residual, robot
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)}")
 

@@ -14,8 +14,8 @@ from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.verify.native import CompiledSolver, compile_solver
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"

@@ -14,7 +14,7 @@ from tests.generated.asking import trial
 from tests.generated.solvers import NAMES, library, module, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 GIVEN = [name for name in NAMES if robot(name).arm_angle]
 POSES = 200

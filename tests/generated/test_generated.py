@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 COUNT = 4_000
 GENERAL = {"C": 300, "Python": 60}  # for arms with 16 rows

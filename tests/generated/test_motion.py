@@ -18,7 +18,7 @@ from tests.generated.solvers import NAMES, robot
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
     from dhgen.survey.trial import Trial
 
 MOTIONS, STEPS = 6, 300

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 ARMS = ["scara", "scorbot_pointing", "kuka_iiwa14_arm_angle", "fanuc_crx10ia"]
 UNCOMPILED = ("kuka_iiwa14_arm_angle",)  # in plain Python: numba would take half a minute

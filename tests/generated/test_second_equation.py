@@ -14,7 +14,8 @@ from tests.generated.solvers import given, library, module
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 ON_AXIS_1 = ["katana_400", "kuka_youbot", "scorbot_pointing", "xarm5"]
 BESIDE = [0.0, 1e-12, 1e-6]

@@ -15,7 +15,7 @@ from tests.generated.asking import GENERAL, trial
 from tests.generated.solvers import NAMES, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
     from dhgen.survey.trial import Trial
 
 RESIDUAL = 1e-9

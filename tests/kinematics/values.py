@@ -15,12 +15,12 @@ from dhgen.robot.load import load_text
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 
 def table(*rows: str, **sections: str) -> Robot:

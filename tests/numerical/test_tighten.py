@@ -20,7 +20,7 @@ from tests.kinematics.values import table
 from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 Q = np.array([0.4, -0.7, 0.5, 0.9, 0.8])
 OTHER = np.array([0.4, 2.4, -2.5, 0.9, 0.8])

@@ -25,13 +25,13 @@ from tests.robots.cases import robot
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.form import Form
     from dhgen.paul.step import EquationType, Step
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 Values = dict[str, float]
 

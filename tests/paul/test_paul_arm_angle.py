@@ -21,9 +21,9 @@ from dhgen.survey.oracle.forward import forward
 from tests.kinematics.values import table
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.program.interpret import Rows
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 SHOULDER = ("theta: q, d: 0.3, alpha: pi/2", "theta: q, alpha: -pi/2")
 WRIST = ("theta: q, d: 0.35, alpha: pi/2", "theta: q, alpha: -pi/2", "theta: q, d: 0.1, a: 0.02")

@@ -22,10 +22,10 @@ from tests.kinematics.values import table
 from tests.robots.cases import robot
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.program.interpret import Rows
     from dhgen.program.ir import Program
-    from dhgen.survey.oracle.arm import FloatArray
 
 # What a wrist's last angle is read from vanishes where its axis is parallel to axis 2.
 ARMS = {

@@ -28,10 +28,10 @@ from tests.derivation.stories import ROBOTS
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
     from dhgen.program.ir import Program
-    from dhgen.survey.oracle.arm import FloatArray
 
 ANGLE = AngleSum(((1, 1),))
 PLACES = [f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]

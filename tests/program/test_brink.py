@@ -15,7 +15,7 @@ from tests.derivation.stories import story
 from tests.program.doubts import doubtful
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 COUNT = 200
 

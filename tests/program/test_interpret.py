@@ -25,7 +25,7 @@ from dhgen.program.ir import (
 )
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 X, Y = Pose(1, 4), Pose(2, 4)
 LESS = Apply("less", (X, Y))

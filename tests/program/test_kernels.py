@@ -14,8 +14,8 @@ from tests.program.kernel_programs import kernel_program, run
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from dhgen.arrays import FloatArray
     from dhgen.program.interpret import Rows
-    from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = 40
 GRID = np.linspace(-np.pi, np.pi, 1441)

@@ -29,7 +29,7 @@ from tests.program.doubts import any_told, doubtful
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
     from dhgen.tolerances import Tolerances
 
 NAMES = [

@@ -16,8 +16,7 @@ from dhgen.robot.rotations import from_quaternion, nearest_rotation, to_quaterni
 from tests.robot.robot_texts import MINIMAL, axes, marked, mistake, mistakes, robot
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Frame
 
 ANGLES = st.floats(-7, 7, allow_nan=False).map(lambda x: round(x, 6))
@@ -31,17 +30,17 @@ def texts(frame: Frame) -> list[str]:
     return [to_text(entry) for entry in frame.rotation]
 
 
-def rotation(frame: Frame) -> NDArray[np.float64]:
+def rotation(frame: Frame) -> FloatArray:
     return np.array([evaluate(entry, {}) for entry in frame.rotation]).reshape(3, 3)
 
 
-def urdf(roll: float, pitch: float, yaw: float) -> NDArray[np.float64]:
+def urdf(roll: float, pitch: float, yaw: float) -> FloatArray:
     """Rz(yaw) Ry(pitch) Rx(roll)."""
     (cr, cp, cy), (sr, sp, sy) = np.cos([roll, pitch, yaw]), np.sin([roll, pitch, yaw])
     rx = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
     ry = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
     rz = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
-    matrix: NDArray[np.float64] = rz @ ry @ rx
+    matrix: FloatArray = rz @ ry @ rx
     return matrix
 
 

@@ -12,7 +12,7 @@ from dhgen.survey.oracle.poses import random_joints
 from tests.robots.cases import assert_close, c, joint_vectors, robot, s
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 
 def test_wrist_is_t36_from_both_sides() -> None:

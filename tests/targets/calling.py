@@ -14,7 +14,8 @@ from tests.targets.made import in_c, in_python, made, single_in_c
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = statuses.Status
 HELD = statuses.HELD

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 # Which of a family of solutions damped least squares find, rounding decides: see tests/numerical.

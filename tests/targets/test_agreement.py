@@ -26,7 +26,7 @@ from tests.targets.made import (
 )
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 COUNT = 12
 FEW = 4  # of general arms, whose Python is slow without numba

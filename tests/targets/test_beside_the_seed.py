@@ -28,7 +28,7 @@ from tests.targets.calling import (
 from tests.targets.made import ROBOTS, folder, in_c, poses_of, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
     from dhgen.verify.native import CompiledSolver
 
 SLACK = 1.001e-9

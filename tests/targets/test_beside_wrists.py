@@ -16,7 +16,7 @@ from dhgen.verify.native import NATIVE, PORTABLE, Build
 from tests.targets.made import apart, in_c, in_python, poses_of, residual, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 # Joint 5 is straight where its value is this.
 STRAIGHT = {"kuka_kr6_r900": 0.0, "puma560": 0.0, "stanford": 0.0, "ur5": 0.0}

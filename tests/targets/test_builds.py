@@ -20,8 +20,8 @@ from tests.targets.made import ROBOTS, apart, given, in_c, made, poses_of, resid
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.program.interpret import Rows
-    from dhgen.survey.oracle.arm import FloatArray
 
 EVERYWHERE = ["ur5", "scara"]
 NATIVELY = [

@@ -19,8 +19,8 @@ from tests.targets.calling import HELD
 from tests.targets.made import folder, made_up, without_numba
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
-    from dhgen.survey.oracle.arm import FloatArray
     from dhgen.verify.native import CompiledSolver
 
 ROWS = (

@@ -15,7 +15,7 @@ from tests.oracle.sets import one_joint_at, out_of_reach
 from tests.targets.made import MADE_UP_NAMES, NAMES, ROBOTS, folder, made, poses_of, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 EVERY = [*NAMES, *MADE_UP_NAMES]
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")

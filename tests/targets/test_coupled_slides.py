@@ -16,7 +16,7 @@ from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver
 from tests.targets.made import in_c, poses_of, residual, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 NAME = "coupled_slides"
 SLIDES = [0, 2, 4]

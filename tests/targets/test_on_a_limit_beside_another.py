@@ -14,7 +14,7 @@ from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, Solver, gap
 from tests.targets.made import folder, made, made_up, poses_of, residual, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 INSIDE = (OK, FREE_JOINT)
 # Right angles of five digits, and limits that leave a gap of 5e-6 rad.

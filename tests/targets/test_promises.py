@@ -24,7 +24,7 @@ from tests.targets.made import (
 )
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 EVERY = [*NAMES, *MADE_UP_NAMES]
 WHOLE_POSES = [name for name in EVERY if robot(name).task.kind.name == "POSE"]

@@ -16,7 +16,8 @@ from tests.targets.made import in_python
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 ULPS = 3.0  # the stated error; libraries differ in the directions that are asked
 

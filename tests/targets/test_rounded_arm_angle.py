@@ -18,8 +18,8 @@ from tests.targets.calling import HELD, LANGUAGES
 from tests.targets.made import folder, without_numba
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
-    from dhgen.survey.oracle.arm import FloatArray
 
 NAME = "four_digits"
 JOINTS = (

@@ -12,8 +12,8 @@ from tests.targets.calling import HELD
 from tests.targets.made import folder, made_up
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 NAME = "five_with_a_slide"
 ROWS = (

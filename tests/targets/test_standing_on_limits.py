@@ -37,7 +37,8 @@ from tests.targets.made import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
+
 
 # Of arms: the joint, from 0, that makes them singular, and its value there.
 SINGULAR = {"hard_wrist": (4, 0.0), "hard_stops": (4, 0.0), "puma560": (4, 0.0), "scara": (1, 0.0)}

@@ -33,7 +33,7 @@ from tests.targets.made import (
 )
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 BAD_NUMBERS = (np.nan, np.inf, -np.inf)
 

@@ -23,8 +23,8 @@ from tests.targets.made import ROBOTS, folder, without_numba
 from tests.targets.made import poses_of as made_poses
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
-    from dhgen.survey.oracle.arm import FloatArray
     from dhgen.verify.native import Build, CompiledSolver
 
 FOLDING, TWINS = "staubli_tx40", "prismatic_2_wrist"

@@ -18,7 +18,7 @@ from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver, gap
 from tests.targets.made import poses_of, residual, robot
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 COUNT = {"C": 1000, "Python": 25}  # plain Python is slow: 64 and more solves a row
 GRID = np.linspace(-np.pi, np.pi, 4097)

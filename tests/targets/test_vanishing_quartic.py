@@ -19,8 +19,8 @@ from tests.targets.calling import FREE_JOINT, HELD
 from tests.targets.made import folder, made_up
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
-    from dhgen.survey.oracle.arm import FloatArray
     from dhgen.verify.native import CompiledSolver
 
 NAME = "vanishing"

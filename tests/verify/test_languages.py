@@ -17,8 +17,8 @@ from tests.compiling import compile_file
 from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.targets.module import SolverModule
-    from dhgen.verify.measures import Array
 
 BENT = np.array([0.3, 0.9])
 STRETCHED = np.array([0.3, 0.0])
@@ -29,10 +29,10 @@ def module() -> SolverModule:
     return compile_file(ROBOTS / "planar_rr.yaml").module
 
 
-def compared(python: Array, c: Array, q: Array, *, singular: bool) -> None:
+def compared(python: FloatArray, c: FloatArray, q: FloatArray, *, singular: bool) -> None:
     """Compares rows (B, n), NaN where there is none, for the pose of joint values."""
 
-    def solver(rows: Array) -> SimpleNamespace:
+    def solver(rows: FloatArray) -> SimpleNamespace:
         status = np.where(np.isnan(rows).any(axis=1), Status.UNREACHABLE, Status.OK).astype(
             np.uint8
         )
@@ -45,7 +45,7 @@ def compared(python: Array, c: Array, q: Array, *, singular: bool) -> None:
     languages.call(T, q, "here", singular=singular)
 
 
-def with_a_row(q: Array, *, there: bool) -> Array:
+def with_a_row(q: FloatArray, *, there: bool) -> FloatArray:
     return np.array([q, q if there else np.full(2, np.nan)])
 
 

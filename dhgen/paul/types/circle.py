@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form, Monomial
     from dhgen.paul.step import Offer, View
 
-    Values = NDArray[np.float64]
     Complex = NDArray[np.complex128]
     Table = tuple[tuple[Monomial, ...], ...]
 
@@ -78,7 +78,7 @@ class Split:
     forms: tuple[Form, Form]
     kept: AngleSum
     monomials: Table
-    values: tuple[Values, Values]
+    values: tuple[FloatArray, FloatArray]
 
     @property
     def is_known(self) -> bool:
@@ -195,7 +195,7 @@ def _monomials(eliminated: AngleSum, kept: AngleSum) -> Table:
     return tuple(tuple(tuple(sorted((*x, *y))) for y in j) for x in i)
 
 
-def _on_witnesses(form: Form, places: dict[Monomial, int], view: View) -> Values:
+def _on_witnesses(form: Form, places: dict[Monomial, int], view: View) -> FloatArray:
     """The coefficients; one that is nothing by the arm's geometry is 0 here, not its rounding."""
     rows: list[Sequence[float]] = [(0.0,) * COUNT] * len(places)
     for monomial, polynomial in form.terms.items():
@@ -223,7 +223,7 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     return bool(np.all(np.abs(SLOPE @ values) > FLAT * largest))
 
 
-def _says_it_twice(first: Values, second: Values) -> bool:
+def _says_it_twice(first: FloatArray, second: FloatArray) -> bool:
     """Whether the second equation is the first again, so that the polynomial is 0 = 0.
 
     Args:
@@ -235,7 +235,9 @@ def _says_it_twice(first: Values, second: Values) -> bool:
     return bool(np.all(np.abs(one - other) <= SAME * np.abs(one)))
 
 
-def _polynomial(first: Values, second: Values, ratio: Ratio | None) -> tuple[Values, Values]:
+def _polynomial(
+    first: FloatArray, second: FloatArray, ratio: Ratio | None
+) -> tuple[FloatArray, FloatArray]:
     """The polynomial in the angle that stays, and the sum of the sizes of its two sides.
 
     Args:

@@ -26,15 +26,13 @@ from dhgen.tolerances import TOLERANCES
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
-
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.paul.derivation import Derivation
     from dhgen.program.interpret import Rows
     from dhgen.program.ir import Program
     from dhgen.tolerances import Tolerances
 
-    FloatArray = NDArray[np.float64]
 
 TRIED = 50  # poses of each sort
 OTHER = 0.7  # from a pose's joint values to those of another seed, at least [rad or arm sizes]

@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.robot.expression import Expression
     from dhgen.robot.robot import AxisJoint, DhRow, Frame, ReferenceAxes, Robot
 
-    FloatArray = NDArray[np.float64]
 
 Z_AXIS = (0.0, 0.0, 1.0)
 ORIGIN = (0.0, 0.0, 0.0)

@@ -14,8 +14,8 @@ from dhgen.survey.oracle.arm import Arm, arm, arm_size, base_frame
 from dhgen.survey.oracle.forward import forward, motions
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 ELBOW = 3  # the joint of the elbow, from 0
 UPRIGHT = 1e-12  # sine between axis 1 and the arm, below which the plane between them is lost

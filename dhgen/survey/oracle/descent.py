@@ -20,7 +20,7 @@ from dhgen.survey.oracle.levenberg_marquardt import (
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
     from dhgen.survey.oracle.problem import Problem
 
 # Beside a singular pose runs a valley whose floor is nearly a solution. The normal equations

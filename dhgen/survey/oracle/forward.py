@@ -14,8 +14,8 @@ from dhgen.survey.oracle.arm import Arm, arm
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
     AnyArray = NDArray[Any]
 

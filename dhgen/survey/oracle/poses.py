@@ -16,7 +16,7 @@ from dhgen.robot.robot import JointKind, Robot
 from dhgen.survey.oracle.arm import arm_size
 
 if TYPE_CHECKING:
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.arrays import FloatArray
 
 RIGHT_ANGLES = (0.0, np.pi / 2, np.pi, -np.pi / 2)
 NEAR = (1e-6, 1e-8, 1e-10)  # rad

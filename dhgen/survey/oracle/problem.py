@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
     from dhgen.robot.task import Task
-    from dhgen.survey.oracle.arm import FloatArray
 
 # Solutions beyond the limits are solutions too (their status says so), so the starts of a
 # prismatic joint are drawn from its whole surroundings, in units of the arm's size.

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import FloatArray
 
 BATCH = {1: 32, 2: 32, 3: 64}  # starts at once, by the number of joints to find
 LARGEST_BATCH = 128
