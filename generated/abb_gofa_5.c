@@ -3173,12 +3173,16 @@ static inline abb_gofa_5_lane abb_gofa_5_polish(const abb_gofa_5_loop *loop, abb
     return abb_gofa_5_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long abb_gofa_5_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    abb_gofa_5_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } abb_gofa_5_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3210,7 +3214,7 @@ static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double resi
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3220,16 +3224,16 @@ static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double resi
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_lane c[6], abb_gofa_5_lane
-    s[6], int count,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static abb_gofa_5_set abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_lane c[6],
+    abb_gofa_5_lane s[6], int count,
                               int steps, int doubtful, abb_gofa_5_found *found,
                               int place[ABB_GOFA_5_LANES])
 {
     double residual[ABB_GOFA_5_LANES], theta[6][ABB_GOFA_5_LANES], pivot[ABB_GOFA_5_LANES] = {0.0};
-    unsigned met = 0;
+    abb_gofa_5_set met = 0;
     ABB_GOFA_5_STORE(residual, abb_gofa_5_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         abb_gofa_5_lane J[6][7], x[6];
@@ -3249,16 +3253,16 @@ static unsigned abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_lane c[
         }
         place[k] = abb_gofa_5_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (abb_gofa_5_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (abb_gofa_5_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int abb_gofa_5_bits(unsigned set)
+static int abb_gofa_5_bits(abb_gofa_5_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3480,7 +3484,7 @@ static int abb_gofa_5_settle_ways(const abb_gofa_5_loop *loop, const abb_gofa_5_
     abb_gofa_5_ways *ways,
                                int simple, int doubles, abb_gofa_5_found *found)
 {
-    unsigned met = 0, of_group[2 * ABB_GOFA_5_ROOTS] = {0};
+    abb_gofa_5_set met = 0, of_group[2 * ABB_GOFA_5_ROOTS] = {0};
     int complete = 1, expected = 0;
     for (int from = 0; from < ways->count; from += ABB_GOFA_5_LANES) {
         const int count = ways->count - from < ABB_GOFA_5_LANES ? ways->count - from :
@@ -3500,7 +3504,7 @@ static int abb_gofa_5_settle_ways(const abb_gofa_5_loop *loop, const abb_gofa_5_
         met |= abb_gofa_5_offer(loop, c, s, count, 4, doubles > 0, found, place);
         for (int k = 0; k < count; k++) {
             if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
+                of_group[ways->group[from + k]] |= (abb_gofa_5_set)1 << place[k];
             }
         }
     }
@@ -3577,7 +3581,7 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
                           const abb_gofa_5_roots *roots, abb_gofa_5_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[ABB_GOFA_5_CANDIDATES] = {0};
+    abb_gofa_5_set met = 0, of_group[ABB_GOFA_5_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3604,7 +3608,7 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (abb_gofa_5_set)1 << place[k];
             }
         }
     }
@@ -3674,10 +3678,11 @@ static int abb_gofa_5_try(const abb_gofa_5_loop *loop, abb_gofa_5_found *found)
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned abb_gofa_5_follow_back(const abb_gofa_5_loop *loop, double (*start)[6], int count,
+static abb_gofa_5_set abb_gofa_5_follow_back(const abb_gofa_5_loop *loop, double (*start)[6], int
+    count,
                                     abb_gofa_5_found *found, int *lost)
 {
-    unsigned met = 0;
+    abb_gofa_5_set met = 0;
     for (int from = 0; from < count; from += ABB_GOFA_5_LANES) {
         const int now = count - from < ABB_GOFA_5_LANES ? count - from : ABB_GOFA_5_LANES;
         double cs[2][6][ABB_GOFA_5_LANES];
@@ -3711,7 +3716,7 @@ static int abb_gofa_5_from_nearby(const abb_gofa_5_loop *loop, abb_gofa_5_found 
         abb_gofa_5_loop nearby = *loop;
         abb_gofa_5_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        abb_gofa_5_set met;
         abb_gofa_5_then(nearby.link[5], abb_gofa_5_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3750,16 +3755,16 @@ static void abb_gofa_5_from_anywhere(const abb_gofa_5_loop *loop, abb_gofa_5_fou
 /* Singular solutions are known less well: those that lie together become one. */
 static void abb_gofa_5_merge(abb_gofa_5_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const abb_gofa_5_set singular = found->singular;
+    abb_gofa_5_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && abb_gofa_5_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && abb_gofa_5_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3771,13 +3776,18 @@ static void abb_gofa_5_merge(abb_gofa_5_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int abb_gofa_5_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int abb_gofa_5_before(const abb_gofa_5_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3786,18 +3796,18 @@ static int abb_gofa_5_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int abb_gofa_5_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     abb_gofa_5_found found;
     abb_gofa_5_loop whole;
     const abb_gofa_5_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     abb_gofa_5_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3813,11 +3823,12 @@ static int abb_gofa_5_general(const double T[16], double q[16][6],
     abb_gofa_5_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && abb_gofa_5_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && abb_gofa_5_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

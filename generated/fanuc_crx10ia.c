@@ -3198,12 +3198,16 @@ static inline fanuc_crx10ia_lane fanuc_crx10ia_polish(const fanuc_crx10ia_loop *
     return fanuc_crx10ia_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long fanuc_crx10ia_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    fanuc_crx10ia_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } fanuc_crx10ia_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3235,7 +3239,7 @@ static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], doubl
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3245,17 +3249,17 @@ static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], doubl
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned fanuc_crx10ia_offer(const fanuc_crx10ia_loop *loop, fanuc_crx10ia_lane c[6],
-    fanuc_crx10ia_lane s[6], int count,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static fanuc_crx10ia_set fanuc_crx10ia_offer(const fanuc_crx10ia_loop *loop, fanuc_crx10ia_lane
+    c[6], fanuc_crx10ia_lane s[6], int count,
                               int steps, int doubtful, fanuc_crx10ia_found *found,
                               int place[FANUC_CRX10IA_LANES])
 {
     double residual[FANUC_CRX10IA_LANES], theta[6][FANUC_CRX10IA_LANES], pivot[FANUC_CRX10IA_LANES]
         = {0.0};
-    unsigned met = 0;
+    fanuc_crx10ia_set met = 0;
     FANUC_CRX10IA_STORE(residual, fanuc_crx10ia_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         fanuc_crx10ia_lane J[6][7], x[6];
@@ -3276,16 +3280,16 @@ static unsigned fanuc_crx10ia_offer(const fanuc_crx10ia_loop *loop, fanuc_crx10i
         }
         place[k] = fanuc_crx10ia_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (fanuc_crx10ia_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (fanuc_crx10ia_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int fanuc_crx10ia_bits(unsigned set)
+static int fanuc_crx10ia_bits(fanuc_crx10ia_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3508,7 +3512,7 @@ static int fanuc_crx10ia_settle_ways(const fanuc_crx10ia_loop *loop, const fanuc
     *set, const fanuc_crx10ia_ways *ways,
                                int simple, int doubles, fanuc_crx10ia_found *found)
 {
-    unsigned met = 0, of_group[2 * FANUC_CRX10IA_ROOTS] = {0};
+    fanuc_crx10ia_set met = 0, of_group[2 * FANUC_CRX10IA_ROOTS] = {0};
     int complete = 1, expected = 0;
     for (int from = 0; from < ways->count; from += FANUC_CRX10IA_LANES) {
         const int count = ways->count - from < FANUC_CRX10IA_LANES ? ways->count - from :
@@ -3528,7 +3532,7 @@ static int fanuc_crx10ia_settle_ways(const fanuc_crx10ia_loop *loop, const fanuc
         met |= fanuc_crx10ia_offer(loop, c, s, count, 4, doubles > 0, found, place);
         for (int k = 0; k < count; k++) {
             if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
+                of_group[ways->group[from + k]] |= (fanuc_crx10ia_set)1 << place[k];
             }
         }
     }
@@ -3607,7 +3611,7 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
                           const fanuc_crx10ia_roots *roots, fanuc_crx10ia_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[FANUC_CRX10IA_CANDIDATES] = {0};
+    fanuc_crx10ia_set met = 0, of_group[FANUC_CRX10IA_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3634,7 +3638,7 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (fanuc_crx10ia_set)1 << place[k];
             }
         }
     }
@@ -3705,11 +3709,11 @@ static int fanuc_crx10ia_try(const fanuc_crx10ia_loop *loop, fanuc_crx10ia_found
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned fanuc_crx10ia_follow_back(const fanuc_crx10ia_loop *loop, double (*start)[6], int
-    count,
+static fanuc_crx10ia_set fanuc_crx10ia_follow_back(const fanuc_crx10ia_loop *loop, double
+    (*start)[6], int count,
                                     fanuc_crx10ia_found *found, int *lost)
 {
-    unsigned met = 0;
+    fanuc_crx10ia_set met = 0;
     for (int from = 0; from < count; from += FANUC_CRX10IA_LANES) {
         const int now = count - from < FANUC_CRX10IA_LANES ? count - from : FANUC_CRX10IA_LANES;
         double cs[2][6][FANUC_CRX10IA_LANES];
@@ -3745,7 +3749,7 @@ static int fanuc_crx10ia_from_nearby(const fanuc_crx10ia_loop *loop, fanuc_crx10
         fanuc_crx10ia_loop nearby = *loop;
         fanuc_crx10ia_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        fanuc_crx10ia_set met;
         fanuc_crx10ia_then(nearby.link[5], fanuc_crx10ia_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3784,16 +3788,16 @@ static void fanuc_crx10ia_from_anywhere(const fanuc_crx10ia_loop *loop, fanuc_cr
 /* Singular solutions are known less well: those that lie together become one. */
 static void fanuc_crx10ia_merge(fanuc_crx10ia_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const fanuc_crx10ia_set singular = found->singular;
+    fanuc_crx10ia_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && fanuc_crx10ia_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && fanuc_crx10ia_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3805,13 +3809,18 @@ static void fanuc_crx10ia_merge(fanuc_crx10ia_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int fanuc_crx10ia_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int fanuc_crx10ia_before(const fanuc_crx10ia_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3820,18 +3829,18 @@ static int fanuc_crx10ia_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int fanuc_crx10ia_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     fanuc_crx10ia_found found;
     fanuc_crx10ia_loop whole;
     const fanuc_crx10ia_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     fanuc_crx10ia_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3847,11 +3856,12 @@ static int fanuc_crx10ia_general(const double T[16], double q[16][6],
     fanuc_crx10ia_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && fanuc_crx10ia_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && fanuc_crx10ia_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -2593,12 +2593,16 @@ static inline general_4r2p_lane general_4r2p_polish(const general_4r2p_loop *loo
     return general_4r2p_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long general_4r2p_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    general_4r2p_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[8][6], residual[8];
+    double q[64][6], residual[64];
 } general_4r2p_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -2631,7 +2635,7 @@ static int general_4r2p_keep(general_4r2p_found *found, double theta[6], double 
             return i;
         }
     }
-    if (found->count == 8) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -2641,10 +2645,10 @@ static int general_4r2p_keep(general_4r2p_found *found, double theta[6], double 
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned general_4r2p_offer(const general_4r2p_loop *loop, general_4r2p_lane c[6],
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static general_4r2p_set general_4r2p_offer(const general_4r2p_loop *loop, general_4r2p_lane c[6],
     general_4r2p_lane s[6], int count,
                               int steps, int doubtful, general_4r2p_found *found,
                               int place[GENERAL_4R2P_LANES])
@@ -2653,7 +2657,7 @@ static unsigned general_4r2p_offer(const general_4r2p_loop *loop, general_4r2p_l
         {0.0};
     double length_2[GENERAL_4R2P_LANES];
     double length_4[GENERAL_4R2P_LANES];
-    unsigned met = 0;
+    general_4r2p_set met = 0;
     GENERAL_4R2P_STORE(residual, general_4r2p_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         general_4r2p_lane J[6][7], x[6];
@@ -2677,16 +2681,16 @@ static unsigned general_4r2p_offer(const general_4r2p_loop *loop, general_4r2p_l
         row[4] = length_4[k];
         place[k] = general_4r2p_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (general_4r2p_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (general_4r2p_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int general_4r2p_bits(unsigned set)
+static int general_4r2p_bits(general_4r2p_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3038,7 +3042,7 @@ static int general_4r2p_settle_ways(const general_4r2p_loop *loop, const general
     const general_4r2p_ways *ways,
                                int simple, int doubles, general_4r2p_found *found)
 {
-    unsigned met = 0, of_group[2 * GENERAL_4R2P_ROOTS] = {0};
+    general_4r2p_set met = 0, of_group[2 * GENERAL_4R2P_ROOTS] = {0};
     int complete = 1, expected = 0;
     for (int from = 0; from < ways->count; from += GENERAL_4R2P_LANES) {
         const int count = ways->count - from < GENERAL_4R2P_LANES ? ways->count - from :
@@ -3058,7 +3062,7 @@ static int general_4r2p_settle_ways(const general_4r2p_loop *loop, const general
         met |= general_4r2p_offer(loop, c, s, count, 4, doubles > 0, found, place);
         for (int k = 0; k < count; k++) {
             if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
+                of_group[ways->group[from + k]] |= (general_4r2p_set)1 << place[k];
             }
         }
     }
@@ -3121,11 +3125,11 @@ static int general_4r2p_try(const general_4r2p_loop *loop, general_4r2p_found *f
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned general_4r2p_follow_back(const general_4r2p_loop *loop, double (*start)[6], int
-    count,
+static general_4r2p_set general_4r2p_follow_back(const general_4r2p_loop *loop, double (*start)[6],
+    int count,
                                     general_4r2p_found *found, int *lost)
 {
-    unsigned met = 0;
+    general_4r2p_set met = 0;
     for (int from = 0; from < count; from += GENERAL_4R2P_LANES) {
         const int now = count - from < GENERAL_4R2P_LANES ? count - from : GENERAL_4R2P_LANES;
         double cs[2][6][GENERAL_4R2P_LANES];
@@ -3162,7 +3166,7 @@ static int general_4r2p_from_nearby(const general_4r2p_loop *loop, general_4r2p_
         general_4r2p_loop nearby = *loop;
         general_4r2p_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        general_4r2p_set met;
         general_4r2p_then(nearby.link[5], general_4r2p_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3201,16 +3205,16 @@ static void general_4r2p_from_anywhere(const general_4r2p_loop *loop, general_4r
 /* Singular solutions are known less well: those that lie together become one. */
 static void general_4r2p_merge(general_4r2p_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const general_4r2p_set singular = found->singular;
+    general_4r2p_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && general_4r2p_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && general_4r2p_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3222,13 +3226,18 @@ static void general_4r2p_merge(general_4r2p_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int general_4r2p_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int general_4r2p_before(const general_4r2p_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3237,18 +3246,18 @@ static int general_4r2p_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 8.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int general_4r2p_general(const double T[16], double q[8][6],
                          double residual[8])
 {
     general_4r2p_found found;
     general_4r2p_loop whole;
     const general_4r2p_loop *const loop = &whole;
-    int order[8], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     general_4r2p_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3260,11 +3269,12 @@ static int general_4r2p_general(const double T[16], double q[8][6],
     general_4r2p_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && general_4r2p_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && general_4r2p_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 8 ? found.count : 8;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

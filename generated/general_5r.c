@@ -3190,12 +3190,16 @@ static inline general_5r_lane general_5r_polish(const general_5r_loop *loop, gen
     return general_5r_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long general_5r_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    general_5r_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } general_5r_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3227,7 +3231,7 @@ static int general_5r_keep(general_5r_found *found, double theta[6], double resi
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3237,16 +3241,16 @@ static int general_5r_keep(general_5r_found *found, double theta[6], double resi
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned general_5r_offer(const general_5r_loop *loop, general_5r_lane c[6], general_5r_lane
-    s[6], int count,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static general_5r_set general_5r_offer(const general_5r_loop *loop, general_5r_lane c[6],
+    general_5r_lane s[6], int count,
                               int steps, int doubtful, general_5r_found *found,
                               int place[GENERAL_5R_LANES])
 {
     double residual[GENERAL_5R_LANES], theta[6][GENERAL_5R_LANES], pivot[GENERAL_5R_LANES] = {0.0};
-    unsigned met = 0;
+    general_5r_set met = 0;
     GENERAL_5R_STORE(residual, general_5r_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         general_5r_lane J[6][7], x[6];
@@ -3266,16 +3270,16 @@ static unsigned general_5r_offer(const general_5r_loop *loop, general_5r_lane c[
         }
         place[k] = general_5r_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (general_5r_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (general_5r_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int general_5r_bits(unsigned set)
+static int general_5r_bits(general_5r_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3335,7 +3339,7 @@ static int general_5r_settle(const general_5r_formulation *form, const general_5
                           const general_5r_roots *roots, general_5r_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[GENERAL_5R_CANDIDATES] = {0};
+    general_5r_set met = 0, of_group[GENERAL_5R_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3362,7 +3366,7 @@ static int general_5r_settle(const general_5r_formulation *form, const general_5
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (general_5r_set)1 << place[k];
             }
         }
     }
@@ -3429,10 +3433,11 @@ static int general_5r_try(const general_5r_loop *loop, general_5r_found *found)
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned general_5r_follow_back(const general_5r_loop *loop, double (*start)[6], int count,
+static general_5r_set general_5r_follow_back(const general_5r_loop *loop, double (*start)[6], int
+    count,
                                     general_5r_found *found, int *lost)
 {
-    unsigned met = 0;
+    general_5r_set met = 0;
     for (int from = 0; from < count; from += GENERAL_5R_LANES) {
         const int now = count - from < GENERAL_5R_LANES ? count - from : GENERAL_5R_LANES;
         double cs[2][6][GENERAL_5R_LANES];
@@ -3466,7 +3471,7 @@ static int general_5r_from_nearby(const general_5r_loop *loop, general_5r_found 
         general_5r_loop nearby = *loop;
         general_5r_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        general_5r_set met;
         general_5r_then(nearby.link[5], general_5r_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3505,16 +3510,16 @@ static void general_5r_from_anywhere(const general_5r_loop *loop, general_5r_fou
 /* Singular solutions are known less well: those that lie together become one. */
 static void general_5r_merge(general_5r_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const general_5r_set singular = found->singular;
+    general_5r_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && general_5r_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && general_5r_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3526,13 +3531,18 @@ static void general_5r_merge(general_5r_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int general_5r_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int general_5r_before(const general_5r_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3541,18 +3551,18 @@ static int general_5r_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int general_5r_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     general_5r_found found;
     general_5r_loop whole;
     const general_5r_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     general_5r_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3568,11 +3578,12 @@ static int general_5r_general(const double T[16], double q[16][6],
     general_5r_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && general_5r_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && general_5r_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

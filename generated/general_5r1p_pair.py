@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair a990584f964fe8f3"
+_KEY = "general_5r1p_pair 75c70e719d9702bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1897,7 +1897,9 @@ def _general_5r1p_pair_begun(q, c, s):
 
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _general_5r1p_pair_offer(links, c, s, afar, doubtful, q, residual, singular, count):
-    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
+    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
+    one is singular many come near to it, which are told to be one in the end: there is room for more
+    than there are solutions."""
     missing = _general_5r1p_pair_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -1914,7 +1916,7 @@ def _general_5r1p_pair_offer(links, c, s, afar, doubtful, q, residual, singular,
         if _general_5r1p_pair_gap(q[k], theta) < 1e-06:
             place = k
             break
-    if place == 16:
+    if place == 64:
         return -1, count
     if place == count:
         count += 1
@@ -2053,7 +2055,7 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
     for i in range(touching):
         angles[total] = roots[1, i]
         total += 1
-    met = np.zeros(16, dtype=np.int64)
+    met = np.zeros(64, dtype=np.int64)
     cosines, sines, determinant = np.empty(24), np.empty(24), np.empty(24)
     c, s = carray(_room(6), 6), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
@@ -2094,7 +2096,7 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
 @_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
 def _general_5r1p_pair_try(loop, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
-    for i in range(16):
+    for i in range(64):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for form in range(2):
@@ -2113,14 +2115,14 @@ def _general_5r1p_pair_from_nearby(loop, q, residual, singular, count):
     followed = False
     before = -1
     c, s = np.empty(6), np.empty(6)
-    other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    other, ignored, marks = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
         _general_5r1p_pair_follow(nearby[5], _GENERAL_5R1P_PAIR_NUDGES[n])
         complete, found = _general_5r1p_pair_try(
             nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
         )
-        met = np.zeros(16, dtype=np.int64)
+        met = np.zeros(64, dtype=np.int64)
         singular_here = False
         for i in range(found):
             _general_5r1p_pair_begun(other[i], c, s)
@@ -2145,12 +2147,14 @@ def _general_5r1p_pair_from_nearby(loop, q, residual, singular, count):
 
 
 @_inner
-def _general_5r1p_pair_before(a, b):
-    """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
-    next."""
-    for i in range(6):
-        if abs(a[i] - b[i]) > 1e-09:
-            return a[i] < b[i]
+def _general_5r1p_pair_before(q, singular, i, j):
+    """Whether solution i comes before solution j: regular ones before singular ones, then by the
+    first angle, angles that agree to rounding by the next."""
+    if singular[i] != singular[j]:
+        return singular[i] < singular[j]
+    for k in range(6):
+        if abs(q[i, k] - q[j, k]) > 1e-09:
+            return q[i, k] < q[j, k]
     return False
 
 
@@ -2161,7 +2165,7 @@ def general_5r1p_pair_general(T, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on.
+            1e-09 in the order of q2, and so on, singular ones behind all others.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2171,7 +2175,7 @@ def general_5r1p_pair_general(T, q, residual):
         so that steps did not make it exact.
     """
     loop = _general_5r1p_pair_close(T)
-    found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    found, missing, singular = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
     certified, count = _general_5r1p_pair_try(loop, found, missing, singular, doubles_met)
     complete = certified
@@ -2190,13 +2194,14 @@ def general_5r1p_pair_general(T, q, residual):
                 loop, c, s, True, True, found, missing, singular, count
             )
     count = _general_5r1p_pair_merge(found, missing, singular, count)
-    order = np.empty(16, dtype=np.int64)
+    order = np.empty(64, dtype=np.int64)
     for i in range(count):
         j = i
-        while j > 0 and _general_5r1p_pair_before(found[i], found[order[j - 1]]):
+        while j > 0 and _general_5r1p_pair_before(found, singular, i, order[j - 1]):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
+    count = min(count, 16)
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 0e6bcdca2cc26ba5"
+_KEY = "general_rpprrr 5ade1915145790ad"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1592,7 +1592,9 @@ def _general_rpprrr_begun(q, c, s):
 
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _general_rpprrr_offer(links, c, s, afar, doubtful, q, residual, singular, count):
-    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
+    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
+    one is singular many come near to it, which are told to be one in the end: there is room for more
+    than there are solutions."""
     missing = _general_rpprrr_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -1610,7 +1612,7 @@ def _general_rpprrr_offer(links, c, s, afar, doubtful, q, residual, singular, co
         if _general_rpprrr_gap(q[k], theta) < 1e-06:
             place = k
             break
-    if place == 8:
+    if place == 64:
         return -1, count
     if place == count:
         count += 1
@@ -1877,11 +1879,11 @@ def _general_rpprrr_attempt_closed(which, loop, q, residual, singular, doubles_m
         return False, count
     complete, expected = counts[2] == 1 and _general_rpprrr_tells_all(setting[2]), 0
     doubles_met[0] += counts[1]
-    met = np.zeros(8, dtype=np.int64)
+    met = np.zeros(64, dtype=np.int64)
     c, s = np.empty(6), np.empty(6)
     for double in range(2):
         for i in range(counts[double]):
-            here = np.zeros(8, dtype=np.int64)
+            here = np.zeros(64, dtype=np.int64)
             singular_here = False
             cosine, sine = math.cos(roots[double, i]), math.sin(roots[double, i])
             far = 0
@@ -1908,7 +1910,7 @@ def _general_rpprrr_attempt_closed(which, loop, q, residual, singular, doubles_m
 @_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
 def _general_rpprrr_try(loop, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
-    for i in range(8):
+    for i in range(64):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for way in range(2):
@@ -1929,14 +1931,14 @@ def _general_rpprrr_from_nearby(loop, q, residual, singular, count):
     followed = False
     before = -1
     c, s = np.empty(6), np.empty(6)
-    other, ignored, marks = np.empty((8, 6)), np.empty(8), np.zeros(8, dtype=np.int64)
+    other, ignored, marks = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
         _general_rpprrr_follow(nearby[5], _GENERAL_RPPRRR_NUDGES[n])
         complete, found = _general_rpprrr_try(
             nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
         )
-        met = np.zeros(8, dtype=np.int64)
+        met = np.zeros(64, dtype=np.int64)
         singular_here = False
         for i in range(found):
             _general_rpprrr_begun(other[i], c, s)
@@ -1961,12 +1963,14 @@ def _general_rpprrr_from_nearby(loop, q, residual, singular, count):
 
 
 @_inner
-def _general_rpprrr_before(a, b):
-    """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
-    next."""
-    for i in range(6):
-        if abs(a[i] - b[i]) > 1e-09:
-            return a[i] < b[i]
+def _general_rpprrr_before(q, singular, i, j):
+    """Whether solution i comes before solution j: regular ones before singular ones, then by the
+    first angle, angles that agree to rounding by the next."""
+    if singular[i] != singular[j]:
+        return singular[i] < singular[j]
+    for k in range(6):
+        if abs(q[i, k] - q[j, k]) > 1e-09:
+            return q[i, k] < q[j, k]
     return False
 
 
@@ -1977,7 +1981,7 @@ def general_rpprrr_general(T, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (8, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on.
+            1e-09 in the order of q2, and so on, singular ones behind all others.
         residual: (8,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -1987,7 +1991,7 @@ def general_rpprrr_general(T, q, residual):
         so that steps did not make it exact.
     """
     loop = _general_rpprrr_close(T)
-    found, missing, singular = np.empty((8, 6)), np.empty(8), np.zeros(8, dtype=np.int64)
+    found, missing, singular = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
     certified, count = _general_rpprrr_try(loop, found, missing, singular, doubles_met)
     complete = certified
@@ -2006,13 +2010,14 @@ def general_rpprrr_general(T, q, residual):
                 loop, c, s, True, True, found, missing, singular, count
             )
     count = _general_rpprrr_merge(found, missing, singular, count)
-    order = np.empty(8, dtype=np.int64)
+    order = np.empty(64, dtype=np.int64)
     for i in range(count):
         j = i
-        while j > 0 and _general_rpprrr_before(found[i], found[order[j - 1]]):
+        while j > 0 and _general_rpprrr_before(found, singular, i, order[j - 1]):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
+    count = min(count, 8)
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]

@@ -3217,12 +3217,16 @@ static inline kinova_gen3_7_lane kinova_gen3_7_polish(const kinova_gen3_7_loop *
     return kinova_gen3_7_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long kinova_gen3_7_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    kinova_gen3_7_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } kinova_gen3_7_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3254,7 +3258,7 @@ static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], doubl
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3264,17 +3268,17 @@ static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], doubl
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kinova_gen3_7_lane c[6],
-    kinova_gen3_7_lane s[6], int count,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static kinova_gen3_7_set kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kinova_gen3_7_lane
+    c[6], kinova_gen3_7_lane s[6], int count,
                               int steps, int doubtful, kinova_gen3_7_found *found,
                               int place[KINOVA_GEN3_7_LANES])
 {
     double residual[KINOVA_GEN3_7_LANES], theta[6][KINOVA_GEN3_7_LANES], pivot[KINOVA_GEN3_7_LANES]
         = {0.0};
-    unsigned met = 0;
+    kinova_gen3_7_set met = 0;
     KINOVA_GEN3_7_STORE(residual, kinova_gen3_7_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         kinova_gen3_7_lane J[6][7], x[6];
@@ -3295,16 +3299,16 @@ static unsigned kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kinova_gen3_
         }
         place[k] = kinova_gen3_7_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (kinova_gen3_7_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (kinova_gen3_7_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int kinova_gen3_7_bits(unsigned set)
+static int kinova_gen3_7_bits(kinova_gen3_7_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3366,7 +3370,7 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
                           const kinova_gen3_7_roots *roots, kinova_gen3_7_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[KINOVA_GEN3_7_CANDIDATES] = {0};
+    kinova_gen3_7_set met = 0, of_group[KINOVA_GEN3_7_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3393,7 +3397,7 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (kinova_gen3_7_set)1 << place[k];
             }
         }
     }
@@ -3464,11 +3468,11 @@ static int kinova_gen3_7_try(const kinova_gen3_7_loop *loop, kinova_gen3_7_found
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned kinova_gen3_7_follow_back(const kinova_gen3_7_loop *loop, double (*start)[6], int
-    count,
+static kinova_gen3_7_set kinova_gen3_7_follow_back(const kinova_gen3_7_loop *loop, double
+    (*start)[6], int count,
                                     kinova_gen3_7_found *found, int *lost)
 {
-    unsigned met = 0;
+    kinova_gen3_7_set met = 0;
     for (int from = 0; from < count; from += KINOVA_GEN3_7_LANES) {
         const int now = count - from < KINOVA_GEN3_7_LANES ? count - from : KINOVA_GEN3_7_LANES;
         double cs[2][6][KINOVA_GEN3_7_LANES];
@@ -3504,7 +3508,7 @@ static int kinova_gen3_7_from_nearby(const kinova_gen3_7_loop *loop, kinova_gen3
         kinova_gen3_7_loop nearby = *loop;
         kinova_gen3_7_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        kinova_gen3_7_set met;
         kinova_gen3_7_then(nearby.link[5], kinova_gen3_7_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3543,16 +3547,16 @@ static void kinova_gen3_7_from_anywhere(const kinova_gen3_7_loop *loop, kinova_g
 /* Singular solutions are known less well: those that lie together become one. */
 static void kinova_gen3_7_merge(kinova_gen3_7_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const kinova_gen3_7_set singular = found->singular;
+    kinova_gen3_7_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && kinova_gen3_7_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && kinova_gen3_7_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3564,13 +3568,18 @@ static void kinova_gen3_7_merge(kinova_gen3_7_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int kinova_gen3_7_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3579,18 +3588,18 @@ static int kinova_gen3_7_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[16][6],
                          double residual[16])
 {
     kinova_gen3_7_found found;
     kinova_gen3_7_loop whole;
     const kinova_gen3_7_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     kinova_gen3_7_close(T, free_joints, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3606,11 +3615,12 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
     kinova_gen3_7_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && kinova_gen3_7_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && kinova_gen3_7_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

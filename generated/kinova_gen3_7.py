@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 8b02064b78560f1e"
+_KEY = "kinova_gen3_7 e1b38154799fe53d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1933,7 +1933,9 @@ def _kinova_gen3_7_begun(q, c, s):
 
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _kinova_gen3_7_offer(links, c, s, afar, doubtful, q, residual, singular, count):
-    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
+    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
+    one is singular many come near to it, which are told to be one in the end: there is room for more
+    than there are solutions."""
     missing = _kinova_gen3_7_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -1949,7 +1951,7 @@ def _kinova_gen3_7_offer(links, c, s, afar, doubtful, q, residual, singular, cou
         if _kinova_gen3_7_gap(q[k], theta) < 1e-06:
             place = k
             break
-    if place == 16:
+    if place == 64:
         return -1, count
     if place == count:
         count += 1
@@ -2088,7 +2090,7 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
     for i in range(touching):
         angles[total] = roots[1, i]
         total += 1
-    met = np.zeros(16, dtype=np.int64)
+    met = np.zeros(64, dtype=np.int64)
     cosines, sines, determinant = np.empty(24), np.empty(24), np.empty(24)
     c, s = carray(_room(6), 6), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
@@ -2129,7 +2131,7 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
 @_apart("Tuple((boolean, int64))(float64[:, ::1], int64, float64[:, ::1], float64[::1], int64[::1], int64[::1])")
 def _kinova_gen3_7_try(loop, useless, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
-    for i in range(16):
+    for i in range(64):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for form in range(4):
@@ -2148,14 +2150,14 @@ def _kinova_gen3_7_from_nearby(loop, useless, q, residual, singular, count):
     followed = False
     before = -1
     c, s = np.empty(6), np.empty(6)
-    other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    other, ignored, marks = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
         _kinova_gen3_7_follow(nearby[5], _KINOVA_GEN3_7_NUDGES[n])
         complete, found = _kinova_gen3_7_try(
             nearby, useless, other, ignored, marks, np.zeros(1, dtype=np.int64)
         )
-        met = np.zeros(16, dtype=np.int64)
+        met = np.zeros(64, dtype=np.int64)
         singular_here = False
         for i in range(found):
             _kinova_gen3_7_begun(other[i], c, s)
@@ -2180,12 +2182,14 @@ def _kinova_gen3_7_from_nearby(loop, useless, q, residual, singular, count):
 
 
 @_inner
-def _kinova_gen3_7_before(a, b):
-    """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
-    next."""
-    for i in range(6):
-        if abs(a[i] - b[i]) > 1e-09:
-            return a[i] < b[i]
+def _kinova_gen3_7_before(q, singular, i, j):
+    """Whether solution i comes before solution j: regular ones before singular ones, then by the
+    first angle, angles that agree to rounding by the next."""
+    if singular[i] != singular[j]:
+        return singular[i] < singular[j]
+    for k in range(6):
+        if abs(q[i, k] - q[j, k]) > 1e-09:
+            return q[i, k] < q[j, k]
     return False
 
 
@@ -2196,7 +2200,7 @@ def kinova_gen3_7_general(T, q_free, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on.
+            1e-09 in the order of q2, and so on, singular ones behind all others.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2209,7 +2213,7 @@ def kinova_gen3_7_general(T, q_free, q, residual):
     P = loop[5]
     if P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.062224539232323:
         return 0
-    found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    found, missing, singular = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
     useless = _kinova_gen3_7_useless(q_free)
     certified, count = _kinova_gen3_7_try(loop, useless, found, missing, singular, doubles_met)
@@ -2229,13 +2233,14 @@ def kinova_gen3_7_general(T, q_free, q, residual):
                 loop, c, s, True, True, found, missing, singular, count
             )
     count = _kinova_gen3_7_merge(found, missing, singular, count)
-    order = np.empty(16, dtype=np.int64)
+    order = np.empty(64, dtype=np.int64)
     for i in range(count):
         j = i
-        while j > 0 and _kinova_gen3_7_before(found[i], found[order[j - 1]]):
+        while j > 0 and _kinova_gen3_7_before(found, singular, i, order[j - 1]):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
+    count = min(count, 16)
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]

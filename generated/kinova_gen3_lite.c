@@ -3359,12 +3359,16 @@ static inline kinova_gen3_lite_lane kinova_gen3_lite_polish(const kinova_gen3_li
     return kinova_gen3_lite_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long kinova_gen3_lite_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    kinova_gen3_lite_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } kinova_gen3_lite_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3396,7 +3400,7 @@ static int kinova_gen3_lite_keep(kinova_gen3_lite_found *found, double theta[6],
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3406,17 +3410,17 @@ static int kinova_gen3_lite_keep(kinova_gen3_lite_found *found, double theta[6],
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned kinova_gen3_lite_offer(const kinova_gen3_lite_loop *loop, kinova_gen3_lite_lane
-    c[6], kinova_gen3_lite_lane s[6], int count,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static kinova_gen3_lite_set kinova_gen3_lite_offer(const kinova_gen3_lite_loop *loop,
+    kinova_gen3_lite_lane c[6], kinova_gen3_lite_lane s[6], int count,
                               int steps, int doubtful, kinova_gen3_lite_found *found,
                               int place[KINOVA_GEN3_LITE_LANES])
 {
     double residual[KINOVA_GEN3_LITE_LANES], theta[6][KINOVA_GEN3_LITE_LANES],
         pivot[KINOVA_GEN3_LITE_LANES] = {0.0};
-    unsigned met = 0;
+    kinova_gen3_lite_set met = 0;
     KINOVA_GEN3_LITE_STORE(residual, kinova_gen3_lite_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         kinova_gen3_lite_lane J[6][7], x[6];
@@ -3437,16 +3441,16 @@ static unsigned kinova_gen3_lite_offer(const kinova_gen3_lite_loop *loop, kinova
         }
         place[k] = kinova_gen3_lite_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (kinova_gen3_lite_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (kinova_gen3_lite_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int kinova_gen3_lite_bits(unsigned set)
+static int kinova_gen3_lite_bits(kinova_gen3_lite_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3508,7 +3512,7 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
                           const kinova_gen3_lite_roots *roots, kinova_gen3_lite_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[KINOVA_GEN3_LITE_CANDIDATES] = {0};
+    kinova_gen3_lite_set met = 0, of_group[KINOVA_GEN3_LITE_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3535,7 +3539,7 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (kinova_gen3_lite_set)1 << place[k];
             }
         }
     }
@@ -3601,11 +3605,11 @@ static int kinova_gen3_lite_try(const kinova_gen3_lite_loop *loop, kinova_gen3_l
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned kinova_gen3_lite_follow_back(const kinova_gen3_lite_loop *loop, double (*start)[6],
-    int count,
+static kinova_gen3_lite_set kinova_gen3_lite_follow_back(const kinova_gen3_lite_loop *loop, double
+    (*start)[6], int count,
                                     kinova_gen3_lite_found *found, int *lost)
 {
-    unsigned met = 0;
+    kinova_gen3_lite_set met = 0;
     for (int from = 0; from < count; from += KINOVA_GEN3_LITE_LANES) {
         const int now = count - from < KINOVA_GEN3_LITE_LANES ? count - from :
             KINOVA_GEN3_LITE_LANES;
@@ -3643,7 +3647,7 @@ static int kinova_gen3_lite_from_nearby(const kinova_gen3_lite_loop *loop, kinov
         kinova_gen3_lite_loop nearby = *loop;
         kinova_gen3_lite_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        kinova_gen3_lite_set met;
         kinova_gen3_lite_then(nearby.link[5], kinova_gen3_lite_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3683,16 +3687,16 @@ static void kinova_gen3_lite_from_anywhere(const kinova_gen3_lite_loop *loop, ki
 /* Singular solutions are known less well: those that lie together become one. */
 static void kinova_gen3_lite_merge(kinova_gen3_lite_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const kinova_gen3_lite_set singular = found->singular;
+    kinova_gen3_lite_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && kinova_gen3_lite_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && kinova_gen3_lite_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3704,13 +3708,18 @@ static void kinova_gen3_lite_merge(kinova_gen3_lite_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int kinova_gen3_lite_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int kinova_gen3_lite_before(const kinova_gen3_lite_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3719,18 +3728,18 @@ static int kinova_gen3_lite_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int kinova_gen3_lite_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     kinova_gen3_lite_found found;
     kinova_gen3_lite_loop whole;
     const kinova_gen3_lite_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     kinova_gen3_lite_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3746,11 +3755,12 @@ static int kinova_gen3_lite_general(const double T[16], double q[16][6],
     kinova_gen3_lite_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && kinova_gen3_lite_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && kinova_gen3_lite_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -3207,12 +3207,16 @@ static inline manseur_doty_lane manseur_doty_polish(const manseur_doty_loop *loo
     return manseur_doty_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long manseur_doty_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    manseur_doty_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } manseur_doty_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3244,7 +3248,7 @@ static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double 
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3254,17 +3258,17 @@ static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double 
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned manseur_doty_offer(const manseur_doty_loop *loop, manseur_doty_lane c[6],
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static manseur_doty_set manseur_doty_offer(const manseur_doty_loop *loop, manseur_doty_lane c[6],
     manseur_doty_lane s[6], int count,
                               int steps, int doubtful, manseur_doty_found *found,
                               int place[MANSEUR_DOTY_LANES])
 {
     double residual[MANSEUR_DOTY_LANES], theta[6][MANSEUR_DOTY_LANES], pivot[MANSEUR_DOTY_LANES] =
         {0.0};
-    unsigned met = 0;
+    manseur_doty_set met = 0;
     MANSEUR_DOTY_STORE(residual, manseur_doty_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         manseur_doty_lane J[6][7], x[6];
@@ -3284,16 +3288,16 @@ static unsigned manseur_doty_offer(const manseur_doty_loop *loop, manseur_doty_l
         }
         place[k] = manseur_doty_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (manseur_doty_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (manseur_doty_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int manseur_doty_bits(unsigned set)
+static int manseur_doty_bits(manseur_doty_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3353,7 +3357,7 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
                           const manseur_doty_roots *roots, manseur_doty_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[MANSEUR_DOTY_CANDIDATES] = {0};
+    manseur_doty_set met = 0, of_group[MANSEUR_DOTY_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3380,7 +3384,7 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (manseur_doty_set)1 << place[k];
             }
         }
     }
@@ -3451,11 +3455,11 @@ static int manseur_doty_try(const manseur_doty_loop *loop, manseur_doty_found *f
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned manseur_doty_follow_back(const manseur_doty_loop *loop, double (*start)[6], int
-    count,
+static manseur_doty_set manseur_doty_follow_back(const manseur_doty_loop *loop, double (*start)[6],
+    int count,
                                     manseur_doty_found *found, int *lost)
 {
-    unsigned met = 0;
+    manseur_doty_set met = 0;
     for (int from = 0; from < count; from += MANSEUR_DOTY_LANES) {
         const int now = count - from < MANSEUR_DOTY_LANES ? count - from : MANSEUR_DOTY_LANES;
         double cs[2][6][MANSEUR_DOTY_LANES];
@@ -3491,7 +3495,7 @@ static int manseur_doty_from_nearby(const manseur_doty_loop *loop, manseur_doty_
         manseur_doty_loop nearby = *loop;
         manseur_doty_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        manseur_doty_set met;
         manseur_doty_then(nearby.link[5], manseur_doty_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3530,16 +3534,16 @@ static void manseur_doty_from_anywhere(const manseur_doty_loop *loop, manseur_do
 /* Singular solutions are known less well: those that lie together become one. */
 static void manseur_doty_merge(manseur_doty_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const manseur_doty_set singular = found->singular;
+    manseur_doty_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && manseur_doty_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && manseur_doty_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3551,13 +3555,18 @@ static void manseur_doty_merge(manseur_doty_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int manseur_doty_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int manseur_doty_before(const manseur_doty_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3566,18 +3575,18 @@ static int manseur_doty_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int manseur_doty_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     manseur_doty_found found;
     manseur_doty_loop whole;
     const manseur_doty_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     manseur_doty_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3593,11 +3602,12 @@ static int manseur_doty_general(const double T[16], double q[16][6],
     manseur_doty_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && manseur_doty_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && manseur_doty_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -3165,12 +3165,16 @@ static inline puma560_calibrated_lane puma560_calibrated_polish(const puma560_ca
     return puma560_calibrated_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long puma560_calibrated_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    puma560_calibrated_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } puma560_calibrated_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3203,7 +3207,7 @@ static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3213,17 +3217,17 @@ static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned puma560_calibrated_offer(const puma560_calibrated_loop *loop,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static puma560_calibrated_set puma560_calibrated_offer(const puma560_calibrated_loop *loop,
     puma560_calibrated_lane c[6], puma560_calibrated_lane s[6], int count,
                               int steps, int doubtful, puma560_calibrated_found *found,
                               int place[PUMA560_CALIBRATED_LANES])
 {
     double residual[PUMA560_CALIBRATED_LANES], theta[6][PUMA560_CALIBRATED_LANES],
         pivot[PUMA560_CALIBRATED_LANES] = {0.0};
-    unsigned met = 0;
+    puma560_calibrated_set met = 0;
     PUMA560_CALIBRATED_STORE(residual, puma560_calibrated_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         puma560_calibrated_lane J[6][7], x[6];
@@ -3245,16 +3249,16 @@ static unsigned puma560_calibrated_offer(const puma560_calibrated_loop *loop,
         }
         place[k] = puma560_calibrated_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (puma560_calibrated_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (puma560_calibrated_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int puma560_calibrated_bits(unsigned set)
+static int puma560_calibrated_bits(puma560_calibrated_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3316,7 +3320,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
                           const puma560_calibrated_roots *roots, puma560_calibrated_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[PUMA560_CALIBRATED_CANDIDATES] = {0};
+    puma560_calibrated_set met = 0, of_group[PUMA560_CALIBRATED_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3343,7 +3347,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (puma560_calibrated_set)1 << place[k];
             }
         }
     }
@@ -3414,11 +3418,11 @@ static int puma560_calibrated_try(const puma560_calibrated_loop *loop, puma560_c
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned puma560_calibrated_follow_back(const puma560_calibrated_loop *loop, double
-    (*start)[6], int count,
+static puma560_calibrated_set puma560_calibrated_follow_back(const puma560_calibrated_loop *loop,
+    double (*start)[6], int count,
                                     puma560_calibrated_found *found, int *lost)
 {
-    unsigned met = 0;
+    puma560_calibrated_set met = 0;
     for (int from = 0; from < count; from += PUMA560_CALIBRATED_LANES) {
         const int now = count - from < PUMA560_CALIBRATED_LANES ? count - from :
             PUMA560_CALIBRATED_LANES;
@@ -3456,7 +3460,7 @@ static int puma560_calibrated_from_nearby(const puma560_calibrated_loop *loop,
         puma560_calibrated_loop nearby = *loop;
         puma560_calibrated_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        puma560_calibrated_set met;
         puma560_calibrated_then(nearby.link[5], puma560_calibrated_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3496,16 +3500,16 @@ static void puma560_calibrated_from_anywhere(const puma560_calibrated_loop *loop
 /* Singular solutions are known less well: those that lie together become one. */
 static void puma560_calibrated_merge(puma560_calibrated_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const puma560_calibrated_set singular = found->singular;
+    puma560_calibrated_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && puma560_calibrated_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && puma560_calibrated_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3517,13 +3521,18 @@ static void puma560_calibrated_merge(puma560_calibrated_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int puma560_calibrated_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int puma560_calibrated_before(const puma560_calibrated_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3532,18 +3541,18 @@ static int puma560_calibrated_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int puma560_calibrated_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     puma560_calibrated_found found;
     puma560_calibrated_loop whole;
     const puma560_calibrated_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     puma560_calibrated_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3559,11 +3568,12 @@ static int puma560_calibrated_general(const double T[16], double q[16][6],
     puma560_calibrated_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && puma560_calibrated_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && puma560_calibrated_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -3053,12 +3053,16 @@ static inline xarm6_lane xarm6_polish(const xarm6_loop *loop, xarm6_lane c[6], x
     return xarm6_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long xarm6_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    xarm6_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } xarm6_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3090,7 +3094,7 @@ static int xarm6_keep(xarm6_found *found, double theta[6], double residual)
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3100,15 +3104,15 @@ static int xarm6_keep(xarm6_found *found, double theta[6], double residual)
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane s[6], int count,
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static xarm6_set xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane s[6], int count,
                               int steps, int doubtful, xarm6_found *found,
                               int place[XARM6_LANES])
 {
     double residual[XARM6_LANES], theta[6][XARM6_LANES], pivot[XARM6_LANES] = {0.0};
-    unsigned met = 0;
+    xarm6_set met = 0;
     XARM6_STORE(residual, xarm6_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         xarm6_lane J[6][7], x[6];
@@ -3128,16 +3132,16 @@ static unsigned xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane 
         }
         place[k] = xarm6_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (xarm6_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (xarm6_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int xarm6_bits(unsigned set)
+static int xarm6_bits(xarm6_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3354,7 +3358,7 @@ static int xarm6_settle_ways(const xarm6_loop *loop, const xarm6_setting *set, c
     *ways,
                                int simple, int doubles, xarm6_found *found)
 {
-    unsigned met = 0, of_group[2 * XARM6_ROOTS] = {0};
+    xarm6_set met = 0, of_group[2 * XARM6_ROOTS] = {0};
     int complete = 1, expected = 0;
     for (int from = 0; from < ways->count; from += XARM6_LANES) {
         const int count = ways->count - from < XARM6_LANES ? ways->count - from : XARM6_LANES;
@@ -3373,7 +3377,7 @@ static int xarm6_settle_ways(const xarm6_loop *loop, const xarm6_setting *set, c
         met |= xarm6_offer(loop, c, s, count, 4, doubles > 0, found, place);
         for (int k = 0; k < count; k++) {
             if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
+                of_group[ways->group[from + k]] |= (xarm6_set)1 << place[k];
             }
         }
     }
@@ -3445,7 +3449,7 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
                           const xarm6_roots *roots, xarm6_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[XARM6_CANDIDATES] = {0};
+    xarm6_set met = 0, of_group[XARM6_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3470,7 +3474,7 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (xarm6_set)1 << place[k];
             }
         }
     }
@@ -3538,10 +3542,10 @@ static int xarm6_try(const xarm6_loop *loop, xarm6_found *found)
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned xarm6_follow_back(const xarm6_loop *loop, double (*start)[6], int count,
+static xarm6_set xarm6_follow_back(const xarm6_loop *loop, double (*start)[6], int count,
                                     xarm6_found *found, int *lost)
 {
-    unsigned met = 0;
+    xarm6_set met = 0;
     for (int from = 0; from < count; from += XARM6_LANES) {
         const int now = count - from < XARM6_LANES ? count - from : XARM6_LANES;
         double cs[2][6][XARM6_LANES];
@@ -3575,7 +3579,7 @@ static int xarm6_from_nearby(const xarm6_loop *loop, xarm6_found *found)
         xarm6_loop nearby = *loop;
         xarm6_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        xarm6_set met;
         xarm6_then(nearby.link[5], xarm6_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3614,16 +3618,16 @@ static void xarm6_from_anywhere(const xarm6_loop *loop, xarm6_found *found)
 /* Singular solutions are known less well: those that lie together become one. */
 static void xarm6_merge(xarm6_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const xarm6_set singular = found->singular;
+    xarm6_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && xarm6_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && xarm6_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3635,13 +3639,18 @@ static void xarm6_merge(xarm6_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int xarm6_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int xarm6_before(const xarm6_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3650,18 +3659,18 @@ static int xarm6_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int xarm6_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     xarm6_found found;
     xarm6_loop whole;
     const xarm6_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     xarm6_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3677,11 +3686,12 @@ static int xarm6_general(const double T[16], double q[16][6],
     xarm6_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && xarm6_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && xarm6_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

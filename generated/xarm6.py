@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 94f69aeb67fde2ab"
+_KEY = "xarm6 b7b598e5dd266f1f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1804,7 +1804,9 @@ def _xarm6_begun(q, c, s):
 
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _xarm6_offer(links, c, s, afar, doubtful, q, residual, singular, count):
-    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
+    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
+    one is singular many come near to it, which are told to be one in the end: there is room for more
+    than there are solutions."""
     missing = _xarm6_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -1820,7 +1822,7 @@ def _xarm6_offer(links, c, s, afar, doubtful, q, residual, singular, count):
         if _xarm6_gap(q[k], theta) < 1e-06:
             place = k
             break
-    if place == 16:
+    if place == 64:
         return -1, count
     if place == count:
         count += 1
@@ -2007,11 +2009,11 @@ def _xarm6_attempt_closed(which, loop, q, residual, singular, doubles_met, count
         return False, count
     complete, expected = counts[2] == 1, 0
     doubles_met[0] += counts[1]
-    met = np.zeros(16, dtype=np.int64)
+    met = np.zeros(64, dtype=np.int64)
     c, s = np.empty(6), np.empty(6)
     for double in range(2):
         for i in range(counts[double]):
-            here = np.zeros(16, dtype=np.int64)
+            here = np.zeros(64, dtype=np.int64)
             singular_here = False
             cosine, sine = math.cos(roots[double, i]), math.sin(roots[double, i])
             far = 0
@@ -2156,7 +2158,7 @@ def _xarm6_attempt(form, loop, q, residual, singular, doubles_met, count):
     for i in range(touching):
         angles[total] = roots[1, i]
         total += 1
-    met = np.zeros(16, dtype=np.int64)
+    met = np.zeros(64, dtype=np.int64)
     cosines, sines, determinant = np.empty(24), np.empty(24), np.empty(24)
     c, s = carray(_room(6), 6), carray(_room(6), 6)
     tc, ts = carray(_room(6), 6), carray(_room(6), 6)
@@ -2197,7 +2199,7 @@ def _xarm6_attempt(form, loop, q, residual, singular, doubles_met, count):
 @_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
 def _xarm6_try(loop, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
-    for i in range(16):
+    for i in range(64):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for way in range(1):
@@ -2221,14 +2223,14 @@ def _xarm6_from_nearby(loop, q, residual, singular, count):
     followed = False
     before = -1
     c, s = np.empty(6), np.empty(6)
-    other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    other, ignored, marks = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
         _xarm6_follow(nearby[5], _XARM6_NUDGES[n])
         complete, found = _xarm6_try(
             nearby, other, ignored, marks, np.zeros(1, dtype=np.int64)
         )
-        met = np.zeros(16, dtype=np.int64)
+        met = np.zeros(64, dtype=np.int64)
         singular_here = False
         for i in range(found):
             _xarm6_begun(other[i], c, s)
@@ -2253,12 +2255,14 @@ def _xarm6_from_nearby(loop, q, residual, singular, count):
 
 
 @_inner
-def _xarm6_before(a, b):
-    """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
-    next."""
-    for i in range(6):
-        if abs(a[i] - b[i]) > 1e-09:
-            return a[i] < b[i]
+def _xarm6_before(q, singular, i, j):
+    """Whether solution i comes before solution j: regular ones before singular ones, then by the
+    first angle, angles that agree to rounding by the next."""
+    if singular[i] != singular[j]:
+        return singular[i] < singular[j]
+    for k in range(6):
+        if abs(q[i, k] - q[j, k]) > 1e-09:
+            return q[i, k] < q[j, k]
     return False
 
 
@@ -2269,7 +2273,7 @@ def xarm6_general(T, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on.
+            1e-09 in the order of q2, and so on, singular ones behind all others.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2282,7 +2286,7 @@ def xarm6_general(T, q, residual):
     P = loop[5]
     if P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004:
         return 0
-    found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    found, missing, singular = np.empty((64, 6)), np.empty(64), np.zeros(64, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
     certified, count = _xarm6_try(loop, found, missing, singular, doubles_met)
     complete = certified
@@ -2301,13 +2305,14 @@ def xarm6_general(T, q, residual):
                 loop, c, s, True, True, found, missing, singular, count
             )
     count = _xarm6_merge(found, missing, singular, count)
-    order = np.empty(16, dtype=np.int64)
+    order = np.empty(64, dtype=np.int64)
     for i in range(count):
         j = i
-        while j > 0 and _xarm6_before(found[i], found[order[j - 1]]):
+        while j > 0 and _xarm6_before(found, singular, i, order[j - 1]):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
+    count = min(count, 16)
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]

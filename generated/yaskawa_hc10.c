@@ -3190,12 +3190,16 @@ static inline yaskawa_hc10_lane yaskawa_hc10_polish(const yaskawa_hc10_loop *loo
     return yaskawa_hc10_sqrt(least);
 }
 
-/* The solutions found so far. */
+/* A bit for each solution. */
+typedef unsigned long long yaskawa_hc10_set;
+
+/* The solutions found so far. Where one is singular many candidates come near to it, which are told
+ * to be one in the end: there is room for more than there are solutions. */
 typedef struct {
     int count;
-    unsigned singular; /* bit i: the arm is singular at solution i */
+    yaskawa_hc10_set singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
-    double q[16][6], residual[16];
+    double q[64][6], residual[64];
 } yaskawa_hc10_found;
 
 /* Whether two joint vectors differ by less than that, modulo turns. */
@@ -3227,7 +3231,7 @@ static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double 
             return i;
         }
     }
-    if (found->count == 16) {
+    if (found->count == 64) {
         return -1;
     }
     found->residual[found->count] = residual;
@@ -3237,17 +3241,17 @@ static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double 
     return found->count++;
 }
 
-/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
- * the i-th solution was met. `place` takes which solution each candidate became, or -1. With
- * `doubtful` candidates singular solutions are marked. */
-static unsigned yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskawa_hc10_lane c[6],
+/* Polish candidates, given by cosines and sines, and keep what they lead to: the solutions that
+ * were met. `place` takes which solution each candidate became, or -1. With `doubtful` candidates
+ * singular solutions are marked. */
+static yaskawa_hc10_set yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskawa_hc10_lane c[6],
     yaskawa_hc10_lane s[6], int count,
                               int steps, int doubtful, yaskawa_hc10_found *found,
                               int place[YASKAWA_HC10_LANES])
 {
     double residual[YASKAWA_HC10_LANES], theta[6][YASKAWA_HC10_LANES], pivot[YASKAWA_HC10_LANES] =
         {0.0};
-    unsigned met = 0;
+    yaskawa_hc10_set met = 0;
     YASKAWA_HC10_STORE(residual, yaskawa_hc10_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         yaskawa_hc10_lane J[6][7], x[6];
@@ -3267,16 +3271,16 @@ static unsigned yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskawa_hc10_l
         }
         place[k] = yaskawa_hc10_keep(found, row, residual[k]);
         if (place[k] >= 0) {
-            met |= 1u << place[k];
+            met |= (yaskawa_hc10_set)1 << place[k];
             if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= 1u << place[k];
+                found->singular |= (yaskawa_hc10_set)1 << place[k];
             }
         }
     }
     return met;
 }
 
-static int yaskawa_hc10_bits(unsigned set)
+static int yaskawa_hc10_bits(yaskawa_hc10_set set)
 {
     int count = 0;
     for (; set; set &= set - 1) {
@@ -3495,7 +3499,7 @@ static int yaskawa_hc10_settle_ways(const yaskawa_hc10_loop *loop, const yaskawa
     const yaskawa_hc10_ways *ways,
                                int simple, int doubles, yaskawa_hc10_found *found)
 {
-    unsigned met = 0, of_group[2 * YASKAWA_HC10_ROOTS] = {0};
+    yaskawa_hc10_set met = 0, of_group[2 * YASKAWA_HC10_ROOTS] = {0};
     int complete = 1, expected = 0;
     for (int from = 0; from < ways->count; from += YASKAWA_HC10_LANES) {
         const int count = ways->count - from < YASKAWA_HC10_LANES ? ways->count - from :
@@ -3515,7 +3519,7 @@ static int yaskawa_hc10_settle_ways(const yaskawa_hc10_loop *loop, const yaskawa
         met |= yaskawa_hc10_offer(loop, c, s, count, 4, doubles > 0, found, place);
         for (int k = 0; k < count; k++) {
             if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
+                of_group[ways->group[from + k]] |= (yaskawa_hc10_set)1 << place[k];
             }
         }
     }
@@ -3593,7 +3597,7 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
                           const yaskawa_hc10_roots *roots, yaskawa_hc10_found *found)
 {
     double w[5], solve[2][5];
-    unsigned met = 0, of_group[YASKAWA_HC10_CANDIDATES] = {0};
+    yaskawa_hc10_set met = 0, of_group[YASKAWA_HC10_CANDIDATES] = {0};
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
     int complete = roots->complete, expected = simple, true_doubles = 0;
@@ -3620,7 +3624,7 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
             if (from + k < simple) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
-                of_group[all->group[from + k]] |= 1u << place[k];
+                of_group[all->group[from + k]] |= (yaskawa_hc10_set)1 << place[k];
             }
         }
     }
@@ -3690,11 +3694,11 @@ static int yaskawa_hc10_try(const yaskawa_hc10_loop *loop, yaskawa_hc10_found *f
 }
 
 /* Newton from joint angles (count, 6) far from or near to solutions. */
-static unsigned yaskawa_hc10_follow_back(const yaskawa_hc10_loop *loop, double (*start)[6], int
-    count,
+static yaskawa_hc10_set yaskawa_hc10_follow_back(const yaskawa_hc10_loop *loop, double (*start)[6],
+    int count,
                                     yaskawa_hc10_found *found, int *lost)
 {
-    unsigned met = 0;
+    yaskawa_hc10_set met = 0;
     for (int from = 0; from < count; from += YASKAWA_HC10_LANES) {
         const int now = count - from < YASKAWA_HC10_LANES ? count - from : YASKAWA_HC10_LANES;
         double cs[2][6][YASKAWA_HC10_LANES];
@@ -3730,7 +3734,7 @@ static int yaskawa_hc10_from_nearby(const yaskawa_hc10_loop *loop, yaskawa_hc10_
         yaskawa_hc10_loop nearby = *loop;
         yaskawa_hc10_found other;
         int complete, count = -1, lost = 0;
-        unsigned met;
+        yaskawa_hc10_set met;
         yaskawa_hc10_then(nearby.link[5], yaskawa_hc10_nudge[n]);
         other.count = 0;
         other.singular = 0;
@@ -3769,16 +3773,16 @@ static void yaskawa_hc10_from_anywhere(const yaskawa_hc10_loop *loop, yaskawa_hc
 /* Singular solutions are known less well: those that lie together become one. */
 static void yaskawa_hc10_merge(yaskawa_hc10_found *found)
 {
-    const unsigned singular = found->singular;
-    unsigned kept = 0;
+    const yaskawa_hc10_set singular = found->singular;
+    yaskawa_hc10_set kept = 0;
     int count = 0;
     for (int i = 0; i < found->count; i++) {
         int known = 0;
-        for (int j = 0; j < count && singular >> i & 1u; j++) {
-            known |= (kept >> j & 1u) && yaskawa_hc10_alike(found->q[i], found->q[j], 0.001);
+        for (int j = 0; j < count && singular >> i & 1; j++) {
+            known |= (kept >> j & 1) && yaskawa_hc10_alike(found->q[i], found->q[j], 0.001);
         }
         if (!known) {
-            kept |= (singular >> i & 1u) << count;
+            kept |= (singular >> i & 1) << count;
             found->residual[count] = found->residual[i];
             for (int j = 0; j < 6; j++) {
                 found->q[count][j] = found->q[i][j];
@@ -3790,13 +3794,18 @@ static void yaskawa_hc10_merge(yaskawa_hc10_found *found)
     found->singular = kept;
 }
 
-/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the
- * next. */
-static int yaskawa_hc10_before(const double a[6], const double b[6])
+/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
+ * angle, angles that agree to rounding by the next. */
+static int yaskawa_hc10_before(const yaskawa_hc10_found *found, int i, int j)
 {
-    for (int i = 0; i < 6; i++) {
-        if (fabs(a[i] - b[i]) > 1e-09) {
-            return a[i] < b[i];
+    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    const double *const a = found->q[i], *const b = found->q[j];
+    if (one != other) {
+        return one < other;
+    }
+    for (int k = 0; k < 6; k++) {
+        if (fabs(a[k] - b[k]) > 1e-09) {
+            return a[k] < b[k];
         }
     }
     return 0;
@@ -3805,18 +3814,18 @@ static int yaskawa_hc10_before(const double a[6], const double b[6])
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays open, in
- * radians and arm sizes. Returns how many; -1 - count when it is not certain that these are all:
- * for want of a certificate of its own (where every polynomial vanishes identically there may be a
- * continuum, which poses close by do not have), or because roots met or the arm is singular at a
- * solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
+ * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
+ * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
+ * identically there may be a continuum, which poses close by do not have), or because roots met or
+ * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
 static int yaskawa_hc10_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     yaskawa_hc10_found found;
     yaskawa_hc10_loop whole;
     const yaskawa_hc10_loop *const loop = &whole;
-    int order[16], certified, inexact = 0;
+    int order[64], certified, inexact = 0;
     yaskawa_hc10_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3832,11 +3841,12 @@ static int yaskawa_hc10_general(const double T[16], double q[16][6],
     yaskawa_hc10_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && yaskawa_hc10_before(found.q[i], found.q[order[j - 1]]); j--) {
+        for (; j > 0 && yaskawa_hc10_before(&found, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40
 SAME = 1e-6  # solutions closer than this are one [rad]
+# Where a solution is singular many candidates come near to it, which are told to be one in the end.
+PLACES = 64
 TOGETHER = 1e-3  # singular solutions closer than this are one [rad]
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
@@ -68,7 +70,8 @@ class Solved:
     """The solutions of one pose.
 
     Attributes:
-        q: (k, 6), sorted by θ1, then θ2 ... [rad, in (−π, π]; a slide's in the file's unit].
+        q: (k, 6), sorted by θ1, then θ2 ..., singular ones behind all others [rad, in (−π, π]; a
+            slide's in the file's unit].
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.
         singular: Whether roots met, or the arm is singular at a solution, or steps did not make one
@@ -99,22 +102,22 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
     if P[:3, 3] @ P[:3, 3] > out_of_reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     links = tuple(np.array(K.at(held)) for K in loop.links)
-    search = _Search(Target(links, P, loop.slides), kernel.rows, kernel.tried(held))
+    search = _Search(Target(links, P, loop.slides), kernel.tried(held))
     certified = _attempt(kernel, search)
     complete = certified or _from_nearby(kernel, search)
     if not complete:
         random = np.random.default_rng(0)
         for theta in random.uniform(-np.pi, np.pi, (STARTS, 6)):
             search.offer(theta, STEPS_FROM_AFAR)
-    found = search.result(loop, complete=complete)
+    found = search.result(loop, kernel.rows, complete=complete)
     return found if certified else replace(found, singular=True)
 
 
 class _Search:
     """The solutions found so far, a slide's length in arm sizes, and what is tried for them."""
 
-    def __init__(self, target: Target, most: int, formulations: tuple[Formulation, ...]) -> None:
-        self.target, self.most, self.formulations = target, most, formulations
+    def __init__(self, target: Target, formulations: tuple[Formulation, ...]) -> None:
+        self.target, self.formulations = target, formulations
         self.turns = np.array([place not in target.slides for place in range(6)])
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
@@ -136,7 +139,7 @@ class _Search:
             return None
         theta = np.where(self.turns, np.pi - np.remainder(np.pi - theta, 2 * np.pi), theta)
         place = self._place(theta)
-        if place == self.most:
+        if place == PLACES:
             return None
         if place == len(self.found):
             self.found.append(theta)
@@ -170,12 +173,14 @@ class _Search:
         turned = np.remainder(a - b + np.pi, 2 * np.pi) - np.pi
         return float(np.abs(np.where(self.turns, turned, a - b)).max())
 
-    def result(self, loop: Loop, *, complete: bool) -> Solved:
+    def result(self, loop: Loop, most: int, *, complete: bool) -> Solved:
+        """The solutions, at most so many, in joint values."""
         kept = self._merged()
         q = np.array([self.found[i] for i in kept]).reshape(-1, 6)
         q += [np.arctan2(s, c) for c, s in loop.advances]
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
-        order = sorted(range(len(q)), key=lambda i: in_order(q[i]))
+        order = sorted(range(len(q)), key=lambda i: (kept[i] in self.singular, in_order(q[i])))
+        order = order[:most]
         residual = np.array([self.residuals[kept[i]] for i in order])
         singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)
@@ -311,7 +316,7 @@ def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     before = -1
     for number, motion in enumerate(nudges()):
         moved = search.target.P @ np.array(motion)
-        nearby = _Search(replace(search.target, P=moved), search.most, search.formulations)
+        nearby = _Search(replace(search.target, P=moved), search.formulations)
         complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
         count = -1

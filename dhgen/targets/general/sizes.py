@@ -40,6 +40,7 @@ class Sizes:
         parabolas: That tell two roots where they nearly meet.
         angles: Those, the double roots, and what may stand on both sides of them.
         candidates: For joint angles.
+        places: For what candidates lead to, before it is told which of them are one.
         steps: Of the polish from a candidate.
         steps_from_afar: Of the polish from anywhere.
         batches: Of starts, in lanes.
@@ -67,6 +68,7 @@ class Sizes:
     parabolas: int = reference.PARABOLAS
     angles: int = 6 * ROOTS
     candidates: int = 6 * ROOTS
+    places: int = reference.PLACES
     steps: int = reference.STEPS
     steps_from_afar: int = reference.STEPS_FROM_AFAR
     batches: int = BATCHES

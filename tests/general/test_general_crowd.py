@@ -1,0 +1,52 @@
+"""A singular solution to which many candidates come takes none of the room of the others."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from dhgen.survey.oracle.forward import forward
+from tests.compiling import library
+from tests.targets.calling import HELD, LANGUAGES, gap
+from tests.targets.made import folder, made_up, without_numba
+
+ARM = ["theta: q, d: 0.4, a: 0.05, alpha: -pi/2", "theta: q, a: 0.5"]
+TURN = np.pi / 2
+# A wrist that is nearly spherical, the joint values of a pose where it is straight, and a solution
+# at which the arm is not singular (the smallest singular value is 0.14 and 0.0045), from a Newton
+# search from 800 starts.
+CASES = {
+    "one_to_three_micrometres": (
+        [
+            "theta: q, a: 0.06, alpha: -1.5707963267948966",
+            "theta: q, d: 0.5, a: 1e-6, alpha: 1.5707973267948965",
+            "theta: q, d: 2e-6, a: -1e-6, alpha: -1.5707983267948966",
+        ],
+        [0.0, 0.0, 0.0, 0.0, 2 * TURN, 2 * TURN],
+        [-np.pi, 3.0962176, -2.6523859, -3.1415924, -2.697761, 3.1415924],
+    ),
+    "a_millimetre": (
+        [
+            "theta: q, a: 0.06, alpha: -pi/2",
+            "theta: q, d: 0.5, a: 0.001, alpha: pi/2",
+            "theta: q, d: 0.0007, a: 0.0012, alpha: -pi/2",
+        ],
+        [0.0, TURN, TURN, 2 * TURN, 2 * TURN, -2 * TURN],
+        [0.0, -1.5707963, 1.80571003, -np.pi, 0.23491371, np.pi],
+    ),
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", CASES)
+def test_a_regular_solution_beside_a_singular_one(name: str, language: str) -> None:
+    wrist, q, other = CASES[name]
+    compiled = made_up(name, [*ARM, *wrist, "theta: q, d: 0.1"], "")
+    solve = library(compiled.module, folder()).ik
+    if language == "Python":
+        solve = without_numba(compiled.files[f"{name}.py"], name).ik_all
+    T = np.asarray(forward(compiled.robot, np.array([q]))[0], dtype=float)
+    assert np.abs(forward(compiled.robot, np.array([other]))[0] - T).max() < 1e-7
+    rows, status = solve(T, np.zeros(6))
+    held = rows[np.isin(status, HELD)]
+    assert gap(held, np.array(other)).min() < 1e-6
