@@ -370,7 +370,7 @@ static int taken_for(
         gap[j] = u[j] - known[j];
     wrap_angles(gap);
     const double length = distance_between(gap, none);
-    if (length < (loose ? 0.001 : 1e-06))
+    if (length < 1e-06)
         return 1;
     return loose && length < 0.1 && solves_between(d, known, gap, length);
 }
@@ -3204,8 +3204,8 @@ static inline general_6r_lane general_6r_polish(const general_6r_loop *loop, gen
 /* A bit for each solution. */
 typedef unsigned long long general_6r_set;
 
-/* The solutions found so far. Where one is singular many candidates come near to it, which are told
- * to be one in the end: there is room for more than there are solutions. */
+/* The solutions found so far. Where one is singular many candidates come near to it, which are not
+ * told to be one here: there is room for more than there are solutions. */
 typedef struct {
     int count;
     general_6r_set singular; /* where the arm is */
@@ -3522,30 +3522,6 @@ static void general_6r_from_anywhere(const general_6r_loop *loop, general_6r_fou
     }
 }
 
-/* Singular solutions are known less well: those that lie together become one. */
-static void general_6r_merge(general_6r_found *found)
-{
-    const general_6r_set singular = found->singular;
-    general_6r_set kept = 0;
-    int count = 0;
-    for (int i = 0; i < found->count; i++) {
-        int known = 0;
-        for (int j = 0; j < count && singular >> i & 1; j++) {
-            known |= (kept >> j & 1) && general_6r_alike(found->q[i], found->q[j], 0.001);
-        }
-        if (!known) {
-            kept |= (singular >> i & 1) << count;
-            found->residual[count] = found->residual[i];
-            for (int j = 0; j < 6; j++) {
-                found->q[count][j] = found->q[i][j];
-            }
-            count++;
-        }
-    }
-    found->count = count;
-    found->singular = kept;
-}
-
 /* Whether solution i comes before solution j: regular ones before singular ones, then by the first
  * angle, angles that agree to rounding by the next. */
 static int general_6r_before(const general_6r_found *found, int i, int j)
@@ -3563,7 +3539,7 @@ static int general_6r_before(const general_6r_found *found, int i, int j)
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
  * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
@@ -3571,8 +3547,8 @@ static int general_6r_before(const general_6r_found *found, int i, int j)
  * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
  * identically there may be a continuum, which poses close by do not have), or because roots met or
  * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
-static int general_6r_general(const double T[16], double q[16][6],
-                         double residual[16])
+static int general_6r_general(const double T[16], double q[64][6],
+                         double residual[64])
 {
     general_6r_found found;
     general_6r_loop whole;
@@ -3590,7 +3566,6 @@ static int general_6r_general(const double T[16], double q[16][6],
     if (!certified && !general_6r_from_nearby(loop, &found)) {
         general_6r_from_anywhere(loop, &found);
     }
-    general_6r_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
         for (; j > 0 && general_6r_before(&found, i, order[j - 1]); j--) {
@@ -3598,7 +3573,6 @@ static int general_6r_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];
@@ -3620,7 +3594,7 @@ static void all_joints(
     static const double zero[6] = { 2.137, -2.341, -1.611, 0.482, 0.126, 1.904 };
     struct descent d = { .T = T };
     struct kept kept = { .count = 0 };
-    double angles[16][6], residual[16], u[6];
+    double angles[64][6], residual[64], u[6];
     const int count = general_6r_general(T, angles, residual);
     for (int j = 0; j < 6; j++)
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];

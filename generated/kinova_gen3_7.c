@@ -371,7 +371,7 @@ static int taken_for(
         gap[j] = u[j] - known[j];
     wrap_angles(gap);
     const double length = distance_between(gap, none);
-    if (length < (loose ? 0.001 : 1e-06))
+    if (length < 1e-06)
         return 1;
     return loose && length < 0.1 && solves_between(d, known, gap, length);
 }
@@ -3220,8 +3220,8 @@ static inline kinova_gen3_7_lane kinova_gen3_7_polish(const kinova_gen3_7_loop *
 /* A bit for each solution. */
 typedef unsigned long long kinova_gen3_7_set;
 
-/* The solutions found so far. Where one is singular many candidates come near to it, which are told
- * to be one in the end: there is room for more than there are solutions. */
+/* The solutions found so far. Where one is singular many candidates come near to it, which are not
+ * told to be one here: there is room for more than there are solutions. */
 typedef struct {
     int count;
     kinova_gen3_7_set singular; /* where the arm is */
@@ -3544,30 +3544,6 @@ static void kinova_gen3_7_from_anywhere(const kinova_gen3_7_loop *loop, kinova_g
     }
 }
 
-/* Singular solutions are known less well: those that lie together become one. */
-static void kinova_gen3_7_merge(kinova_gen3_7_found *found)
-{
-    const kinova_gen3_7_set singular = found->singular;
-    kinova_gen3_7_set kept = 0;
-    int count = 0;
-    for (int i = 0; i < found->count; i++) {
-        int known = 0;
-        for (int j = 0; j < count && singular >> i & 1; j++) {
-            known |= (kept >> j & 1) && kinova_gen3_7_alike(found->q[i], found->q[j], 0.001);
-        }
-        if (!known) {
-            kept |= (singular >> i & 1) << count;
-            found->residual[count] = found->residual[i];
-            for (int j = 0; j < 6; j++) {
-                found->q[count][j] = found->q[i][j];
-            }
-            count++;
-        }
-    }
-    found->count = count;
-    found->singular = kept;
-}
-
 /* Whether solution i comes before solution j: regular ones before singular ones, then by the first
  * angle, angles that agree to rounding by the next. */
 static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
@@ -3585,7 +3561,7 @@ static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
  * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
@@ -3593,8 +3569,8 @@ static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
  * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
  * identically there may be a continuum, which poses close by do not have), or because roots met or
  * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
-static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[16][6],
-                         double residual[16])
+static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[64][6],
+                         double residual[64])
 {
     kinova_gen3_7_found found;
     kinova_gen3_7_loop whole;
@@ -3612,7 +3588,6 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
     if (!certified && !kinova_gen3_7_from_nearby(loop, &found)) {
         kinova_gen3_7_from_anywhere(loop, &found);
     }
-    kinova_gen3_7_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
         for (; j > 0 && kinova_gen3_7_before(&found, i, order[j - 1]); j--) {
@@ -3620,7 +3595,6 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];
@@ -3645,7 +3619,7 @@ static void all_joints(
     };
     struct descent d = { .T = T };
     struct kept kept = { .count = 0 };
-    double angles[16][6], residual[16], u[6];
+    double angles[64][6], residual[64], u[6];
     const int count = kinova_gen3_7_general(T, free_joints, angles, residual);
     d.q[2] = free_joints[0];
     for (int j = 0; j < 6; j++)

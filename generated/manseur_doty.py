@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "manseur_doty fab2027d67dfbef1"
+_KEY = "manseur_doty 0d5a92223942e0c6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -762,7 +762,7 @@ def _taken_for(T, q, known, u, loose):
     _wrap_angles(between)
     for j in range(6):
         gap = max(gap, abs(between[j]))
-    if gap < (0.001 if loose else 1e-06):
+    if gap < 1e-06:
         return True
     return loose and gap < 0.1 and _solves_between(T, q, known, between, gap)
 
@@ -1780,24 +1780,6 @@ def _manseur_doty_gap(a, b):
 
 
 @_inner
-def _manseur_doty_merge(q, residual, singular, count):
-    """Singular solutions are known less well: those that lie together become one."""
-    kept = 0
-    for i in range(count):
-        known = False
-        if singular[i]:
-            for j in range(kept):
-                if singular[j] and _manseur_doty_gap(q[i], q[j]) < 0.001:
-                    known = True
-        if not known:
-            residual[kept], singular[kept] = residual[i], singular[i]
-            for k in range(6):
-                q[kept, k] = q[i, k]
-            kept += 1
-    return kept
-
-
-@_inner
 def _manseur_doty_begun(q, c, s):
     """The cosines and sines in the loop of joint values; a length stands in the sine's place."""
     for i in range(6):
@@ -1809,7 +1791,7 @@ def _manseur_doty_begun(q, c, s):
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _manseur_doty_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
-    one is singular many come near to it, which are told to be one in the end: there is room for more
+    one is singular many come near to it, which are not told to be one here: there is room for more
     than there are solutions."""
     missing = _manseur_doty_polish(links, c, s, afar)
     if not missing <= 1e-10:
@@ -2070,13 +2052,13 @@ def _manseur_doty_before(q, singular, i, j):
 
 @_apart("int64(float64[::1], float64[:, ::1], float64[::1])")
 def manseur_doty_general(T, q, residual):
-    """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16.
+    """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
 
     Args:
         T: A rigid transform, twelve numbers.
-        q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
+        q: (64, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
             1e-09 in the order of q2, and so on, singular ones behind all others.
-        residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
+        residual: (64,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
         How many; -1 - count when it is not certain that these are all: for want of a certificate of
@@ -2106,7 +2088,6 @@ def manseur_doty_general(T, q, residual):
             _, count = _manseur_doty_offer(
                 loop, c, s, True, True, found, missing, singular, count
             )
-    count = _manseur_doty_merge(found, missing, singular, count)
     order = np.empty(64, dtype=np.int64)
     for i in range(count):
         j = i
@@ -2114,7 +2095,6 @@ def manseur_doty_general(T, q, residual):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
-    count = min(count, 16)
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]
@@ -2136,7 +2116,7 @@ def _all_joints(pose, seed):
     for i in range(3):
         for j in range(4):
             flat[4 * i + j] = T[i, j] = pose[4 * i + j]
-    angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(6)
+    angles, residual, joints = np.empty((64, 6)), np.empty(64), np.zeros(6)
     known = manseur_doty_general(flat, angles, residual)
     q = np.zeros((16, 6))
     found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)

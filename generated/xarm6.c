@@ -369,7 +369,7 @@ static int taken_for(
         gap[j] = u[j] - known[j];
     wrap_angles(gap);
     const double length = distance_between(gap, none);
-    if (length < (loose ? 0.001 : 1e-06))
+    if (length < 1e-06)
         return 1;
     return loose && length < 0.1 && solves_between(d, known, gap, length);
 }
@@ -3056,8 +3056,8 @@ static inline xarm6_lane xarm6_polish(const xarm6_loop *loop, xarm6_lane c[6], x
 /* A bit for each solution. */
 typedef unsigned long long xarm6_set;
 
-/* The solutions found so far. Where one is singular many candidates come near to it, which are told
- * to be one in the end: there is room for more than there are solutions. */
+/* The solutions found so far. Where one is singular many candidates come near to it, which are not
+ * told to be one here: there is room for more than there are solutions. */
 typedef struct {
     int count;
     xarm6_set singular; /* where the arm is */
@@ -3615,30 +3615,6 @@ static void xarm6_from_anywhere(const xarm6_loop *loop, xarm6_found *found)
     }
 }
 
-/* Singular solutions are known less well: those that lie together become one. */
-static void xarm6_merge(xarm6_found *found)
-{
-    const xarm6_set singular = found->singular;
-    xarm6_set kept = 0;
-    int count = 0;
-    for (int i = 0; i < found->count; i++) {
-        int known = 0;
-        for (int j = 0; j < count && singular >> i & 1; j++) {
-            known |= (kept >> j & 1) && xarm6_alike(found->q[i], found->q[j], 0.001);
-        }
-        if (!known) {
-            kept |= (singular >> i & 1) << count;
-            found->residual[count] = found->residual[i];
-            for (int j = 0; j < 6; j++) {
-                found->q[count][j] = found->q[i][j];
-            }
-            count++;
-        }
-    }
-    found->count = count;
-    found->singular = kept;
-}
-
 /* Whether solution i comes before solution j: regular ones before singular ones, then by the first
  * angle, angles that agree to rounding by the next. */
 static int xarm6_before(const xarm6_found *found, int i, int j)
@@ -3656,7 +3632,7 @@ static int xarm6_before(const xarm6_found *found, int i, int j)
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
  * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
@@ -3664,8 +3640,8 @@ static int xarm6_before(const xarm6_found *found, int i, int j)
  * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
  * identically there may be a continuum, which poses close by do not have), or because roots met or
  * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
-static int xarm6_general(const double T[16], double q[16][6],
-                         double residual[16])
+static int xarm6_general(const double T[16], double q[64][6],
+                         double residual[64])
 {
     xarm6_found found;
     xarm6_loop whole;
@@ -3683,7 +3659,6 @@ static int xarm6_general(const double T[16], double q[16][6],
     if (!certified && !xarm6_from_nearby(loop, &found)) {
         xarm6_from_anywhere(loop, &found);
     }
-    xarm6_merge(&found);
     for (int i = 0; i < found.count; i++) {
         int j = i;
         for (; j > 0 && xarm6_before(&found, i, order[j - 1]); j--) {
@@ -3691,7 +3666,6 @@ static int xarm6_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];
@@ -3713,7 +3687,7 @@ static void all_joints(
     static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
     struct descent d = { .T = T };
     struct kept kept = { .count = 0 };
-    double angles[16][6], residual[16], u[6];
+    double angles[64][6], residual[64], u[6];
     const int count = xarm6_general(T, angles, residual);
     for (int j = 0; j < 6; j++)
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];

@@ -41,9 +41,8 @@ if TYPE_CHECKING:
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40
 SAME = 1e-6  # solutions closer than this are one [rad]
-# Where a solution is singular many candidates come near to it, which are told to be one in the end.
+# Where a solution is singular many candidates come near to it, which are not told to be one here.
 PLACES = 64
-TOGETHER = 1e-3  # singular solutions closer than this are one [rad]
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
 PARABOLAS = 3  # one after the other that tell them
@@ -109,7 +108,7 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
         random = np.random.default_rng(0)
         for theta in random.uniform(-np.pi, np.pi, (STARTS, 6)):
             search.offer(theta, STEPS_FROM_AFAR)
-    found = search.result(loop, kernel.rows, complete=complete)
+    found = search.result(loop, complete=complete)
     return found if certified else replace(found, singular=True)
 
 
@@ -151,16 +150,6 @@ class _Search:
             self.singular.add(place)
         return place
 
-    def _merged(self) -> list[int]:
-        """All but singular solutions, known less well, that lie together with an earlier one."""
-        kept: list[int] = []
-        for i, theta in enumerate(self.found):
-            others = [self.found[j] for j in kept if j in self.singular]
-            gaps = [self._gap(theta, other) for other in others if i in self.singular]
-            if min(gaps, default=np.inf) >= TOGETHER:
-                kept.append(i)
-        return kept
-
     def _place(self, theta: FloatArray) -> int:
         """The place of the same solution, or the next free one."""
         for i, known in enumerate(self.found):
@@ -173,15 +162,13 @@ class _Search:
         turned = np.remainder(a - b + np.pi, 2 * np.pi) - np.pi
         return float(np.abs(np.where(self.turns, turned, a - b)).max())
 
-    def result(self, loop: Loop, most: int, *, complete: bool) -> Solved:
-        """The solutions, at most so many, in joint values."""
-        kept = self._merged()
-        q = np.array([self.found[i] for i in kept]).reshape(-1, 6)
+    def result(self, loop: Loop, *, complete: bool) -> Solved:
+        """The solutions in joint values."""
+        q = np.array(self.found).reshape(-1, 6)
         q += [np.arctan2(s, c) for c, s in loop.advances]
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
-        order = sorted(range(len(q)), key=lambda i: (kept[i] in self.singular, in_order(q[i])))
-        order = order[:most]
-        residual = np.array([self.residuals[kept[i]] for i in order])
+        order = sorted(range(len(q)), key=lambda i: (i in self.singular, in_order(q[i])))
+        residual = np.array([self.residuals[i] for i in order])
         singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)
 

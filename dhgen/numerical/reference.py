@@ -215,7 +215,7 @@ class Arm:
         """Whether a solution is taken for one that is known; loosely where both are singular."""
         way = self.wrapped(u - known)
         gap = float(np.abs(way).max())
-        if gap < (constants.TOGETHER if loose else constants.SAME):
+        if gap < constants.SAME:
             return True
         return loose and gap < constants.NEIGHBOURS and self._solves_between(known, way)
 

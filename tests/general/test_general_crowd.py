@@ -50,3 +50,21 @@ def test_a_regular_solution_beside_a_singular_one(name: str, language: str) -> N
     rows, status = solve(T, np.zeros(6))
     held = rows[np.isin(status, HELD)]
     assert gap(held, np.array(other)).min() < 1e-6
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_two_solutions_that_nearly_meet(language: str) -> None:
+    """2.1e-4 apart, and half way between them the pose is missed by 9e-10: they are not one."""
+    name = "one_to_three_micrometres"
+    q = np.array([-3.12951191, -1.54942265, -1.45147479, -np.pi, 0.11718109, -np.pi])
+    compiled = made_up(name, [*ARM, *CASES[name][0], "theta: q, d: 0.1"], "")
+    solve = library(compiled.module, folder()).ik
+    if language == "Python":
+        solve = without_numba(compiled.files[f"{name}.py"], name).ik_all
+    T = np.asarray(forward(compiled.robot, q[None])[0], dtype=float)
+    rows, status = solve(T, np.zeros(6))
+    near = rows[np.isin(status, HELD) & (gap(rows, q) < 1e-3)]
+    assert len(near) == 2
+    assert np.abs(forward(compiled.robot, near) - T).max() < 1e-12
+    way = np.mod(near[1] - near[0] + np.pi, 2 * np.pi) - np.pi
+    assert np.abs(forward(compiled.robot, near[:1] + 0.5 * way) - T).max() > 1e-10

@@ -39,7 +39,6 @@ class Tolerances:
     clear: float = roots.CLEAR
     residual: float = TOLERANCES.polished
     exact: float = TOLERANCES.exact
-    together: float = reference.TOGETHER
     same: float = reference.SAME
     close: float = 4.0 - reference.CLOSE**2  # the square of the sum of two such unit vectors
     tie: float = TIE  # of joint values, when rows are sorted
