@@ -79,7 +79,7 @@ def _report(report: Report, details: ErrorDetails) -> None:
     path = details["loc"]
     if details["type"] == "extra_forbidden":
         key = str(path[-1])
-        hint = _glued(key, path) or nearest(key, _valid_keys(path))
+        hint = _glued(key, path) or _elsewhere(key, path) or nearest(key, _valid_keys(path))
         report.error_at_key(path, f"unknown key {quoted(key)}{hint}")
     elif details["type"] == "missing":
         report.error(path, f"the key '{path[-1]}' is missing")
@@ -99,6 +99,15 @@ def _glued(key: str, path: Path) -> str:
     if found[2] == ":" and "," in key:
         return "; put several keys on one line in braces, with a space after every colon"
     return f": write '{found[1]}: {found[3]}', with a colon and a space"
+
+
+def _elsewhere(key: str, path: Path) -> str:
+    """The end of a message about a key that other tools have, and what stands for it here."""
+    if path[0] == "joints" and key == "offset":
+        return "; an offset stands beside the variable: 'theta: q + 0.3', 'd: q + 0.3'"
+    if len(path) == 1 and key in {"limits", "joint_limits", "qlim"}:
+        return "; limits stand in each joint: 'limits: [-1.5, 1.5]'"
+    return ""
 
 
 def _valid_keys(path: Path) -> tuple[str, ...]:

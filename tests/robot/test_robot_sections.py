@@ -55,6 +55,14 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         (f"{MINIMAL}convention: Modified\n", "expected 'standard' or 'modified', not 'Modified'"),
         (f"{MINIMAL}jionts: []\n", "unknown key 'jionts'; did you mean 'joints'? valid: name, tit"),
         (
+            f"{MINIMAL}joint_limits: []\n",
+            "unknown key 'joint_limits'; limits stand in each joint: 'limits: [-1.5, 1.5]'",
+        ),
+        (
+            "name: r\njoints:\n  - {theta: q, offset: 0.3}\n",
+            "unknown key 'offset'; an offset stands beside the variable: 'theta: q + 0.3'",
+        ),
+        (
             f"{MINIMAL}task: poses\n",
             "expected one of pose, position, orientation, pointing, or a list of some of x, y, z",
         ),
