@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 92f3e0cf6632c64f"
+_KEY = "concurrent_345 5050ed60021413fa"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -177,46 +177,44 @@ free_limit = 1e-12  # a length that fixes no angle
 near_limit_squared = 1e-06  # square of a length whose direction is good to few digits
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 k1 = 2.732050807568877  # sqrt3 + 1
-k2 = 0.125  # 1 / 8
-k3 = 0.12074072828613354  # d3 * sqrt2 * k1 * 1 / 8 [m]
-k4 = 0.25  # 1 / 4
-k5 = -0.06755556302831987  # (d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 [m^2]
-k6 = 0.3380740392011739  # a2 * sqrt2 * k1 / 4 [m]
-k7 = 0.25284442352070435  # (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 [m^2]
-k8 = 1.6  # 8 * a6 [m]
-k9 = 0.4  # d5 + 2 * d6 [m]
-k10 = 3.0553429721660432  # d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m]
-k11 = 0.3  # 2 * a5 [m]
-k12 = 0.5  # 1 / 2
-k13 = 0.34641016151377546  # d5 * sqrt3 [m]
-k14 = 0.0625  # d3^2 [m^2]
+k2 = 0.9659258262890683  # d3 * sqrt2 * k1 [m]
+k3 = 0.125  # 1 / 8
+k4 = 0.12074072828613354  # d3 * sqrt2 * k1 * 1 / 8 [m]
+k5 = 0.2897777478867205  # d1 * d3 * sqrt2 * k1 [m^2]
+k6 = 0.25  # 1 / 4
+k7 = -0.06755556302831987  # (d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 [m^2]
+k8 = 0.3380740392011739  # a2 * sqrt2 * k1 / 4 [m]
+k9 = 0.05  # d3 * a1 [m^2]
+k10 = 0.25284442352070435  # (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 [m^2]
+k11 = 1.6  # 8 * a6 [m]
+k12 = 0.4  # d5 + 2 * d6 [m]
+k13 = 3.0553429721660432  # d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m]
+k14 = 0.3  # 2 * a5 [m]
+k15 = 0.5  # 1 / 2
+k16 = 0.34641016151377546  # d5 * sqrt3 [m]
+k17 = 0.0625  # d3^2 [m^2]
 # d1 * (d1 * 4 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3))) + 4 * (a1^2 + (sqrt3 * d3 * d2
 # + (d2^2 + (a2^2 + (d3^2 - (d5 * (d5 + d6) + (a5^2 + (d2^2 + a1^2)))))))) [m^2]
-k15 = 1.1398079724067007
-k16 = 0.06  # 2 * a6 * a5 [m^2]
-k17 = 0.06928203230275509  # a6 * d5 * sqrt3 [m^2]
+k18 = 1.1398079724067007
+k19 = 0.06  # 2 * a6 * a5 [m^2]
+k20 = 0.06928203230275509  # a6 * d5 * sqrt3 [m^2]
 # ((d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * k1 / 4 - d3 * sqrt2 * k1 * 1 / 8 *
 # (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2)^2 [m^6]
-k18 = 0.0028480795858198678
+k21 = 0.0028480795858198678
 # 1 / (d3 * sqrt2 * k1 * 1 / 8 * (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 - (d1 * d3 * sqrt2 * k1 -
 # 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * k1 / 4) [m^-3]
-k19 = 18.738030414662138
-k20 = 0.7  # 2 * a2 [m]
-k21 = 0.7320508075688772  # sqrt3 - 1
-k22 = 0.1830127018922193  # d3 * k21 [m]
-k23 = 0.512435565298214  # 2 * a2 * k21 [m]
-k24 = 1.7294228634059947  # sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m]
-k25 = -1.2679491924311228  # sqrt3 - 3
-k26 = 4.732050807568877  # sqrt3 + 3
-k27 = 0.8660254037844386  # sqrt3 / 2
-k28 = 1.4196152422706632  # d1 * k26 [m]
-k29 = 1.3856406460551018  # 4 * d5 * sqrt3 [m]
-k30 = 1.035276180410083  # sqrt2 * k21
-k31 = 0.7105828541230249  # d1 * sqrt2 * k21 + k9 [m]
-k32 = 0.8  # 4 * a1 [m]
-k33 = 0.8196152422706632  # d1 * k1 [m]
-k34 = 1.4  # 4 * a2 [m]
-k35 = 7.698003589195011  # 1 / (a5 * sqrt3 / 2) [m^-1]
+k22 = 18.738030414662138
+k23 = 0.7  # 2 * a2 [m]
+k24 = 0.7320508075688772  # sqrt3 - 1
+k25 = 0.1830127018922193  # d3 * k24 [m]
+k26 = 0.512435565298214  # 2 * a2 * k24 [m]
+k27 = 1.7294228634059947  # sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m]
+k28 = -1.2679491924311228  # sqrt3 - 3
+k29 = 4.732050807568877  # sqrt3 + 3
+k30 = 0.8660254037844386  # sqrt3 / 2
+k31 = 0.25881904510252074  # sqrt2 * k24 / 4
+k32 = 0.07764571353075622  # sqrt2 * d1 * k24 * 1 / 4 [m]
+k33 = 7.698003589195011  # 1 / (a5 * sqrt3 / 2) [m^-1]
 f1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
 f2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
 f3 = 0.025881904510252077  # d2 * f1 [m]
@@ -437,12 +435,12 @@ def fk(q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = f2 * c2
-    y2_x = z1_x * k12 - v3 * f5
-    y2_y = v4 * f5 - v2 * k12
+    y2_x = z1_x * k15 - v3 * f5
+    y2_y = v4 * f5 - v2 * k15
     y2_z = v5 * f5 + f6
-    z2_x = v3 * k12 + z1_x * f5
-    v6 = v4 * k12 + v2 * f5
-    z2_z = f7 - v5 * k12
+    z2_x = v3 * k15 + z1_x * f5
+    v6 = v4 * k15 + v2 * f5
+    z2_z = f7 - v5 * k15
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -467,12 +465,12 @@ def fk(q):
     v8 = y4_x * c5 - x4_x * s5
     v9 = y4_y * c5 - x4_y * s5
     v10 = y4_z * c5 - x4_z * s5
-    y5_x = k12 * v8 + f5 * z4_x
-    y5_y = k12 * v9 - f5 * v7
-    y5_z = k12 * v10 + f5 * z4_z
-    z5_x = k12 * z4_x - f5 * v8
-    v11 = f5 * v9 + k12 * v7
-    z5_z = k12 * z4_z - f5 * v10
+    y5_x = k15 * v8 + f5 * z4_x
+    y5_y = k15 * v9 - f5 * v7
+    y5_z = k15 * v10 + f5 * z4_z
+    z5_x = k15 * z4_x - f5 * v8
+    v11 = f5 * v9 + k15 * v7
+    z5_z = k15 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
     x6_x = x5_x * c6 + y5_x * s6
@@ -519,12 +517,12 @@ def jacobian(q):
     p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
     p2_z = d1 + x2_z * a2 + f3
-    y2_x = z1_x * k12 - v3 * f5
-    y2_y = v4 * f5 - v2 * k12
+    y2_x = z1_x * k15 - v3 * f5
+    y2_y = v4 * f5 - v2 * k15
     y2_z = v5 * f5 + f6
-    z2_x = v3 * k12 + z1_x * f5
-    v6 = v4 * k12 + v2 * f5
-    z2_z = f7 - v5 * k12
+    z2_x = v3 * k15 + z1_x * f5
+    v6 = v4 * k15 + v2 * f5
+    z2_z = f7 - v5 * k15
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -555,14 +553,14 @@ def jacobian(q):
     p5_x = p3_x + x5_x * a5 + z4_x * d5
     p5_y = p3_y + x5_y * a5 - v7 * d5
     p5_z = p3_z + x5_z * a5 + z4_z * d5
-    z5_x = k12 * z4_x - f5 * v8
-    v11 = f5 * v9 + k12 * v7
-    z5_z = k12 * z4_z - f5 * v10
+    z5_x = k15 * z4_x - f5 * v8
+    v11 = f5 * v9 + k15 * v7
+    z5_z = k15 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    p6_x = p5_x + (x5_x * c6 + (k12 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6
-    p6_y = p5_y + (x5_y * c6 + (k12 * v9 - f5 * v7) * s6) * a6 - v11 * d6
-    p6_z = p5_z + (x5_z * c6 + (k12 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6
+    p6_x = p5_x + (x5_x * c6 + (k15 * v8 + f5 * z4_x) * s6) * a6 + z5_x * d6
+    p6_y = p5_y + (x5_y * c6 + (k15 * v9 - f5 * v7) * s6) * a6 - v11 * d6
+    p6_z = p5_z + (x5_z * c6 + (k15 * v10 + f5 * z4_z) * s6) * a6 + z5_z * d6
     v12 = p6_x - p1_x
     v13 = p6_y - p1_y
     v14 = p6_z - d1
@@ -697,12 +695,12 @@ def _missed_by(pose, q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = f2 * c2
-    y2_x = z1_x * k12 - v3 * f5
-    y2_y = v4 * f5 - v2 * k12
+    y2_x = z1_x * k15 - v3 * f5
+    y2_y = v4 * f5 - v2 * k15
     y2_z = v5 * f5 + f6
-    z2_x = v3 * k12 + z1_x * f5
-    v6 = v4 * k12 + v2 * f5
-    z2_z = f7 - v5 * k12
+    z2_x = v3 * k15 + z1_x * f5
+    v6 = v4 * k15 + v2 * f5
+    z2_z = f7 - v5 * k15
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -727,12 +725,12 @@ def _missed_by(pose, q):
     v8 = y4_x * c5 - x4_x * s5
     v9 = y4_y * c5 - x4_y * s5
     v10 = y4_z * c5 - x4_z * s5
-    y5_x = k12 * v8 + f5 * z4_x
-    y5_y = k12 * v9 - f5 * v7
-    y5_z = k12 * v10 + f5 * z4_z
-    z5_x = k12 * z4_x - f5 * v8
-    v11 = f5 * v9 + k12 * v7
-    z5_z = k12 * z4_z - f5 * v10
+    y5_x = k15 * v8 + f5 * z4_x
+    y5_y = k15 * v9 - f5 * v7
+    y5_z = k15 * v10 + f5 * z4_z
+    z5_x = k15 * z4_x - f5 * v8
+    v11 = f5 * v9 + k15 * v7
+    z5_z = k15 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
     x6_x = x5_x * c6 + y5_x * s6
@@ -1081,40 +1079,40 @@ def _solve(pose, seed, moved, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
     # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
-    v1 = T31 * k8 + (T33 * k8 + (k10 - 8.0 * T34))
-    R1_6 = k2 * v1
-    v2 = T31 * k11 + d5 * (sqrt3 * T32)
-    R1c6 = v2 * k12
-    v3 = T31 * k13 - 2.0 * (T32 * a5)
-    R1s6 = k12 * v3
+    v1 = T31 * k11 + (T33 * k11 + (k13 - 8.0 * T34))
+    R1_6 = k3 * v1
+    v2 = T31 * k14 + d5 * (sqrt3 * T32)
+    R1c6 = v2 * k15
+    v3 = T31 * k16 - 2.0 * (T32 * a5)
+    R1s6 = k15 * v3
     v4 = T14 * T11 + T24 * T21 + T31 * T34
     v5 = T14 * T12 + T24 * T22 + T32 * T34
     v6 = T14 * T13 + T24 * T23 + T33 * T34
-    v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k9 - v6)) + k15) - v4 * (4.0 * (k9 - v4))
-    R2_6 = k4 * -v7
-    v8 = k16 - k13 * v5 - k11 * v4
-    v9 = k11 * v5 + k17 - k13 * v4
-    v10 = k6 * R2_6 - k7 * R1_6
-    v11 = k6 * -v8 - k7 * R1c6
-    v12 = k6 * -v9 - k7 * R1s6
-    v13 = k3 * R2_6 - k5 * R1_6
-    v14 = k3 * -v8 - k5 * R1c6
-    v15 = k3 * -v9 - k5 * R1s6
+    v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k12 - v6)) + k18) - v4 * (4.0 * (k12 - v4))
+    R2_6 = k6 * -v7
+    v8 = k19 - k16 * v5 - k14 * v4
+    v9 = k14 * v5 + k20 - k16 * v4
+    v10 = k8 * R2_6 - k10 * R1_6
+    v11 = k8 * -v8 - k10 * R1c6
+    v12 = k8 * -v9 - k10 * R1s6
+    v13 = k4 * R2_6 - k7 * R1_6
+    v14 = k4 * -v8 - k7 * R1c6
+    v15 = k4 * -v9 - k7 * R1s6
     v16 = v11 * v11
     v17 = v12 * v12
     v18 = 2.0 * v10
     v19 = v14 * v14
     v20 = v15 * v15
     v21 = 2.0 * v13
-    v22 = v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20))
+    v22 = v10 * v10 + k15 * (v16 + v17) + (v13 * v13 + k15 * (v19 + v20))
     v23 = v11 * v18 + v14 * v21
     v24 = v12 * v18 + v15 * v21
-    v25 = k12 * (v16 - v17) + k12 * (v19 - v20)
+    v25 = k15 * (v16 - v17) + k15 * (v19 - v20)
     v26 = v11 * v12 + v14 * v15
-    v27 = v22 - k18
+    v27 = v22 - k21
     free6 = abs(v27) + abs(v23) + abs(v24) + abs(v25) + abs(v26) <= free_limit6
     x6_roots, x6_close = _circle_roots(1.0 if free6 else v27, -1.0 if free6 else v23, 0.0 if free6
-        else v24, 0.0 if free6 else v25, 0.0 if free6 else v26, square_rounding * (v22 + k18),
+        else v24, 0.0 if free6 else v25, 0.0 if free6 else v26, square_rounding * (v22 + k21),
         moved)
 
     # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
@@ -1125,50 +1123,50 @@ def _solve(pose, seed, moved, q, status):
 
     # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
     v33 = sqrt3 * T22
-    v34 = k11 * T21 + d5 * v33
-    v35 = k13 * T21 - 2.0 * (a5 * T22)
-    v36 = k9 * T21 + (k9 * T23 - 2.0 * T24)
+    v34 = k14 * T21 + d5 * v33
+    v35 = k16 * T21 - 2.0 * (a5 * T22)
+    v36 = k12 * T21 + (k12 * T23 - 2.0 * T24)
     v38 = sqrt3 * T12
-    v39 = k11 * T11 + d5 * v38
-    v40 = k13 * T11 - 2.0 * (a5 * T12)
-    v41 = k9 * T11 + (k9 * T13 - 2.0 * T14)
+    v39 = k14 * T11 + d5 * v38
+    v40 = k16 * T11 - 2.0 * (a5 * T12)
+    v41 = k12 * T11 + (k12 * T13 - 2.0 * T14)
 
     # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
     v44 = sqrt3 * T11
-    v45 = T22 * k25
-    v46 = T21 * k25
-    v47 = T23 * k21
+    v45 = T22 * k28
+    v46 = T21 * k28
+    v47 = T23 * k24
     v48 = sqrt3 * T21
-    v49 = T12 * k25
-    v50 = T11 * k25
-    v51 = T13 * k21
-    v52 = T32 * k26
-    v53 = T31 * k26
+    v49 = T12 * k28
+    v50 = T11 * k28
+    v51 = T13 * k24
+    v52 = T32 * k29
+    v53 = T31 * k29
     v54 = k1 * T33
-    v56 = 3.0 * (T22 * k21)
-    v57 = 3.0 * (T21 * k21)
-    v58 = T23 * k25
+    v56 = 3.0 * (T22 * k24)
+    v57 = 3.0 * (T21 * k24)
+    v58 = T23 * k28
     v59 = 3.0 * T12
     v60 = 3.0 * T11
     v61 = sqrt3 * T13
-    v62 = T22 * k26
-    v63 = T21 * k26
+    v62 = T22 * k29
+    v63 = T21 * k29
     v64 = k1 * T23
-    v65 = 3.0 * (T12 * k21)
-    v66 = 3.0 * (T11 * k21)
-    v67 = T13 * k25
+    v65 = 3.0 * (T12 * k24)
+    v66 = 3.0 * (T11 * k24)
+    v67 = T13 * k28
     v68 = 3.0 * T22
     v69 = 3.0 * T21
     v70 = sqrt3 * T23
-    v71 = T12 * k26
-    v72 = T11 * k26
+    v71 = T12 * k29
+    v72 = T11 * k29
     v73 = k1 * T13
     v74 = 3.0 * (k1 * T32)
     v75 = 3.0 * (k1 * T31)
-    v76 = T33 * k26
-    v77 = T32 * k25
-    v78 = T31 * k25
-    v79 = T33 * k21
+    v76 = T33 * k29
+    v77 = T32 * k28
+    v78 = T31 * k28
+    v79 = T33 * k24
 
     # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
     v81 = sqrt2 * v58
@@ -1184,23 +1182,12 @@ def _solve(pose, seed, moved, q, status):
     wx = T14 - a6 * T11 - d6 * T13
     wy = T24 - a6 * T21 - d6 * T23
     wz = T34 - T31 * a6 - T33 * d6
-    v93 = sqrt2 * (k25 * wy)
-    v94 = 4.0 * (sqrt3 * wx)
-    v95 = sqrt2 * (k1 * wy)
-    v96 = sqrt2 * (k25 * wx)
-    v97 = 4.0 * (sqrt3 * wy)
-    v98 = sqrt2 * (k1 * wx)
-    v99 = sqrt2 * (k26 * wz - k28)
-    v100 = wz * k30 - k31
-    v102 = 4.0 * wx
-    v103 = sqrt2 * (k21 * wy)
-    v104 = 4.0 * wy
-    v105 = sqrt2 * (k21 * wx)
-    v106 = sqrt2 * (k1 * wz - k33)
+    v94 = k2 * wz
+    v95 = wz * k31
 
     # theta4, type 3: U3[2, 3] and U3[1, 3]
-    v110 = sqrt2 * (T23 * k26)
-    v111 = sqrt2 * (T13 * k26)
+    v102 = sqrt2 * (T23 * k29)
+    v103 = sqrt2 * (T13 * k29)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
@@ -1212,17 +1199,17 @@ def _solve(pose, seed, moved, q, status):
         s6 = math.sin(q6)
 
         # theta2
-        v30 = k2 * (v1 + (c6 * v28 + s6 * v29))
-        Z2_2 = k4 * (v7 + (c6 * v31 + s6 * v32))
-        s2 = (k5 * v30 + k3 * Z2_2) * k19
-        c2 = (k6 * Z2_2 + k7 * v30) * k19
+        v30 = k3 * (v1 + (c6 * v28 + s6 * v29))
+        Z2_2 = k6 * (v7 + (c6 * v31 + s6 * v32))
+        s2 = (k7 * v30 + k4 * Z2_2) * k22
+        c2 = (k8 * Z2_2 + k10 * v30) * k22
         q2 = _atan2(s2, c2)
 
         # theta1
-        X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2))
-        X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24))
-        v37 = k12 * (c6 * v34 + s6 * v35 + v36)
-        v42 = k12 * (c6 * v39 + s6 * v40 + v41)
+        X1_1 = k15 * (k12 + (c2 * k23 + d3 * s2))
+        X2_1 = k3 * (sqrt2 * (c2 * k25 - s2 * k26 + k27))
+        v37 = k15 * (c6 * v34 + s6 * v35 + v36)
+        v42 = k15 * (c6 * v39 + s6 * v40 + v41)
         v43 = X1_1 * v37 + X2_1 * v42
         C1 = X2_1 * v37 - X1_1 * v42
         w1 = math.sqrt(v43 * v43 + C1 * C1)
@@ -1235,12 +1222,12 @@ def _solve(pose, seed, moved, q, status):
 
         # theta3
         v55 = (
-            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v38 + s6 * v44))) - s2 * (sqrt2 * (c6 * v45 + s6 *
+            k3 * (c1 * (c2 * (4.0 * (T13 + (c6 * v38 + s6 * v44))) - s2 * (sqrt2 * (c6 * v45 + s6 *
             v46 - v47))) + s1 * (c2 * (4.0 * (T23 + (c6 * v33 + s6 * v48))) + s2 * (sqrt2 * (c6 *
             v49 + s6 * v50 - v51))) + sqrt2 * (s2 * (c6 * v52 + s6 * v53 + v54)))
         )
         Y3 = (
-            k14 * (sqrt2 * (c2 * (c6 * v74 + s6 * v75 + v76) + (v79 - (c6 * v77 + s6 * v78))) - (c1
+            k17 * (sqrt2 * (c2 * (c6 * v74 + s6 * v75 + v76) + (v79 - (c6 * v77 + s6 * v78))) - (c1
             * (s2 * (4.0 * (c6 * v59 + s6 * v60 + v61)) - c2 * (sqrt2 * (c6 * v56 + s6 * v57 - v58))
             + sqrt2 * (c6 * v62 + s6 * v63 + v64)) + s1 * (c2 * (sqrt2 * (c6 * v65 + s6 * v66 -
             v67)) + s2 * (4.0 * (c6 * v68 + s6 * v69 + v70)) - sqrt2 * (c6 * v71 + s6 * v72 +
@@ -1255,24 +1242,21 @@ def _solve(pose, seed, moved, q, status):
         # theta5
         v87 = (
             c1 * (c2 * v81 + s2 * v82 + v83) - s1 * (c2 * v84 - s2 * v85 + v86) - sqrt2 * (T33 *
-            (k21 + c2 * k26))
+            (k24 + c2 * k29))
         )
         v92 = 2.0 * (c1 * (c2 * v88 + s2 * v89) + s1 * (c2 * v90 - s2 * v91) + sqrt2 * (s2 * v54))
-        v101 = (
-            c1 * (c2 * v93 + s2 * v94 + v95) - s1 * (c2 * v96 - s2 * v97 + v98) - (c2 * v99 + s2 *
-            k29 + v100)
-        )
-        v107 = (
-            2.0 * (c1 * (c2 * v102 + s2 * v103) + s1 * (c2 * v104 - s2 * v105) + (s2 * v106 - c2 *
-            k32 - k34))
-        )
+        v93 = c1 * wy - s1 * wx
+        v96 = c1 * wx + s1 * wy - a1
+        v97 = k31 * v93 + v94 - k5
+        v98 = c2 * v96 + s2 * v97 - a2
+        v99 = k30 * (c2 * v97 - s2 * v96) + k15 * (v95 - k2 * v93 - k32) - k9
 
         # theta4
         Z1_4 = (
-            k2 * (c1 * (s2 * v88 - c2 * v89 - v110) + s1 * (c2 * v91 + s2 * v90 + v111) - sqrt2 *
-            (T33 * (k25 + k1 * c2)))
+            k3 * (c1 * (s2 * v88 - c2 * v89 - v102) + s1 * (c2 * v91 + s2 * v90 + v103) - sqrt2 *
+            (T33 * (k28 + k1 * c2)))
         )
-        v113 = k12 * Z1_4
+        v105 = k15 * Z1_4
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1285,21 +1269,21 @@ def _solve(pose, seed, moved, q, status):
             q3 = _atan2(s3, c3)
 
             # theta5
-            v108 = k27 * (k2 * (c3 * v101 + s3 * v107)) * k35
-            c5 = a5 * (k2 * (c3 * v87 + s3 * v92)) * k35
-            q5 = _atan2(-v108, c5)
+            v100 = k30 * (s3 * v98 - c3 * v99) * k33
+            c5 = a5 * (k3 * (c3 * v87 + s3 * v92)) * k33
+            q5 = _atan2(-v100, c5)
 
             # theta4
-            v109 = k12 * (sqrt3 * v108)
-            Z2_4 = k2 * (c3 * v92 + s3 * -v87)
-            v112 = v109 * Z1_4 + k12 * Z2_4
-            C4 = v113 - v109 * Z2_4
-            w4 = math.sqrt(v112 * v112 + C4 * C4)
+            v101 = k15 * (sqrt3 * v100)
+            Z2_4 = k3 * (c3 * v92 + s3 * -v87)
+            v104 = v101 * Z1_4 + k15 * Z2_4
+            C4 = v105 - v101 * Z2_4
+            w4 = math.sqrt(v104 * v104 + C4 * C4)
             free4 = w4 <= free_limit_squared
             near4 = w4 <= near_limit_squared
             factor4 = 1.0 / (1.0 if free4 else w4)
             c4 = math.cos(seed[3]) if free4 else C4 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v112 * factor4)
+            s4 = math.sin(seed[3]) if free4 else -(v104 * factor4)
             q4 = _atan2(s4, c4)
             row = 2 * i1 + i2
             q[row, 0] = q1

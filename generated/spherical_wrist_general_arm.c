@@ -664,9 +664,10 @@ static void solve(
         v33 = sa1 * T13, v34 = T33 * ca1;
 
     /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-    const double v38 = ca1 * T22, v39 = ca1 * T12, v40 = T32 * sa1, v45 = T22 * sa1,
-        v46 = sa1 * T12, v47 = T32 * ca1, v51 = ca1 * T21, v52 = ca1 * T11, v53 = T31 * sa1,
-        v58 = T21 * sa1, v59 = sa1 * T11, v60 = T31 * ca1;
+    const double v40 = T32 * sa1, v42 = T32 * ca1, v51 = T31 * sa1, v53 = T31 * ca1;
+
+    /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
+    const double v62 = T21 * sa1, v63 = sa1 * T11, v65 = T22 * sa1, v66 = sa1 * T12;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
@@ -711,23 +712,20 @@ static void solve(
         const double divisor4 = free4 ? 1.0 : w4;
 
         /* theta6 */
-        const double v41 = s1 * v39 - c1 * v38 - v40, v42 = ca2 * v41, v43 = T12 * c1 + T22 * s1,
-            v44 = ca2 * v43, v48 = s1 * v46 - c1 * v45 + v47,
-            v49 = c2 * (c3 * (ca3 * v42) + s3 * (ca3 * v43) + sa3 * (sa2 * v41)) + s2 * (c3 * (ca3 *
-                v44) - s3 * (ca3 * v41) + sa3 * (sa2 * v43)) + (sa3 * (ca2 * v48) - c3 * (ca3 * (sa2
-                * v48))),
-            v50 = c2 * (c3 * v43 - s3 * v42) - s2 * (c3 * v41 + s3 * v44) + sa2 * (s3 * v48),
-            v54 = s1 * v52 - c1 * v51 - v53, v55 = ca2 * v54, v56 = T11 * c1 + T21 * s1,
-            v57 = ca2 * v56, v61 = s1 * v59 - c1 * v58 + v60,
-            v62 = c2 * (c3 * (ca3 * v55) + s3 * (ca3 * v56) + sa3 * (sa2 * v54)) + s2 * (c3 * (ca3 *
-                v57) - s3 * (ca3 * v54) + sa3 * (sa2 * v56)) + (sa3 * (ca2 * v61) - c3 * (ca3 * (sa2
-                * v61))),
-            v63 = c2 * (c3 * v56 - s3 * v55) - s2 * (c3 * v54 + s3 * v57) + sa2 * (s3 * v61);
+        const double v38 = T12 * c1 + T22 * s1, v39 = T22 * c1 - T12 * s1, v41 = ca1 * v39 + v40,
+            v43 = v42 - sa1 * v39, v44 = c2 * v38 + s2 * v41, v45 = c2 * v41 - s2 * v38,
+            v46 = ca2 * v45 + sa2 * v43, v47 = c3 * v44 + s3 * v46,
+            v48 = ca3 * (c3 * v46 - s3 * v44) - sa3 * (ca2 * v43 - sa2 * v45),
+            v49 = T11 * c1 + T21 * s1, v50 = T21 * c1 - T11 * s1, v52 = ca1 * v50 + v51,
+            v54 = v53 - sa1 * v50, v55 = c2 * v49 + s2 * v52, v56 = c2 * v52 - s2 * v49,
+            v57 = ca2 * v56 + sa2 * v54, v58 = c3 * v55 + s3 * v57,
+            v59 = ca3 * (c3 * v57 - s3 * v55) - sa3 * (ca2 * v54 - sa2 * v56);
 
-        /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
-        const double v64 = sa2 * s3, v65 = c3 * k17 - k13;
+        /* theta5 */
+        const double v60 = sa2 * s3, v61 = c3 * k17 - k13;
         const double Y1_5 = k1 * c3 + k18;
-        const double v66 = Z1_5 * Y1_5;
+        const double v64 = v53 + (s1 * v63 - c1 * v62), v67 = v42 + (s1 * v66 - c1 * v65),
+            v68 = Z1_5 * Y1_5;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -739,21 +737,20 @@ static void solve(
             const double q4 = atan2(s4, c4);
 
             /* theta6 */
-            const double Z1_6 = c4 * v49 + s4 * v50;
-            const double Z2_6 = c4 * v62 + s4 * v63;
-            const double q6 = atan2(-Z2_6, -Z1_6);
+            const double c6 = c4 * v48 - s4 * v47, s6 = c4 * v59 - s4 * v58;
+            const double q6 = atan2(s6, c6);
 
             /* theta5 */
-            const double Y2_5 = c4 * v64 + s4 * v65;
-            const double Z2_5 = v48 * Z2_6 - Z1_6 * v61;
+            const double Y2_5 = c4 * v60 + s4 * v61;
+            const double Z2_5 = c6 * v64 - s6 * v67;
             const double S5 = Z1_5 * Y2_5 - Y1_5 * Z2_5;
-            const double v67 = Y2_5 * Z2_5 + v66;
-            const double w5 = sqrt(S5 * S5 + v67 * v67);
+            const double v69 = Y2_5 * Z2_5 + v68;
+            const double w5 = sqrt(S5 * S5 + v69 * v69);
             const int free5 = w5 <= free_limit_squared;
             const int near5 = w5 <= near_limit_squared;
-            const double v68 = 1.0 / (free5 ? 1.0 : w5);
-            const double c5 = free5 ? cos(seed[4]) : v67 * v68,
-                s5 = free5 ? sin(seed[4]) : -(S5 * v68);
+            const double v70 = 1.0 / (free5 ? 1.0 : w5);
+            const double c5 = free5 ? cos(seed[4]) : v69 * v70,
+                s5 = free5 ? sin(seed[4]) : -(S5 * v70);
             const double q5 = atan2(s5, c5);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
+    from dhgen.paul.pool import Pool
     from dhgen.paul.problem import Problem
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.checks import Checks
@@ -130,6 +131,11 @@ class Lowering:
     def overdetermined(self) -> bool:
         """Whether poses may be given that the arm can't take."""
         return self._problem.overdetermined
+
+    @property
+    def pool(self) -> Pool:
+        """All equations."""
+        return self._derivation.pool
 
     @property
     def problem(self) -> Problem:

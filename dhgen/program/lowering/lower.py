@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.form import unknown_name
+from dhgen.program.lowering.carried import no_parts, parts_of
 from dhgen.program.lowering.checks import Checks, checks_needed
 from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.final_check import check_rows
+from dhgen.program.lowering.polynomials import LONG
 from dhgen.program.lowering.shoulder import lower_shoulder
 from dhgen.program.lowering.types import KERNELS
 from dhgen.program.lowering.whole import whole_program
@@ -22,7 +24,11 @@ if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
+    from dhgen.program.lowering.carried import PartsOf
     from dhgen.tolerances import Tolerances
+
+
+WORTH = 1.1  # times the operations, for half the text
 
 
 def lower(
@@ -39,9 +45,11 @@ def lower(
     if derivation.whole is not None:
         return whole_program(chain, derivation.whole)
 
+    parts = _parts(derivation, tolerances)
+
     @cache  # the last that was tried is mostly the one that is wanted
     def lowered(checks: Checks) -> Program:
-        program = _lowered(derivation, Lowering(derivation, tolerances, checks, reserved))
+        program = _lowered(derivation, Lowering(derivation, tolerances, checks, reserved), parts)
         if not (checks.tightened or checks.led):
             return program
         kernel = replace(numerical_kernel(chain, redundant=False), most=program.rows)
@@ -54,7 +62,26 @@ def lower(
     return min(tried, key=lambda program: effort(program, tolerances))
 
 
-def _lowered(derivation: Derivation, context: Lowering) -> Program:
+def _parts(derivation: Derivation, tolerances: Tolerances) -> PartsOf:
+    """What long coefficients are made of: carried columns, or nothing but their terms.
+
+    Columns take less text, and mostly fewer operations; but one that begins at a joint that is
+    solved late is carried once more for every branch.
+    """
+    steps = [each for step in derivation.steps for each in (step, step.second) if each is not None]
+    if not any(len(value) >= LONG for step in steps for _, value in step.coefficients):
+        return no_parts
+    none, carried = (
+        effort(
+            _lowered(derivation, Lowering(derivation, tolerances, Checks(rows=False)), parts),
+            tolerances,
+        )
+        for parts in (no_parts, parts_of)
+    )
+    return parts_of if carried <= WORTH * none else no_parts
+
+
+def _lowered(derivation: Derivation, context: Lowering, parts: PartsOf) -> Program:
     """The whole program."""
     chain, builder, angles = context.chain, context.builder, context.angles
     for joint in chain.free:
@@ -62,8 +89,10 @@ def _lowered(derivation: Derivation, context: Lowering) -> Program:
     for number, step in enumerate(derivation.steps, start=1):
         context.step_number = number
         builder.heading(_unknowns(step), _source(step))
+        context.polynomials.offer(partial(parts, context, step))
         KERNELS[step.kind](context, step)
         _shoulder(derivation, context, step)
+    context.polynomials.offer(tuple)
     if context.checks.rows:
         check_rows(context)
     builder.heading("joint values")

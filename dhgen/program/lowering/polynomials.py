@@ -2,24 +2,40 @@
 
 The joint solved last stands outermost, so that the inner parts depend on fewer signs and are
 shared. Linear forms that a solved equation fixes are not computed again: after X s + Y c = Z, the
-form X s + Y c is Z, and Y s - X c is the signed root.
+form X s + Y c is Z, and Y s - X c is the signed root. Long polynomials are made of parts that are
+known to be short otherwise.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from operator import sub
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import POSE_NAMES
 from dhgen.kinematics.ring import content as content_of
 from dhgen.kinematics.ring import divided, primitive, split, used_places
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable, Iterator
     from fractions import Fraction
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.carried import Part
+
+LONG = 24  # terms: where all twists are right angles there are at most 13
+
+
+@dataclass(frozen=True, slots=True)
+class _Taken:
+    """polynomial = factor part + rest."""
+
+    factor: Polynomial
+    part: Part
+    rest: Polynomial
 
 
 class PolynomialLowering:
@@ -36,9 +52,11 @@ class PolynomialLowering:
         self._rank: dict[int, int] = {}
         self._pairs: dict[int, tuple[int, int]] = {}
         self._forms: dict[Polynomial, Node] = {}
+        self._parts: Callable[[], Iterable[Part]] = tuple
         for angle in algebra.angles:
             pair = (algebra.index[angle.cosine], algebra.index[angle.sine])
             self._pairs[pair[0]] = self._pairs[pair[1]] = pair
+        self._first_unknown = len(POSE_NAMES) + len(algebra.coordinates)
         self._names = [symbol.name for symbol in algebra.ring.symbols]
         constants = len(algebra.chain.ring.gens)
         for place in range(len(self._names) - constants, len(self._names)):
@@ -49,6 +67,14 @@ class PolynomialLowering:
         rank = max(self._rank.values(), default=0) + 1
         for name in names:
             self._rank.setdefault(self._algebra.index[name], max(rank, 1))
+
+    def is_known(self, place: int) -> bool:
+        """Whether a generator stands for something other than joints that are not solved."""
+        return place in self._rank or place < self._first_unknown
+
+    def offer(self, parts: Callable[[], Iterable[Part]]) -> None:
+        """Long polynomials to come may be made of these."""
+        self._parts = parts
 
     def remember(self, form: Polynomial, node: Node) -> None:
         """This form need not be computed: it is that value."""
@@ -63,7 +89,38 @@ class PolynomialLowering:
         """The value of a polynomial."""
         for place in sorted(used_places(polynomial)):
             self._value(self._names[place])  # sums of angles are composed, and ranked, before use
-        return self._lower(polynomial)
+        if len(polynomial) < LONG or self._is_remembered(polynomial):
+            return self._lower(polynomial)
+        return self._of_parts(polynomial)
+
+    def _is_remembered(self, polynomial: Polynomial) -> bool:
+        _, form = _facing_forward(polynomial)
+        return content_of(form)[1] in self._forms
+
+    def _of_parts(self, polynomial: Polynomial) -> Node:
+        """A sum of parts, each times one term, and what is left."""
+        builder, rest, total = self.builder, polynomial, self.builder.integer(0)
+        parts = [part for part in self._parts() if part.polynomial]
+        while len(rest) >= LONG:
+            found = [each for part in parts for each in self._without(rest, part)]
+            best = min(found, key=lambda each: len(each.rest), default=None)
+            if best is None or len(best.rest) >= len(rest):
+                break
+            value = builder.mul(self._lower(best.factor), best.part.value())
+            total, rest = builder.add(total, value), best.rest
+        return builder.add(total, self._lower(rest)) if rest else total
+
+    def _without(self, polynomial: Polynomial, part: Part) -> Iterator[_Taken]:
+        """A polynomial without a part, times every term that may take one away."""
+        # the shortest term is the least likely to have changed on the way to the normal form
+        least = min(part.polynomial, key=lambda monomial: (sum(monomial), monomial))
+        for monomial, coefficient in polynomial.items():
+            powers = tuple(map(sub, monomial, least))
+            if min(powers) >= 0:
+                term = {powers: coefficient / part.polynomial[least]}
+                factor = polynomial.ring.from_dict(term)
+                rest = self._algebra.normal(polynomial - factor * part.polynomial)
+                yield _Taken(factor, part, rest)
 
     def _lower(self, polynomial: Polynomial) -> Node:
         if not polynomial:
