@@ -33,7 +33,7 @@ FEW = 4  # of general arms, whose Python is slow without numba
 EVERY = [*NAMES, *MADE_UP_NAMES]
 POLISHED = 1e-9  # of general arms, where solutions meet
 ROOTS = 16  # rows that are sorted by their values
-HALF_TURN = 1e-7  # where solutions meet values are good to half the digits
+HALF_TURN = 1e-6  # values that differ by less may be those of one solution, equally exact
 SIGNIFICANT = 1e-6  # poles of atan2: nearer to a singular pose rounding decides the angle
 
 
