@@ -3176,8 +3176,8 @@ static inline abb_gofa_5_lane abb_gofa_5_polish(const abb_gofa_5_loop *loop, abb
 /* A bit for each solution. */
 typedef unsigned long long abb_gofa_5_set;
 
-/* The solutions found so far. Where one is singular many candidates come near to it, which are not
- * told to be one here: there is room for more than there are solutions. */
+/* The solutions found so far. Where one is singular many candidates come near to it: there is room
+ * for more than there are solutions. */
 typedef struct {
     int count;
     abb_gofa_5_set singular; /* where the arm is */
@@ -3752,14 +3752,28 @@ static void abb_gofa_5_from_anywhere(const abb_gofa_5_loop *loop, abb_gofa_5_fou
     }
 }
 
-/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
- * angle, angles that agree to rounding by the next. */
-static int abb_gofa_5_before(const abb_gofa_5_found *found, int i, int j)
+/* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
+ * singular ones, 2 for those that lie together with one of these and may be the same, which only
+ * its last digits tell. */
+static void abb_gofa_5_rank(const abb_gofa_5_found *found, int rank[64])
 {
-    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    for (int i = 0; i < found->count; i++) {
+        rank[i] = (int)(found->singular >> i & 1);
+        for (int j = 0; j < i && rank[i] == 1; j++) {
+            if (rank[j] == 1 && abb_gofa_5_alike(found->q[i], found->q[j], 0.001)) {
+                rank[i] = 2;
+            }
+        }
+    }
+}
+
+/* Whether solution i comes before solution j: by rank, then by the first angle, angles that agree
+ * to rounding by the next. */
+static int abb_gofa_5_before(const abb_gofa_5_found *found, const int *rank, int i, int j)
+{
     const double *const a = found->q[i], *const b = found->q[j];
-    if (one != other) {
-        return one < other;
+    if (rank[i] != rank[j]) {
+        return rank[i] < rank[j];
     }
     for (int k = 0; k < 6; k++) {
         if (fabs(a[k] - b[k]) > 1e-09) {
@@ -3769,7 +3783,7 @@ static int abb_gofa_5_before(const abb_gofa_5_found *found, int i, int j)
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
  * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
@@ -3777,13 +3791,13 @@ static int abb_gofa_5_before(const abb_gofa_5_found *found, int i, int j)
  * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
  * identically there may be a continuum, which poses close by do not have), or because roots met or
  * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
-static int abb_gofa_5_general(const double T[16], double q[64][6],
-                         double residual[64])
+static int abb_gofa_5_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     abb_gofa_5_found found;
     abb_gofa_5_loop whole;
     const abb_gofa_5_loop *const loop = &whole;
-    int order[64], certified, inexact = 0;
+    int rank[64], order[64], certified, inexact = 0;
     abb_gofa_5_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3796,13 +3810,15 @@ static int abb_gofa_5_general(const double T[16], double q[64][6],
     if (!certified && !abb_gofa_5_from_nearby(loop, &found)) {
         abb_gofa_5_from_anywhere(loop, &found);
     }
+    abb_gofa_5_rank(&found, rank);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && abb_gofa_5_before(&found, i, order[j - 1]); j--) {
+        for (; j > 0 && abb_gofa_5_before(&found, rank, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];
@@ -3824,7 +3840,7 @@ static void all_joints(
     static const double zero[6] = { 3.141592653589793, 1.5707963267948966, 0.0, 0.0, 0.0, 0.0 };
     struct descent d = { .T = T };
     struct kept kept = { .count = 0 };
-    double angles[64][6], residual[64], u[6];
+    double angles[16][6], residual[16], u[6];
     const int count = abb_gofa_5_general(T, angles, residual);
     for (int j = 0; j < 6; j++)
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];

@@ -3220,8 +3220,8 @@ static inline kinova_gen3_7_lane kinova_gen3_7_polish(const kinova_gen3_7_loop *
 /* A bit for each solution. */
 typedef unsigned long long kinova_gen3_7_set;
 
-/* The solutions found so far. Where one is singular many candidates come near to it, which are not
- * told to be one here: there is room for more than there are solutions. */
+/* The solutions found so far. Where one is singular many candidates come near to it: there is room
+ * for more than there are solutions. */
 typedef struct {
     int count;
     kinova_gen3_7_set singular; /* where the arm is */
@@ -3544,14 +3544,28 @@ static void kinova_gen3_7_from_anywhere(const kinova_gen3_7_loop *loop, kinova_g
     }
 }
 
-/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
- * angle, angles that agree to rounding by the next. */
-static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
+/* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
+ * singular ones, 2 for those that lie together with one of these and may be the same, which only
+ * its last digits tell. */
+static void kinova_gen3_7_rank(const kinova_gen3_7_found *found, int rank[64])
 {
-    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    for (int i = 0; i < found->count; i++) {
+        rank[i] = (int)(found->singular >> i & 1);
+        for (int j = 0; j < i && rank[i] == 1; j++) {
+            if (rank[j] == 1 && kinova_gen3_7_alike(found->q[i], found->q[j], 0.001)) {
+                rank[i] = 2;
+            }
+        }
+    }
+}
+
+/* Whether solution i comes before solution j: by rank, then by the first angle, angles that agree
+ * to rounding by the next. */
+static int kinova_gen3_7_before(const kinova_gen3_7_found *found, const int *rank, int i, int j)
+{
     const double *const a = found->q[i], *const b = found->q[j];
-    if (one != other) {
-        return one < other;
+    if (rank[i] != rank[j]) {
+        return rank[i] < rank[j];
     }
     for (int k = 0; k < 6; k++) {
         if (fabs(a[k] - b[k]) > 1e-09) {
@@ -3561,7 +3575,7 @@ static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
  * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
@@ -3569,13 +3583,13 @@ static int kinova_gen3_7_before(const kinova_gen3_7_found *found, int i, int j)
  * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
  * identically there may be a continuum, which poses close by do not have), or because roots met or
  * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
-static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[64][6],
-                         double residual[64])
+static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[16][6],
+                         double residual[16])
 {
     kinova_gen3_7_found found;
     kinova_gen3_7_loop whole;
     const kinova_gen3_7_loop *const loop = &whole;
-    int order[64], certified, inexact = 0;
+    int rank[64], order[64], certified, inexact = 0;
     kinova_gen3_7_close(T, free_joints, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3588,13 +3602,15 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
     if (!certified && !kinova_gen3_7_from_nearby(loop, &found)) {
         kinova_gen3_7_from_anywhere(loop, &found);
     }
+    kinova_gen3_7_rank(&found, rank);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && kinova_gen3_7_before(&found, i, order[j - 1]); j--) {
+        for (; j > 0 && kinova_gen3_7_before(&found, rank, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];
@@ -3619,7 +3635,7 @@ static void all_joints(
     };
     struct descent d = { .T = T };
     struct kept kept = { .count = 0 };
-    double angles[64][6], residual[64], u[6];
+    double angles[16][6], residual[16], u[6];
     const int count = kinova_gen3_7_general(T, free_joints, angles, residual);
     d.q[2] = free_joints[0];
     for (int j = 0; j < 6; j++)

@@ -3268,8 +3268,8 @@ static inline kinova_jaco2_lane kinova_jaco2_polish(const kinova_jaco2_loop *loo
 /* A bit for each solution. */
 typedef unsigned long long kinova_jaco2_set;
 
-/* The solutions found so far. Where one is singular many candidates come near to it, which are not
- * told to be one here: there is room for more than there are solutions. */
+/* The solutions found so far. Where one is singular many candidates come near to it: there is room
+ * for more than there are solutions. */
 typedef struct {
     int count;
     kinova_jaco2_set singular; /* where the arm is */
@@ -3583,14 +3583,28 @@ static void kinova_jaco2_from_anywhere(const kinova_jaco2_loop *loop, kinova_jac
     }
 }
 
-/* Whether solution i comes before solution j: regular ones before singular ones, then by the first
- * angle, angles that agree to rounding by the next. */
-static int kinova_jaco2_before(const kinova_jaco2_found *found, int i, int j)
+/* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
+ * singular ones, 2 for those that lie together with one of these and may be the same, which only
+ * its last digits tell. */
+static void kinova_jaco2_rank(const kinova_jaco2_found *found, int rank[64])
 {
-    const int one = (int)(found->singular >> i & 1), other = (int)(found->singular >> j & 1);
+    for (int i = 0; i < found->count; i++) {
+        rank[i] = (int)(found->singular >> i & 1);
+        for (int j = 0; j < i && rank[i] == 1; j++) {
+            if (rank[j] == 1 && kinova_jaco2_alike(found->q[i], found->q[j], 0.001)) {
+                rank[i] = 2;
+            }
+        }
+    }
+}
+
+/* Whether solution i comes before solution j: by rank, then by the first angle, angles that agree
+ * to rounding by the next. */
+static int kinova_jaco2_before(const kinova_jaco2_found *found, const int *rank, int i, int j)
+{
     const double *const a = found->q[i], *const b = found->q[j];
-    if (one != other) {
-        return one < other;
+    if (rank[i] != rank[j]) {
+        return rank[i] < rank[j];
     }
     for (int k = 0; k < 6; k++) {
         if (fabs(a[k] - b[k]) > 1e-09) {
@@ -3600,7 +3614,7 @@ static int kinova_jaco2_before(const kinova_jaco2_found *found, int i, int j)
     return 0;
 }
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
  * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
@@ -3608,13 +3622,13 @@ static int kinova_jaco2_before(const kinova_jaco2_found *found, int i, int j)
  * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
  * identically there may be a continuum, which poses close by do not have), or because roots met or
  * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
-static int kinova_jaco2_general(const double T[16], double q[64][6],
-                         double residual[64])
+static int kinova_jaco2_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     kinova_jaco2_found found;
     kinova_jaco2_loop whole;
     const kinova_jaco2_loop *const loop = &whole;
-    int order[64], certified, inexact = 0;
+    int rank[64], order[64], certified, inexact = 0;
     kinova_jaco2_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3627,13 +3641,15 @@ static int kinova_jaco2_general(const double T[16], double q[64][6],
     if (!certified && !kinova_jaco2_from_nearby(loop, &found)) {
         kinova_jaco2_from_anywhere(loop, &found);
     }
+    kinova_jaco2_rank(&found, rank);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && kinova_jaco2_before(&found, i, order[j - 1]); j--) {
+        for (; j > 0 && kinova_jaco2_before(&found, rank, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;
     }
+    found.count = found.count < 16 ? found.count : 16;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];
@@ -3657,7 +3673,7 @@ static void all_joints(
     };
     struct descent d = { .T = T };
     struct kept kept = { .count = 0 };
-    double angles[64][6], residual[64], u[6];
+    double angles[16][6], residual[16], u[6];
     const int count = kinova_jaco2_general(T, angles, residual);
     for (int j = 0; j < 6; j++)
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 8c4dc9110e6a1f30"
+_KEY = "xarm7 76ee5fec12cd3fd8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1814,6 +1814,17 @@ def _xarm7_gap(a, b):
 
 
 @_inner
+def _xarm7_rank(q, singular, count):
+    """What comes first where there are more than there are rows, in the place of the marks: 0 for
+    regular solutions, 1 for singular ones, 2 for those that lie together with one of these and may be
+    the same, which only its last digits tell."""
+    for i in range(count):
+        for j in range(i):
+            if singular[i] == 1 and singular[j] == 1 and _xarm7_gap(q[i], q[j]) < 0.001:
+                singular[i] = 2
+
+
+@_inner
 def _xarm7_begun(q, c, s):
     """The cosines and sines in the loop of joint values; a length stands in the sine's place."""
     for i in range(6):
@@ -1825,8 +1836,7 @@ def _xarm7_begun(q, c, s):
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _xarm7_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
-    one is singular many come near to it, which are not told to be one here: there is room for more
-    than there are solutions."""
+    one is singular many come near to it: there is room for more than there are solutions."""
     missing = _xarm7_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -2073,11 +2083,11 @@ def _xarm7_from_nearby(loop, q, residual, singular, count):
 
 
 @_inner
-def _xarm7_before(q, singular, i, j):
-    """Whether solution i comes before solution j: regular ones before singular ones, then by the
-    first angle, angles that agree to rounding by the next."""
-    if singular[i] != singular[j]:
-        return singular[i] < singular[j]
+def _xarm7_before(q, rank, i, j):
+    """Whether solution i comes before solution j: by rank, then by the first angle, angles that agree
+    to rounding by the next."""
+    if rank[i] != rank[j]:
+        return rank[i] < rank[j]
     for k in range(6):
         if abs(q[i, k] - q[j, k]) > 1e-09:
             return q[i, k] < q[j, k]
@@ -2086,13 +2096,13 @@ def _xarm7_before(q, singular, i, j):
 
 @_apart("int64(float64[::1], float64[::1], float64[:, ::1], float64[::1])")
 def xarm7_general(T, q_free, q, residual):
-    """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16, where they are regular.
+    """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16.
 
     Args:
         T: A rigid transform, twelve numbers.
-        q: (64, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
+        q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
             1e-09 in the order of q2, and so on, singular ones behind all others.
-        residual: (64,), takes by how much the loop stays open, in radians and arm sizes.
+        residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
         How many; -1 - count when it is not certain that these are all: for want of a certificate of
@@ -2122,6 +2132,7 @@ def xarm7_general(T, q_free, q, residual):
             _, count = _xarm7_offer(
                 loop, c, s, True, True, found, missing, singular, count
             )
+    _xarm7_rank(found, singular, count)
     order = np.empty(64, dtype=np.int64)
     for i in range(count):
         j = i
@@ -2129,6 +2140,7 @@ def xarm7_general(T, q_free, q, residual):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
+    count = min(count, 16)
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]
@@ -2150,7 +2162,7 @@ def _all_joints(pose, q_free, seed):
     for i in range(3):
         for j in range(4):
             flat[4 * i + j] = T[i, j] = pose[4 * i + j]
-    angles, residual, joints = np.empty((64, 6)), np.empty(64), np.zeros(7)
+    angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(7)
     known = xarm7_general(flat, q_free, angles, residual)
     q = np.zeros((16, 7))
     found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)

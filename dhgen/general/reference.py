@@ -41,8 +41,8 @@ if TYPE_CHECKING:
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40
 SAME = 1e-6  # solutions closer than this are one [rad]
-# Where a solution is singular many candidates come near to it, which are not told to be one here.
-PLACES = 64
+PLACES = 64  # where a solution is singular many candidates come near to it
+TOGETHER = 1e-3  # singular ones closer than this may be one, which their last digits tell [rad]
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
 PARABOLAS = 3  # one after the other that tell them
@@ -108,7 +108,7 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
         random = np.random.default_rng(0)
         for theta in random.uniform(-np.pi, np.pi, (STARTS, 6)):
             search.offer(theta, STEPS_FROM_AFAR)
-    found = search.result(loop, complete=complete)
+    found = search.result(loop, kernel.rows, complete=complete)
     return found if certified else replace(found, singular=True)
 
 
@@ -162,12 +162,26 @@ class _Search:
         turned = np.remainder(a - b + np.pi, 2 * np.pi) - np.pi
         return float(np.abs(np.where(self.turns, turned, a - b)).max())
 
-    def result(self, loop: Loop, *, complete: bool) -> Solved:
-        """The solutions in joint values."""
+    def _ranks(self) -> list[int]:
+        """What comes first where there are more than there are rows.
+
+        0 for regular solutions, 1 for singular ones, 2 for those that lie together with one of
+        these and may be the same.
+        """
+        ranks: list[int] = []
+        for i, theta in enumerate(self.found):
+            others = [self.found[j] for j, rank in enumerate(ranks) if rank == 1]
+            near = min((self._gap(theta, other) for other in others), default=np.inf) < TOGETHER
+            ranks.append(int(i in self.singular) * (1 + near))
+        return ranks
+
+    def result(self, loop: Loop, most: int, *, complete: bool) -> Solved:
+        """The solutions in joint values, no more than there are rows."""
+        ranks = self._ranks()
         q = np.array(self.found).reshape(-1, 6)
         q += [np.arctan2(s, c) for c, s in loop.advances]
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
-        order = sorted(range(len(q)), key=lambda i: (i in self.singular, in_order(q[i])))
+        order = sorted(range(len(q)), key=lambda i: (ranks[i], in_order(q[i])))[:most]
         residual = np.array([self.residuals[i] for i in order])
         singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)

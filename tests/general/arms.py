@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.general.links import Link
-from dhgen.general.reference import PLACES, solve
+from dhgen.general.reference import solve
 from dhgen.general.setup import setup
 from dhgen.targets.general.emit import source
 from dhgen.targets.writing import IN_C, IN_PYTHON
@@ -184,7 +184,7 @@ def in_python(known: GeneralKernel, name: str) -> Callable[[np.ndarray], Answer]
 
 
 def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:
-    q, residual = np.empty((PLACES, 6)), np.empty(PLACES)
+    q, residual = np.empty((16, 6)), np.empty(16)
     count = function(np.ascontiguousarray(T, dtype=float), q, residual)
     found = count if count >= 0 else -1 - count
     return q[:found], residual[:found], count >= 0

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
-from dhgen.general.reference import PLACES
 from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.targets.solver.given import given_places
 from dhgen.tolerances import TOLERANCES
@@ -24,7 +23,6 @@ class Rows:
     Attributes:
         dof: Joints of the arm.
         rows: Solutions that are kept.
-        places: For what the algorithm finds, many times where the arm is singular.
         solved: Joints that are solved for.
         pointing: Whether the task leaves the turn about the tool's axis open.
         checked: Whether the joint behind these is none of the arm's, and has to come out as zero.
@@ -38,7 +36,6 @@ class Rows:
 
     dof: int
     rows: int
-    places: int
     solved: int
     pointing: bool
     checked: bool
@@ -55,7 +52,6 @@ def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
     return Rows(
         dof=chain.dof,
         rows=kernel.rows,
-        places=PLACES,
         solved=chain.dof - chain.given,
         pointing=kernel.pointing,
         checked=kernel.checked,

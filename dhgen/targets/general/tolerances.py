@@ -40,6 +40,7 @@ class Tolerances:
     residual: float = TOLERANCES.polished
     exact: float = TOLERANCES.exact
     same: float = reference.SAME
+    together: float = reference.TOGETHER
     close: float = 4.0 - reference.CLOSE**2  # the square of the sum of two such unit vectors
     tie: float = TIE  # of joint values, when rows are sorted
     rank: float = polish.RANK
