@@ -551,9 +551,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if ABB_GOFA_5_LANES > 1 && defined(__clang__)
+#if ABB_GOFA_5_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define ABB_GOFA_5_UNROLL
+#elif defined(__clang__)
 #define ABB_GOFA_5_UNROLL _Pragma("clang loop unroll(full)")
-#elif ABB_GOFA_5_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define ABB_GOFA_5_UNROLL _Pragma("GCC unroll 16")
 #else
 #define ABB_GOFA_5_UNROLL
@@ -3177,7 +3179,7 @@ static inline abb_gofa_5_lane abb_gofa_5_polish(const abb_gofa_5_loop *loop, abb
 typedef unsigned long long abb_gofa_5_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     abb_gofa_5_set singular; /* where the arm is */
@@ -3197,9 +3199,11 @@ static int abb_gofa_5_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double residual, int singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3211,12 +3215,14 @@ static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double resi
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (abb_gofa_5_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (abb_gofa_5_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3251,12 +3257,9 @@ static abb_gofa_5_set abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_l
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = abb_gofa_5_keep(found, row, residual[k]);
+        place[k] = abb_gofa_5_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (abb_gofa_5_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (abb_gofa_5_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3661,6 +3664,14 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         abb_gofa_5_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % ABB_GOFA_5_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
+    }
     return abb_gofa_5_settle(form, loop, link, &all, &roots, found);
 }
 
@@ -3818,7 +3829,10 @@ static int abb_gofa_5_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

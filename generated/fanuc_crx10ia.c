@@ -551,9 +551,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if FANUC_CRX10IA_LANES > 1 && defined(__clang__)
+#if FANUC_CRX10IA_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define FANUC_CRX10IA_UNROLL
+#elif defined(__clang__)
 #define FANUC_CRX10IA_UNROLL _Pragma("clang loop unroll(full)")
-#elif FANUC_CRX10IA_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define FANUC_CRX10IA_UNROLL _Pragma("GCC unroll 16")
 #else
 #define FANUC_CRX10IA_UNROLL
@@ -3202,7 +3204,7 @@ static inline fanuc_crx10ia_lane fanuc_crx10ia_polish(const fanuc_crx10ia_loop *
 typedef unsigned long long fanuc_crx10ia_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     fanuc_crx10ia_set singular; /* where the arm is */
@@ -3222,9 +3224,12 @@ static int fanuc_crx10ia_alike(const double a[6], const double b[6], double most
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], double residual, int
+    singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3236,12 +3241,14 @@ static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], doubl
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (fanuc_crx10ia_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (fanuc_crx10ia_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3278,12 +3285,9 @@ static fanuc_crx10ia_set fanuc_crx10ia_offer(const fanuc_crx10ia_loop *loop, fan
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = fanuc_crx10ia_keep(found, row, residual[k]);
+        place[k] = fanuc_crx10ia_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (fanuc_crx10ia_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (fanuc_crx10ia_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3692,6 +3696,14 @@ static int fanuc_crx10ia_attempt(const fanuc_crx10ia_formulation *form, const fa
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         fanuc_crx10ia_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % FANUC_CRX10IA_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
+    }
     return fanuc_crx10ia_settle(form, loop, link, &all, &roots, found);
 }
 
@@ -3851,7 +3863,10 @@ static int fanuc_crx10ia_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

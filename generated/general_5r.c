@@ -561,9 +561,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if GENERAL_5R_LANES > 1 && defined(__clang__)
+#if GENERAL_5R_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define GENERAL_5R_UNROLL
+#elif defined(__clang__)
 #define GENERAL_5R_UNROLL _Pragma("clang loop unroll(full)")
-#elif GENERAL_5R_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define GENERAL_5R_UNROLL _Pragma("GCC unroll 16")
 #else
 #define GENERAL_5R_UNROLL
@@ -3194,7 +3196,7 @@ static inline general_5r_lane general_5r_polish(const general_5r_loop *loop, gen
 typedef unsigned long long general_5r_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     general_5r_set singular; /* where the arm is */
@@ -3214,9 +3216,11 @@ static int general_5r_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int general_5r_keep(general_5r_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int general_5r_keep(general_5r_found *found, double theta[6], double residual, int singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3228,12 +3232,14 @@ static int general_5r_keep(general_5r_found *found, double theta[6], double resi
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (general_5r_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (general_5r_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3268,12 +3274,9 @@ static general_5r_set general_5r_offer(const general_5r_loop *loop, general_5r_l
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = general_5r_keep(found, row, residual[k]);
+        place[k] = general_5r_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (general_5r_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (general_5r_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3418,6 +3421,14 @@ static int general_5r_attempt(const general_5r_formulation *form, const general_
     general_5r_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         general_5r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % GENERAL_5R_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return general_5r_settle(form, loop, link, &all, &roots, found);
 }
@@ -3573,7 +3584,10 @@ static int general_5r_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -532,9 +532,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if GENERAL_5R_POINTING_LANES > 1 && defined(__clang__)
+#if GENERAL_5R_POINTING_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define GENERAL_5R_POINTING_UNROLL
+#elif defined(__clang__)
 #define GENERAL_5R_POINTING_UNROLL _Pragma("clang loop unroll(full)")
-#elif GENERAL_5R_POINTING_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define GENERAL_5R_POINTING_UNROLL _Pragma("GCC unroll 16")
 #else
 #define GENERAL_5R_POINTING_UNROLL
@@ -3240,7 +3242,7 @@ static inline general_5r_pointing_lane general_5r_pointing_polish(const general_
 typedef unsigned long long general_5r_pointing_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     general_5r_pointing_set singular; /* where the arm is */
@@ -3260,10 +3262,12 @@ static int general_5r_pointing_alike(const double a[6], const double b[6], doubl
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
 static int general_5r_pointing_keep(general_5r_pointing_found *found, double theta[6], double
-    residual)
+    residual, int singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3275,12 +3279,14 @@ static int general_5r_pointing_keep(general_5r_pointing_found *found, double the
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (general_5r_pointing_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (general_5r_pointing_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3318,12 +3324,9 @@ static general_5r_pointing_set general_5r_pointing_offer(const general_5r_pointi
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = general_5r_pointing_keep(found, row, residual[k]);
+        place[k] = general_5r_pointing_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (general_5r_pointing_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (general_5r_pointing_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3473,6 +3476,14 @@ static int general_5r_pointing_attempt(const general_5r_pointing_formulation *fo
     general_5r_pointing_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         general_5r_pointing_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % GENERAL_5R_POINTING_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return general_5r_pointing_settle(form, loop, link, &all, &roots, found);
 }
@@ -3635,7 +3646,10 @@ static int general_5r_pointing_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

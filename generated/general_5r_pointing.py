@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 1eab967b77ca4407"
+_KEY = "general_5r_pointing 34bb2a47ee543006"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1942,7 +1942,8 @@ def _general_5r_pointing_begun(q, c, s):
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _general_5r_pointing_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
-    one is singular many come near to it: there is room for more than there are solutions."""
+    one is singular many come near to it: there is room for more than there are solutions, the last of
+    it for regular ones."""
     missing = _general_5r_pointing_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -1958,7 +1959,12 @@ def _general_5r_pointing_offer(links, c, s, afar, doubtful, q, residual, singula
         if _general_5r_pointing_gap(q[k], theta) < 1e-06:
             place = k
             break
-    if place == 64:
+    marked = 0
+    if doubtful:
+        J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
+        _general_5r_pointing_error(links, c, s, J)
+        marked = 1 if _general_5r_pointing_step(J, x) < 1e-06 else 0
+    if place == count and count >= 64 - marked * 16:
         return -1, count
     if place == count:
         count += 1
@@ -1968,11 +1974,8 @@ def _general_5r_pointing_offer(links, c, s, afar, doubtful, q, residual, singula
         residual[place] = missing
         for i in range(6):
             q[place, i] = theta[i]
-    if doubtful:
-        J = carray(_room(42), (6, 7))
-        _general_5r_pointing_error(links, c, s, J)
-        if _general_5r_pointing_step(J, theta) < 1e-06:
-            singular[place] = 1
+    if marked:
+        singular[place] = 1
     return place, count
 
 
@@ -2246,7 +2249,8 @@ def general_5r_pointing_general(T, q, residual):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
-    count = min(count, 16)
+    if count > 16:
+        certified, count = False, 16
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_6r 7226c0a70eaa1e7f"
+_KEY = "general_6r 021f5eebff38525f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1912,7 +1912,8 @@ def _general_6r_begun(q, c, s):
 @_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _general_6r_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count). Where
-    one is singular many come near to it: there is room for more than there are solutions."""
+    one is singular many come near to it: there is room for more than there are solutions, the last of
+    it for regular ones."""
     missing = _general_6r_polish(links, c, s, afar)
     if not missing <= 1e-10:
         return -1, count
@@ -1928,7 +1929,12 @@ def _general_6r_offer(links, c, s, afar, doubtful, q, residual, singular, count)
         if _general_6r_gap(q[k], theta) < 1e-06:
             place = k
             break
-    if place == 64:
+    marked = 0
+    if doubtful:
+        J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
+        _general_6r_error(links, c, s, J)
+        marked = 1 if _general_6r_step(J, x) < 1e-06 else 0
+    if place == count and count >= 64 - marked * 16:
         return -1, count
     if place == count:
         count += 1
@@ -1938,11 +1944,8 @@ def _general_6r_offer(links, c, s, afar, doubtful, q, residual, singular, count)
         residual[place] = missing
         for i in range(6):
             q[place, i] = theta[i]
-    if doubtful:
-        J = carray(_room(42), (6, 7))
-        _general_6r_error(links, c, s, J)
-        if _general_6r_step(J, theta) < 1e-06:
-            singular[place] = 1
+    if marked:
+        singular[place] = 1
     return place, count
 
 
@@ -2216,7 +2219,8 @@ def general_6r_general(T, q, residual):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
-    count = min(count, 16)
+    if count > 16:
+        certified, count = False, 16
     for i in range(count):
         for k in range(6):
             q[i, k] = found[order[i], k]

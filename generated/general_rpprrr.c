@@ -548,9 +548,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if GENERAL_RPPRRR_LANES > 1 && defined(__clang__)
+#if GENERAL_RPPRRR_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define GENERAL_RPPRRR_UNROLL
+#elif defined(__clang__)
 #define GENERAL_RPPRRR_UNROLL _Pragma("clang loop unroll(full)")
-#elif GENERAL_RPPRRR_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define GENERAL_RPPRRR_UNROLL _Pragma("GCC unroll 16")
 #else
 #define GENERAL_RPPRRR_UNROLL
@@ -2611,7 +2613,7 @@ static inline general_rpprrr_lane general_rpprrr_polish(const general_rpprrr_loo
 typedef unsigned long long general_rpprrr_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     general_rpprrr_set singular; /* where the arm is */
@@ -2632,9 +2634,12 @@ static int general_rpprrr_alike(const double a[6], const double b[6], double mos
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], double residual, int
+    singular)
 {
+    const int room = singular ? 64 - 8 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -2646,12 +2651,14 @@ static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], dou
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (general_rpprrr_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (general_rpprrr_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -2694,12 +2701,9 @@ static general_rpprrr_set general_rpprrr_offer(const general_rpprrr_loop *loop, 
         }
         row[1] = length_1[k];
         row[2] = length_2[k];
-        place[k] = general_rpprrr_keep(found, row, residual[k]);
+        place[k] = general_rpprrr_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (general_rpprrr_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (general_rpprrr_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3283,7 +3287,10 @@ static int general_rpprrr_general(const double T[16], double q[8][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 8 ? found.count : 8;
+    if (found.count > 8) {
+        certified = 0;
+        found.count = 8;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -543,9 +543,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if KINOVA_GEN3_7_LANES > 1 && defined(__clang__)
+#if KINOVA_GEN3_7_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define KINOVA_GEN3_7_UNROLL
+#elif defined(__clang__)
 #define KINOVA_GEN3_7_UNROLL _Pragma("clang loop unroll(full)")
-#elif KINOVA_GEN3_7_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define KINOVA_GEN3_7_UNROLL _Pragma("GCC unroll 16")
 #else
 #define KINOVA_GEN3_7_UNROLL
@@ -3221,7 +3223,7 @@ static inline kinova_gen3_7_lane kinova_gen3_7_polish(const kinova_gen3_7_loop *
 typedef unsigned long long kinova_gen3_7_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     kinova_gen3_7_set singular; /* where the arm is */
@@ -3241,9 +3243,12 @@ static int kinova_gen3_7_alike(const double a[6], const double b[6], double most
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], double residual, int
+    singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3255,12 +3260,14 @@ static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], doubl
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (kinova_gen3_7_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (kinova_gen3_7_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3297,12 +3304,9 @@ static kinova_gen3_7_set kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kin
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = kinova_gen3_7_keep(found, row, residual[k]);
+        place[k] = kinova_gen3_7_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (kinova_gen3_7_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (kinova_gen3_7_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3450,6 +3454,14 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
     kinova_gen3_7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         kinova_gen3_7_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % KINOVA_GEN3_7_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return kinova_gen3_7_settle(form, loop, link, &all, &roots, found);
 }
@@ -3610,7 +3622,10 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -468,9 +468,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if KINOVA_JACO2_LANES > 1 && defined(__clang__)
+#if KINOVA_JACO2_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define KINOVA_JACO2_UNROLL
+#elif defined(__clang__)
 #define KINOVA_JACO2_UNROLL _Pragma("clang loop unroll(full)")
-#elif KINOVA_JACO2_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define KINOVA_JACO2_UNROLL _Pragma("GCC unroll 16")
 #else
 #define KINOVA_JACO2_UNROLL
@@ -3269,7 +3271,7 @@ static inline kinova_jaco2_lane kinova_jaco2_polish(const kinova_jaco2_loop *loo
 typedef unsigned long long kinova_jaco2_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     kinova_jaco2_set singular; /* where the arm is */
@@ -3289,9 +3291,12 @@ static int kinova_jaco2_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double residual, int
+    singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3303,12 +3308,14 @@ static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double 
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (kinova_jaco2_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (kinova_jaco2_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3344,12 +3351,9 @@ static kinova_jaco2_set kinova_jaco2_offer(const kinova_jaco2_loop *loop, kinova
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = kinova_jaco2_keep(found, row, residual[k]);
+        place[k] = kinova_jaco2_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (kinova_jaco2_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (kinova_jaco2_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3492,6 +3496,14 @@ static int kinova_jaco2_attempt(const kinova_jaco2_formulation *form, const kino
     kinova_jaco2_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         kinova_jaco2_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % KINOVA_JACO2_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return kinova_jaco2_settle(form, loop, link, &all, &roots, found);
 }
@@ -3649,7 +3661,10 @@ static int kinova_jaco2_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

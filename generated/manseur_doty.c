@@ -468,9 +468,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if MANSEUR_DOTY_LANES > 1 && defined(__clang__)
+#if MANSEUR_DOTY_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define MANSEUR_DOTY_UNROLL
+#elif defined(__clang__)
 #define MANSEUR_DOTY_UNROLL _Pragma("clang loop unroll(full)")
-#elif MANSEUR_DOTY_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define MANSEUR_DOTY_UNROLL _Pragma("GCC unroll 16")
 #else
 #define MANSEUR_DOTY_UNROLL
@@ -3211,7 +3213,7 @@ static inline manseur_doty_lane manseur_doty_polish(const manseur_doty_loop *loo
 typedef unsigned long long manseur_doty_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     manseur_doty_set singular; /* where the arm is */
@@ -3231,9 +3233,12 @@ static int manseur_doty_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double residual, int
+    singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3245,12 +3250,14 @@ static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double 
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (manseur_doty_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (manseur_doty_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3286,12 +3293,9 @@ static manseur_doty_set manseur_doty_offer(const manseur_doty_loop *loop, manseu
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = manseur_doty_keep(found, row, residual[k]);
+        place[k] = manseur_doty_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (manseur_doty_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (manseur_doty_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3440,6 +3444,14 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
     manseur_doty_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         manseur_doty_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % MANSEUR_DOTY_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return manseur_doty_settle(form, loop, link, &all, &roots, found);
 }
@@ -3597,7 +3609,10 @@ static int manseur_doty_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -469,9 +469,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if PUMA560_CALIBRATED_LANES > 1 && defined(__clang__)
+#if PUMA560_CALIBRATED_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define PUMA560_CALIBRATED_UNROLL
+#elif defined(__clang__)
 #define PUMA560_CALIBRATED_UNROLL _Pragma("clang loop unroll(full)")
-#elif PUMA560_CALIBRATED_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define PUMA560_CALIBRATED_UNROLL _Pragma("GCC unroll 16")
 #else
 #define PUMA560_CALIBRATED_UNROLL
@@ -3169,7 +3171,7 @@ static inline puma560_calibrated_lane puma560_calibrated_polish(const puma560_ca
 typedef unsigned long long puma560_calibrated_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     puma560_calibrated_set singular; /* where the arm is */
@@ -3189,10 +3191,12 @@ static int puma560_calibrated_alike(const double a[6], const double b[6], double
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
 static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta[6], double
-    residual)
+    residual, int singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3204,12 +3208,14 @@ static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (puma560_calibrated_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (puma560_calibrated_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3247,12 +3253,9 @@ static puma560_calibrated_set puma560_calibrated_offer(const puma560_calibrated_
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = puma560_calibrated_keep(found, row, residual[k]);
+        place[k] = puma560_calibrated_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (puma560_calibrated_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (puma560_calibrated_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3402,6 +3405,14 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
     puma560_calibrated_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         puma560_calibrated_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % PUMA560_CALIBRATED_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return puma560_calibrated_settle(form, loop, link, &all, &roots, found);
 }
@@ -3564,7 +3575,10 @@ static int puma560_calibrated_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

@@ -467,9 +467,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if XARM6_LANES > 1 && defined(__clang__)
+#if XARM6_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define XARM6_UNROLL
+#elif defined(__clang__)
 #define XARM6_UNROLL _Pragma("clang loop unroll(full)")
-#elif XARM6_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define XARM6_UNROLL _Pragma("GCC unroll 16")
 #else
 #define XARM6_UNROLL
@@ -3057,7 +3059,7 @@ static inline xarm6_lane xarm6_polish(const xarm6_loop *loop, xarm6_lane c[6], x
 typedef unsigned long long xarm6_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     xarm6_set singular; /* where the arm is */
@@ -3077,9 +3079,11 @@ static int xarm6_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int xarm6_keep(xarm6_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int xarm6_keep(xarm6_found *found, double theta[6], double residual, int singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3091,12 +3095,14 @@ static int xarm6_keep(xarm6_found *found, double theta[6], double residual)
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (xarm6_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (xarm6_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3130,12 +3136,9 @@ static xarm6_set xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = xarm6_keep(found, row, residual[k]);
+        place[k] = xarm6_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (xarm6_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (xarm6_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3525,6 +3528,14 @@ static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         xarm6_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % XARM6_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
+    }
     return xarm6_settle(form, loop, link, &all, &roots, found);
 }
 
@@ -3681,7 +3692,10 @@ static int xarm6_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

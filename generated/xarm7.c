@@ -467,9 +467,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if XARM7_LANES > 1 && defined(__clang__)
+#if XARM7_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define XARM7_UNROLL
+#elif defined(__clang__)
 #define XARM7_UNROLL _Pragma("clang loop unroll(full)")
-#elif XARM7_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define XARM7_UNROLL _Pragma("GCC unroll 16")
 #else
 #define XARM7_UNROLL
@@ -3072,7 +3074,7 @@ static inline xarm7_lane xarm7_polish(const xarm7_loop *loop, xarm7_lane c[6], x
 typedef unsigned long long xarm7_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     xarm7_set singular; /* where the arm is */
@@ -3092,9 +3094,11 @@ static int xarm7_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int xarm7_keep(xarm7_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int xarm7_keep(xarm7_found *found, double theta[6], double residual, int singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3106,12 +3110,14 @@ static int xarm7_keep(xarm7_found *found, double theta[6], double residual)
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (xarm7_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (xarm7_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3145,12 +3151,9 @@ static xarm7_set xarm7_offer(const xarm7_loop *loop, xarm7_lane c[6], xarm7_lane
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = xarm7_keep(found, row, residual[k]);
+        place[k] = xarm7_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (xarm7_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (xarm7_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3290,6 +3293,14 @@ static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
     xarm7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         xarm7_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % XARM7_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
     }
     return xarm7_settle(form, loop, link, &all, &roots, found);
 }
@@ -3444,7 +3455,10 @@ static int xarm7_general(const double T[16], const double free_joints[1], double
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

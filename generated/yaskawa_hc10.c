@@ -551,9 +551,11 @@ static void sorted_rows(
 
 /* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
  * and what could stay in registers goes through memory. */
-#if YASKAWA_HC10_LANES > 1 && defined(__clang__)
+#if YASKAWA_HC10_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define YASKAWA_HC10_UNROLL
+#elif defined(__clang__)
 #define YASKAWA_HC10_UNROLL _Pragma("clang loop unroll(full)")
-#elif YASKAWA_HC10_LANES > 1 && __GNUC__ >= 8
+#elif __GNUC__ >= 8
 #define YASKAWA_HC10_UNROLL _Pragma("GCC unroll 16")
 #else
 #define YASKAWA_HC10_UNROLL
@@ -3194,7 +3196,7 @@ static inline yaskawa_hc10_lane yaskawa_hc10_polish(const yaskawa_hc10_loop *loo
 typedef unsigned long long yaskawa_hc10_set;
 
 /* The solutions found so far. Where one is singular many candidates come near to it: there is room
- * for more than there are solutions. */
+ * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
     yaskawa_hc10_set singular; /* where the arm is */
@@ -3214,9 +3216,12 @@ static int yaskawa_hc10_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none; its place, or -1. */
-static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double residual)
+/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
+ * -1. */
+static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double residual, int
+    singular)
 {
+    const int room = singular ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3228,12 +3233,14 @@ static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double 
                     found->q[i][j] = theta[j];
                 }
             }
+            found->singular |= (yaskawa_hc10_set)singular << i;
             return i;
         }
     }
-    if (found->count == 64) {
+    if (found->count >= room) {
         return -1;
     }
+    found->singular |= (yaskawa_hc10_set)singular << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3269,12 +3276,9 @@ static yaskawa_hc10_set yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskaw
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = yaskawa_hc10_keep(found, row, residual[k]);
+        place[k] = yaskawa_hc10_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
         if (place[k] >= 0) {
             met |= (yaskawa_hc10_set)1 << place[k];
-            if (doubtful && pivot[k] < 1e-06) {
-                found->singular |= (yaskawa_hc10_set)1 << place[k];
-            }
         }
     }
     return met;
@@ -3677,6 +3681,14 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         yaskawa_hc10_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
+    /* lanes behind the last candidate hold the first one */
+    for (int k = all.count; k % YASKAWA_HC10_LANES; k++) {
+        all.c[k] = all.c[0];
+        all.s[k] = all.s[0];
+        for (int i = 0; i < 6; i++) {
+            all.n[i][k] = all.n[i][0];
+        }
+    }
     return yaskawa_hc10_settle(form, loop, link, &all, &roots, found);
 }
 
@@ -3836,7 +3848,10 @@ static int yaskawa_hc10_general(const double T[16], double q[16][6],
         }
         order[j] = i;
     }
-    found.count = found.count < 16 ? found.count : 16;
+    if (found.count > 16) {
+        certified = 0;
+        found.count = 16;
+    }
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] = found.q[order[i]][j];

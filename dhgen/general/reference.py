@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40
 SAME = 1e-6  # solutions closer than this are one [rad]
-PLACES = 64  # where a solution is singular many candidates come near to it
+PLACES = 64  # many candidates come near to a singular solution; the last are for regular ones
 TOGETHER = 1e-3  # singular ones closer than this may be one, which their last digits tell [rad]
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
@@ -101,22 +101,22 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
     if P[:3, 3] @ P[:3, 3] > out_of_reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     links = tuple(np.array(K.at(held)) for K in loop.links)
-    search = _Search(Target(links, P, loop.slides), kernel.tried(held))
+    search = _Search(Target(links, P, loop.slides), kernel.rows, kernel.tried(held))
     certified = _attempt(kernel, search)
     complete = certified or _from_nearby(kernel, search)
     if not complete:
         random = np.random.default_rng(0)
         for theta in random.uniform(-np.pi, np.pi, (STARTS, 6)):
-            search.offer(theta, STEPS_FROM_AFAR)
-    found = search.result(loop, kernel.rows, complete=complete)
+            search.offer(theta, STEPS_FROM_AFAR, doubtful=True)
+    found = search.result(loop, complete=complete)
     return found if certified else replace(found, singular=True)
 
 
 class _Search:
     """The solutions found so far, a slide's length in arm sizes, and what is tried for them."""
 
-    def __init__(self, target: Target, formulations: tuple[Formulation, ...]) -> None:
-        self.target, self.formulations = target, formulations
+    def __init__(self, target: Target, most: int, formulations: tuple[Formulation, ...]) -> None:
+        self.target, self.most, self.formulations = target, most, formulations
         self.turns = np.array([place not in target.slides for place in range(6)])
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
@@ -137,16 +137,16 @@ class _Search:
         if residual > TOLERANCES.polished:
             return None
         theta = np.where(self.turns, np.pi - np.remainder(np.pi - theta, 2 * np.pi), theta)
-        place = self._place(theta)
-        if place == PLACES:
-            return None
+        place, singular = self._place(theta), doubtful and is_singular(self.target, theta)
         if place == len(self.found):
+            if place >= PLACES - singular * self.most:
+                return None
             self.found.append(theta)
             self.residuals.append(np.inf)
         if residual < self.residuals[place]:
             self.found[place] = theta
             self.residuals[place] = residual
-        if doubtful and is_singular(self.target, theta):
+        if singular:
             self.singular.add(place)
         return place
 
@@ -175,15 +175,16 @@ class _Search:
             ranks.append(int(i in self.singular) * (1 + near))
         return ranks
 
-    def result(self, loop: Loop, most: int, *, complete: bool) -> Solved:
+    def result(self, loop: Loop, *, complete: bool) -> Solved:
         """The solutions in joint values, no more than there are rows."""
         ranks = self._ranks()
         q = np.array(self.found).reshape(-1, 6)
         q += [np.arctan2(s, c) for c, s in loop.advances]
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
-        order = sorted(range(len(q)), key=lambda i: (ranks[i], in_order(q[i])))[:most]
+        order = sorted(range(len(q)), key=lambda i: (ranks[i], in_order(q[i])))[: self.most]
         residual = np.array([self.residuals[i] for i in order])
         singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
+        singular = singular or len(self.found) > self.most
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)
 
 
@@ -317,7 +318,7 @@ def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     before = -1
     for number, motion in enumerate(nudges()):
         moved = search.target.P @ np.array(motion)
-        nearby = _Search(replace(search.target, P=moved), search.formulations)
+        nearby = _Search(replace(search.target, P=moved), search.most, search.formulations)
         complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
         count = -1

@@ -28,9 +28,9 @@ FINE = TOLERANCES.fine
 LONGEST = 2.0  # of a step's components [rad, arm sizes]
 STEPS = 40  # from a start; 7 to 16 are usual
 SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
-TOGETHER = 1e-3  # singular solutions, known less well, closer than this are one
-# Those closer than this are one if what lies between them solves, too: from these parts of the
-# way a few steps lead to solutions that are nearer to where they began than this part of it.
+TOGETHER = 1e-3  # of rows that are refined: singular ones closer than this are one
+# Singular ones closer than this are one if what lies between them solves, too: from these parts
+# of the way a few steps lead to solutions that are nearer to where they began than this part of it.
 NEIGHBOURS = 0.1
 BETWEEN = (0.25, 0.5, 0.75)
 STEPS_ASIDE = 4

@@ -13,8 +13,8 @@ from tests.targets.made import folder, made_up, without_numba
 ARM = ["theta: q, d: 0.4, a: 0.05, alpha: -pi/2", "theta: q, a: 0.5"]
 TURN = np.pi / 2
 # A wrist that is nearly spherical, the joint values of a pose where it is straight, and a solution
-# at which the arm is not singular (the smallest singular value is 0.14 and 0.0045), from a Newton
-# search from 800 starts.
+# at which the arm is not singular (the smallest singular value is 0.14, 0.0045 and 0.0056), from a
+# Newton search from 800 starts.
 CASES = {
     "one_to_three_micrometres": (
         [
@@ -33,6 +33,16 @@ CASES = {
         ],
         [0.0, TURN, TURN, 2 * TURN, 2 * TURN, -2 * TURN],
         [0.0, -1.5707963, 1.80571003, -np.pi, 0.23491371, np.pi],
+    ),
+    # a hundred candidates come to its singular solutions
+    "equal_offsets": (
+        [
+            "theta: q, a: 0.06, alpha: -pi/2",
+            "theta: q, d: 0.5, a: 1e-3, alpha: pi/2",
+            "theta: q, a: 1e-3, alpha: -pi/2",
+        ],
+        [2 * TURN, -TURN, -TURN, 2 * TURN, 0.0, 0.0],
+        [0.0, -1.68765632, -1.29818993, 0.0, -0.15574640, 0.0],
     ),
 }
 

@@ -11,12 +11,16 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.given import given_values
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derive import derive
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering import lower as lowering
+from dhgen.program.lowering import polynomials
 from dhgen.robot.load import load_text
 from dhgen.survey.oracle.forward import forward
+from tests.derivation.stories import story
 from tests.robots.cases import ROBOTS
 
 if TYPE_CHECKING:
@@ -65,3 +69,28 @@ def test_rows_are_those_of_what_is_multiplied_out(monkeypatch: pytest.MonkeyPatc
     assert np.nanmax(np.abs(apart)) < 1e-8
     apart = np.remainder(carried.q - q[:, None] + np.pi, 2 * np.pi) - np.pi
     assert np.nanmin(np.abs(apart).max(axis=-1), axis=1).max() < 1e-8
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("stanford", "ur5", "kuka_iiwa14_arm_angle", "concurrent_345", "prismatic_2_wrist"),
+        *("welding_5r", "kuka_youbot", "rrprrr", "scorbot_pointing", "spherical_wrist_general_arm"),
+    ],
+)
+def test_every_kind_of_column(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Slides, sums of angles, points by name, inverted forms: as if coefficients were long."""
+    derivation = story(name).derivation
+    model = numeric_arm(derivation.problem.algebra.chain)
+    q = np.random.default_rng(5).uniform(-1.5, 1.5, (100, derivation.problem.algebra.chain.dof))
+    T, free = model.pose(q), given_values(model, q)
+    expected = interpret(lowering.lower(derivation), T, np.zeros_like(q), free)
+    for module in (polynomials, lowering):
+        monkeypatch.setattr(module, "LONG", 3)
+    monkeypatch.setattr(lowering, "WORTH", np.inf)
+    monkeypatch.setattr(lowering, "SHORTER", np.inf)
+    carried = interpret(lowering.lower(derivation), T, np.zeros_like(q), free)
+    assert (carried.solved == expected.solved).all()
+    assert carried.solved.any(axis=1).mean() > 0.9
+    apart = np.remainder(carried.q - expected.q + np.pi, 2 * np.pi) - np.pi
+    assert np.nanmax(np.abs(apart)) < 1e-8

@@ -57,6 +57,15 @@ def test_no_warnings_in_lanes(name: str) -> None:
     assert compiled(COMPILERS[0], *flags) == ""
 
 
+@pytest.mark.skipif("clang" not in COMPILERS, reason="no clang")
+@pytest.mark.parametrize("level", ["-O2", "-Os", "-Oz"])
+def test_no_warnings_where_loops_are_unrolled(level: str) -> None:
+    """That a loop is not unrolled is told while optimising."""
+    made("general_6r")
+    flags = ("-std=c99", "-march=native", level, *WARNINGS, *MORE, "-c", "general_6r.c")
+    assert compiled("clang", *flags, "-o", "general_6r.o") == ""
+
+
 def in_cpp(compiler: str, names: list[str]) -> str:
     """What a C++ compiler says of headers."""
     calls = [f"auto f_{n} = &{n}_ik; int n_{n} = {n.upper()}_ROWS;" for n in names]

@@ -28,7 +28,9 @@ if TYPE_CHECKING:
     from dhgen.tolerances import Tolerances
 
 
-WORTH = 1.1  # times the operations, for half the text
+# So many more operations are worth it if that takes so much less text, of which one pose in lanes
+# takes each operation once.
+WORTH, SHORTER = 1.1, 0.75
 
 
 def lower(
@@ -72,13 +74,12 @@ def _parts(derivation: Derivation, tolerances: Tolerances) -> PartsOf:
     if not any(len(value) >= LONG for step in steps for _, value in step.coefficients):
         return no_parts
     none, carried = (
-        effort(
-            _lowered(derivation, Lowering(derivation, tolerances, Checks(rows=False)), parts),
-            tolerances,
-        )
+        _lowered(derivation, Lowering(derivation, tolerances, Checks(rows=False)), parts)
         for parts in (no_parts, parts_of)
     )
-    return parts_of if carried <= WORTH * none else no_parts
+    more = effort(carried, tolerances) / effort(none, tolerances)
+    shorter = len(str(carried)) <= SHORTER * len(str(none))
+    return parts_of if more <= (WORTH if shorter else 1.0) else no_parts
 
 
 def _lowered(derivation: Derivation, context: Lowering, parts: PartsOf) -> Program:

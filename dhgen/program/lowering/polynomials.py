@@ -100,7 +100,8 @@ class PolynomialLowering:
     def _of_parts(self, polynomial: Polynomial) -> Node:
         """A sum of parts, each times one term, and what is left."""
         builder, rest, total = self.builder, polynomial, self.builder.integer(0)
-        parts = [part for part in self._parts() if part.polynomial]
+        offered, self._parts = self._parts, tuple  # what parts are made of holds none of them
+        parts = [part for part in offered() if part.polynomial]
         while len(rest) >= LONG:
             found = [each for part in parts for each in self._without(rest, part)]
             best = min(found, key=lambda each: len(each.rest), default=None)
@@ -108,13 +109,14 @@ class PolynomialLowering:
                 break
             value = builder.mul(self._lower(best.factor), best.part.value())
             total, rest = builder.add(total, value), best.rest
+        self._parts = offered
         return builder.add(total, self._lower(rest)) if rest else total
 
     def _without(self, polynomial: Polynomial, part: Part) -> Iterator[_Taken]:
         """A polynomial without a part, times every term that may take one away."""
         # the shortest term is the least likely to have changed on the way to the normal form
         least = min(part.polynomial, key=lambda monomial: (sum(monomial), monomial))
-        for monomial, coefficient in polynomial.items():
+        for monomial, coefficient in sorted(polynomial.items()):
             powers = tuple(map(sub, monomial, least))
             if min(powers) >= 0:
                 term = {powers: coefficient / part.polynomial[least]}

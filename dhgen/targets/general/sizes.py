@@ -40,7 +40,7 @@ class Sizes:
         parabolas: That tell two roots where they nearly meet.
         angles: Those, the double roots, and what may stand on both sides of them.
         candidates: For joint angles.
-        places: For what candidates lead to, many times where the arm is singular.
+        places: For what candidates lead to: near a singular solution, many.
         steps: Of the polish from a candidate.
         steps_from_afar: Of the polish from anywhere.
         batches: Of starts, in lanes.
