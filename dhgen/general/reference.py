@@ -73,9 +73,10 @@ class Solved:
             slide's in the file's unit].
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.
-        singular: Whether roots met, or the arm is singular at a solution, or steps did not make one
-            exact, as where it nearly is; or whether only poses close by tell that these are all:
-            where every polynomial vanishes identically there may be a continuum besides.
+        singular: Whether roots met, or the arm is singular at a solution, or more were found than
+            there may be, or steps did not make one exact, as where it nearly is; or whether only
+            poses close by tell that these are all: where every polynomial vanishes identically
+            there may be a continuum besides.
     """
 
     q: FloatArray
@@ -183,8 +184,9 @@ class _Search:
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
         order = sorted(range(len(q)), key=lambda i: (ranks[i], in_order(q[i])))[: self.most]
         residual = np.array([self.residuals[i] for i in order])
-        singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
-        singular = singular or len(self.found) > self.most
+        many = len(self.found) > self.most
+        inexact = (residual > TOLERANCES.exact).any()
+        singular = bool(self.singular or self.doubles or many or inexact)
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)
 
 

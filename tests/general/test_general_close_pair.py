@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.forward import forward
-from tests.compiling import library
 from tests.targets.calling import HELD, LANGUAGES, gap
-from tests.targets.made import folder, made_up, without_numba
+from tests.targets.made import made_up, solving
 
 NAME = "hollow_wrist"
 JOINTS = [
@@ -33,9 +32,7 @@ OTHER = [2.873463, -1.087138, 1.802447, 1.619897, 3.069373, 1.950941]
 @pytest.mark.parametrize("off", [0.0, 1e-9, 1e-6, 1e-5, 3e-5, 1e-4])
 def test_both_solutions_are_found(off: float, language: str) -> None:
     compiled = made_up(NAME, JOINTS, "")
-    solve = library(compiled.module, folder()).ik
-    if language == "Python":
-        solve = without_numba(compiled.files[f"{NAME}.py"], NAME).ik_all
+    solve = solving(compiled, language)
     source = np.random.default_rng(31)
     for _ in range(3 if language == "Python" else 200):
         q = np.array(ONE) + off * source.uniform(-1.0, 1.0, 6)

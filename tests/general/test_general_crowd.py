@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.forward import forward
-from tests.compiling import library
 from tests.targets.calling import HELD, LANGUAGES, gap
-from tests.targets.made import folder, made_up, without_numba
+from tests.targets.made import made_up, solving
 
 ARM = ["theta: q, d: 0.4, a: 0.05, alpha: -pi/2", "theta: q, a: 0.5"]
 TURN = np.pi / 2
@@ -52,9 +51,7 @@ CASES = {
 def test_a_regular_solution_beside_a_singular_one(name: str, language: str) -> None:
     wrist, q, other = CASES[name]
     compiled = made_up(name, [*ARM, *wrist, "theta: q, d: 0.1"], "")
-    solve = library(compiled.module, folder()).ik
-    if language == "Python":
-        solve = without_numba(compiled.files[f"{name}.py"], name).ik_all
+    solve = solving(compiled, language)
     T = np.asarray(forward(compiled.robot, np.array([q]))[0], dtype=float)
     assert np.abs(forward(compiled.robot, np.array([other]))[0] - T).max() < 1e-7
     rows, status = solve(T, np.zeros(6))
@@ -68,9 +65,7 @@ def test_two_solutions_that_nearly_meet(language: str) -> None:
     name = "one_to_three_micrometres"
     q = np.array([-3.12951191, -1.54942265, -1.45147479, -np.pi, 0.11718109, -np.pi])
     compiled = made_up(name, [*ARM, *CASES[name][0], "theta: q, d: 0.1"], "")
-    solve = library(compiled.module, folder()).ik
-    if language == "Python":
-        solve = without_numba(compiled.files[f"{name}.py"], name).ik_all
+    solve = solving(compiled, language)
     T = np.asarray(forward(compiled.robot, q[None])[0], dtype=float)
     rows, status = solve(T, np.zeros(6))
     near = rows[np.isin(status, HELD) & (gap(rows, q) < 1e-3)]

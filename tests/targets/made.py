@@ -111,6 +111,14 @@ def without_numba(text: str, name: str) -> Any:
     return module
 
 
+def solving(compiled: Compilation, language: str) -> Any:
+    """What gives all rows of a pose: `ik` of the C, `ik_all` of the Python without numba."""
+    if language == "C":
+        return library(compiled.module, folder()).ik
+    name = compiled.robot.name
+    return without_numba(compiled.files[f"{name}.py"], name).ik_all
+
+
 def poses_of(name: str, q: FloatArray) -> FloatArray:
     """The poses of joint vectors by the oracle, which shares nothing with the compiler."""
     return np.asarray(forward(robot(name), q), dtype=float)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import Transform, dot
-from dhgen.program.lowering.vectors import inner
+from dhgen.program.lowering.vectors import inner, plus
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Element
@@ -88,11 +88,10 @@ class Columns:
     def _plus(self, translation: Vector, column: Column) -> Column:
         if not column.is_point:
             return column
-        add, lower = self._builder.add, self._context.lower
-        pairs = zip(column.values, translation, strict=True)
+        lengths = list(map(self._context.lower, translation))
         return Column(
             tuple(a + b for a, b in zip(column.entries, translation, strict=True)),
-            tuple(add(value, lower(length)) for value, length in pairs),
+            tuple(plus(self._builder, column.values, lengths)),
             is_point=True,
         )
 
@@ -122,10 +121,8 @@ class Columns:
         names = next((names for place, names in fixed if place == before.entries), None)
         if not seen.is_point or names is None:
             return seen
-        generators = tuple(map(self._algebra.generator, names))
-        pairs = list(zip(generators, seen.entries, strict=True))
-        return Column(
-            tuple(name if len(entry) > 1 else entry for name, entry in pairs),
-            tuple(self._context.lower(name if len(entry) > 1 else entry) for name, entry in pairs),
-            is_point=True,
+        entries = tuple(
+            self._algebra.generator(name) if len(entry) > 1 else entry
+            for name, entry in zip(names, seen.entries, strict=True)
         )
+        return Column(entries, tuple(map(self._context.lower, entries)), is_point=True)
