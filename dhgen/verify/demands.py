@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +24,7 @@ AGREEMENT = 1e-12  # between targets, where the branch is well conditioned
 FOUND = 1e-6  # [rad or arm sizes] the generating joint values on random poses
 FOUND_SINGULAR = 1e-3  # the same where a pose hardly fixes them
 FIXED = 1e-12  # least singular value: with a smaller one rounding moves joint values that far
+MET = math.sqrt(TOLERANCES.merge)  # what lies between two branches that have met misses by less
 JACOBIAN = 1e-6  # against central differences
 
 
@@ -51,14 +53,21 @@ class Demands:
     def agree(
         self, rows: FloatArray, others: FloatArray, T: FloatArray, what: str, where: str
     ) -> None:
-        """Joint values agree up to rounding, as far as the pose fixes what meets it so well."""
+        """Joint values reproduce their pose and agree up to rounding, as far as that fixes them.
+
+        Where two branches meet beside a place where a joint is free, the row that both have stands
+        for joint values that may be far apart.
+        """
         if not len(rows):
             return
-        miss, enough = float(self.measures.joint_miss(rows, others).max()), AGREEMENT
-        if not miss <= enough:
+        self.reproduce(rows, T, f"{where}, Python")
+        self.reproduce(others, T, f"{where}, {what}")
+        misses, enough = self.measures.joint_miss(rows, others).max(axis=1), AGREEMENT
+        if not misses.max() <= enough:
             enough = max(enough, *(self.measures.residual(each, T) for each in (rows, others)))
             enough /= min(max(self.measures.fixed(rows), 1e-9), 1.0)
-        self.at_most(miss, enough, f"{where}: Python and {what} differ")
+            misses[[self._stand_for_one(*pair, T) for pair in zip(rows, others, strict=True)]] = 0.0
+        self.at_most(float(misses.max()), enough, f"{where}: Python and {what} differ")
 
     def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> None:
         """Every row reproduces its pose."""
@@ -83,8 +92,15 @@ class Demands:
         if self.measures.fixed(q) > FIXED:
             return False
         held = rows[np.isfinite(rows).all(axis=1)]
-        ways = (way for row in held for way in self.measures.ways(row, q))
-        return any(self.measures.residual(way, T) <= GENERAL_RESIDUAL for way in ways)
+        return any(self._lead(row, q, T, GENERAL_RESIDUAL) for row in held)
+
+    def _stand_for_one(self, row: FloatArray, other: FloatArray, T: FloatArray) -> bool:
+        """Whether branches have met where these are."""
+        return self.are_at_an_edge(row[None]) and self._lead(row, other, T, MET)
+
+    def _lead(self, row: FloatArray, q: FloatArray, T: FloatArray, enough: float) -> bool:
+        """Whether all joint values on a way from a row to others nearly reach the pose."""
+        return any(self.measures.residual(w, T) <= enough for w in self.measures.ways(row, q))
 
     def are_at_an_edge(self, rows: FloatArray) -> bool:
         """Whether the arm is so singular at each of these that rounding may decide on them."""

@@ -65,3 +65,29 @@ def test_a_row_that_stands_alone_has_to_be_a_solution() -> None:
     python[1, 0] += 1e-6
     with pytest.raises(VerificationError, match="misses the pose"):
         compared(python, c, STRETCHED, singular=True)
+
+
+def test_of_joint_values_that_are_one_each_language_may_give_its_own() -> None:
+    """A Panda with its elbow folded: axes 3 and 5 are one line, and only q3 + q5 is fixed."""
+    demands = Demands(compile_file(ROBOTS / "franka_panda.yaml").module)
+    third, fourth, fifth = np.eye(7)[2:5]
+    folded = np.array([0.2, 0.7, 0.9, 0.0, 2.6, 1.3, 0.4])
+    bent = folded - fourth
+    turn = 2.0 * (third - fifth)
+
+    def agree(row: FloatArray, other: FloatArray) -> None:
+        T = demands.measures.arm.pose(row[None])[0]
+        demands.agree(row[None], other[None], T, "C", "here")
+
+    agree(folded, folded + turn)
+    with pytest.raises(VerificationError, match="C: a row misses the pose"):
+        agree(bent, bent + turn)
+
+
+def test_two_solutions_are_not_one() -> None:
+    demands = Demands(module())
+    T = demands.measures.arm.pose(BENT[None])[0]
+    mirrored = np.array([2.0 * np.arctan2(T[1, 3], T[0, 3]) - BENT[0], -BENT[1]])
+    demands.reproduce(mirrored[None], T, "here")
+    with pytest.raises(VerificationError, match="Python and C differ"):
+        demands.agree(BENT[None], mirrored[None], T, "C", "here")
