@@ -50,6 +50,9 @@ MOVED = 1e-14
 # Where the axis of γ is parallel to that of β or δ, the entry zz does not give γ, and roots tell
 # nothing of solutions: the square of the product of the sines between these axes.
 NO_ANGLE = 1e-18
+# Where the axes of β and δ are parallel only the sum of these angles is told, and γ is a double
+# root: the square of the sine between these axes.
+ALIGNED = 1e-6
 PARALLEL = 1e-30  # the square of what rounding leaves of the normal of slides that are parallel
 
 
@@ -114,12 +117,17 @@ class FourTurns:
         """The polynomial, (N,), from cosines and sines of the hidden angle."""
         return self._at(links, P, cosines, sines).polynomial
 
-    def tells_all(self, links: Sequence[FloatArray], P: FloatArray) -> bool:
-        """Whether every solution has a root: the third turn's axis is not parallel to another."""
-        around = self.formulation.links(links, P)
-        _, B, C, _ = _rotations(around, self.formulation.slides(self.slides))
+    def tells_all(self, links: Sequence[FloatArray], P: FloatArray, roots: Sequence[float]) -> bool:
+        """Whether every solution has a root, and every root tells its solution.
+
+        The third turn's axis is not parallel to another, and at no root are these two.
+        """
+        around = [link[..., None] for link in self.formulation.links(links, P)]
+        A, B, C, D = _rotations(around, self.formulation.slides(self.slides))
         before, behind = B[2, 0] ** 2 + B[2, 1] ** 2, C[0, 2] ** 2 + C[1, 2] ** 2
-        return bool(before * behind > NO_ANGLE)
+        M = _known(A, D, (np.cos(roots), np.sin(roots)))
+        aligned = M[0, 2] ** 2 + M[1, 2] ** 2 <= ALIGNED
+        return bool(before * behind > NO_ANGLE) and not aligned.any()
 
     def candidates(
         self, links: Sequence[FloatArray], P: FloatArray, angle: float
@@ -182,12 +190,7 @@ def branches(
         hidden: Cosine and sine of φ1, (N,) each.
     """
     A, B, C, D = _rotations(links, slides)
-    cosine, sine = hidden
-    x, y, z = D.transpose(1, 0, 2)
-    M = _compose(
-        A.transpose(1, 0, 2),
-        np.stack(np.broadcast_arrays(cosine * x + sine * y, cosine * y - sine * x, z)),
-    )
+    M = _known(A, D, hidden)
     # M_zz = N_zz is b cos γ + c sin γ + B_zz C_zz
     b = B[2, 0] * C[0, 2] + B[2, 1] * C[1, 2]
     c = B[2, 1] * C[0, 2] - B[2, 0] * C[1, 2]
@@ -214,6 +217,14 @@ def branches(
 
 
 Pair = tuple["FloatArray", "FloatArray"]  # cosine and sine
+
+
+def _known(A: FloatArray, D: FloatArray, hidden: Pair) -> FloatArray:
+    """M = Aᵀ Rz(−φ1) Dᵀ, (3, 3, N)."""
+    cosine, sine = hidden
+    x, y, z = D.transpose(1, 0, 2)
+    turned = np.broadcast_arrays(cosine * x + sine * y, cosine * y - sine * x, z)
+    return _compose(A.transpose(1, 0, 2), np.stack(turned))
 
 
 def _walk(

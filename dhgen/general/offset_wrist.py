@@ -68,8 +68,10 @@ class OffsetWrist:
         every = zip(cosines, sines, strict=True)
         return np.array([polynomial(self, *wrist_at(self, links[4], P, *x)[1:]) for x in every])
 
-    def tells_all(self, _links: Sequence[FloatArray], _P: FloatArray) -> bool:
-        """Whether every solution has a root."""
+    def tells_all(
+        self, _links: Sequence[FloatArray], _P: FloatArray, _roots: Sequence[float]
+    ) -> bool:
+        """Whether every solution has a root, and every root tells its solutions."""
         return True
 
     def candidates(

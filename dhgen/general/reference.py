@@ -206,8 +206,9 @@ def _certified_closed(arm: OffsetWrist | FourTurns, search: _Search) -> bool:
     search.doubles += len(found.double)
     met: set[int | None] = set()
     expected = 0
-    complete = found.complete and arm.tells_all(links, P)
-    for angle in (*found.simple, *found.double):
+    every = *found.simple, *found.double
+    complete = found.complete and arm.tells_all(links, P, every)
+    for angle in every:
         double = angle in found.double
         starts = list(arm.candidates(links, P, angle))
         near = [theta for theta in starts if theta is not None]

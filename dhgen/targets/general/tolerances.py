@@ -6,7 +6,15 @@ from dataclasses import dataclass
 
 from dhgen.general import circle, lens, polish, recover, reference, roots
 from dhgen.general.determinant import TINY
-from dhgen.general.four_turns import ALONG, FARTHEST, MOVED, NEARLY_FLAT, NO_ANGLE, PARALLEL
+from dhgen.general.four_turns import (
+    ALIGNED,
+    ALONG,
+    FARTHEST,
+    MOVED,
+    NEARLY_FLAT,
+    NO_ANGLE,
+    PARALLEL,
+)
 from dhgen.kinematics.order import TIE
 from dhgen.tolerances import TOLERANCES
 
@@ -49,6 +57,7 @@ class Tolerances:
     nearly_flat: float = NEARLY_FLAT
     along: float = ALONG
     no_angle: float = NO_ANGLE
+    aligned: float = ALIGNED
     moved: float = MOVED
     farthest: float = FARTHEST
     parallel: float = PARALLEL
