@@ -28,7 +28,12 @@ class Target:
     slides: tuple[int, ...] = ()
 
 
-SINGULAR = 1e-6  # the smallest singular value of the Jacobian over the largest
+# The smallest singular value of the Jacobian over the largest: where it is below this the arm is
+# singular, to the accuracy to which a double root is known.
+SINGULAR = 1e-6
+# Below this it is nearly singular: copies of a singular solution, as far away from it as a miss of
+# 1e-10 leaves them, are no less so.
+NEARLY_SINGULAR = 1e-4
 # Singular values below this part of the largest count as zero: Newton then moves in the rest
 # only, instead of leaping along a direction that the pose does not determine.
 RANK = 1e-9
@@ -38,11 +43,11 @@ SMALLEST_SQUARE = 1e-30
 GOOD_ENOUGH = 1e-29  # the square of a residual that is rounding: steps end
 
 
-def is_singular(target: Target, theta: FloatArray) -> bool:
-    """Whether the arm is singular, to the accuracy to which a double root is known."""
+def regularity(target: Target, theta: FloatArray) -> float:
+    """The smallest singular value of the Jacobian over the largest."""
     _, J = _linearised(target, theta)
     values = np.linalg.svd(J, compute_uv=False)
-    return bool(values[-1] < SINGULAR * values[0])
+    return float(values[-1] / values[0])
 
 
 def polish(

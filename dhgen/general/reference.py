@@ -18,7 +18,7 @@ from dhgen.general.determinant import equations, fold
 from dhgen.general.hidden_slide import length
 from dhgen.general.loop import out_of_reach
 from dhgen.general.pointing import any_turn
-from dhgen.general.polish import Target, is_singular, polish
+from dhgen.general.polish import NEARLY_SINGULAR, SINGULAR, Target, polish, regularity
 from dhgen.general.recover import least_values, null_vectors, partner_values, remaining_angles
 from dhgen.general.roots import real_roots
 from dhgen.kinematics.order import in_order
@@ -122,6 +122,7 @@ class _Search:
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
         self.singular: set[int | None] = set()
+        self.nearly_singular: set[int] = set()
         self.doubles = 0
 
     @property
@@ -138,17 +139,21 @@ class _Search:
         if residual > TOLERANCES.polished:
             return None
         theta = np.where(self.turns, np.pi - np.remainder(np.pi - theta, 2 * np.pi), theta)
-        place, singular = self._place(theta), doubtful and is_singular(self.target, theta)
+        place = self._place(theta)
+        regular = regularity(self.target, theta) if doubtful else np.inf
+        nearly = regular < NEARLY_SINGULAR
         if place == len(self.found):
-            if place >= PLACES - singular * self.most:
+            if place >= PLACES - nearly * self.most:
                 return None
             self.found.append(theta)
             self.residuals.append(np.inf)
         if residual < self.residuals[place]:
             self.found[place] = theta
             self.residuals[place] = residual
-        if singular:
+        if regular < SINGULAR:
             self.singular.add(place)
+        if nearly:
+            self.nearly_singular.add(place)
         return place
 
     def _place(self, theta: FloatArray) -> int:
@@ -166,14 +171,14 @@ class _Search:
     def _ranks(self) -> list[int]:
         """What comes first where there are more than there are rows.
 
-        0 for regular solutions, 1 for singular ones, 2 for those that lie together with one of
-        these and may be the same.
+        0 for regular solutions, 1 for singular ones or nearly so, 2 for those that lie together
+        with one of these and may be the same.
         """
         ranks: list[int] = []
         for i, theta in enumerate(self.found):
             others = [self.found[j] for j, rank in enumerate(ranks) if rank == 1]
             near = min((self._gap(theta, other) for other in others), default=np.inf) < TOGETHER
-            ranks.append(int(i in self.singular) * (1 + near))
+            ranks.append(int(i in self.nearly_singular) * (1 + near))
         return ranks
 
     def result(self, loop: Loop, *, complete: bool) -> Solved:

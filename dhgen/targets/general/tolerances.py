@@ -53,6 +53,7 @@ class Tolerances:
     tie: float = TIE  # of joint values, when rows are sorted
     rank: float = polish.RANK
     singular: float = polish.SINGULAR
+    nearly_singular: float = polish.NEARLY_SINGULAR
     good_enough: float = polish.GOOD_ENOUGH
     nearly_flat: float = NEARLY_FLAT
     along: float = ALONG
