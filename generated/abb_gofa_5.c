@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = ABB_GOFA_5_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2885,8 +2887,8 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 9.999999999999999e+17 &&
-                                abb_gofa_5_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 1000000000000.0 &&
+                                abb_gofa_5_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3182,7 +3184,7 @@ typedef unsigned long long abb_gofa_5_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    abb_gofa_5_set singular; /* where the arm is */
+    abb_gofa_5_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } abb_gofa_5_found;
@@ -3199,11 +3201,12 @@ static int abb_gofa_5_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double residual, int singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double residual, double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3216,6 +3219,7 @@ static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double resi
                 }
             }
             found->singular |= (abb_gofa_5_set)singular << i;
+            found->nearly_singular |= (abb_gofa_5_set)nearly << i;
             return i;
         }
     }
@@ -3223,6 +3227,7 @@ static int abb_gofa_5_keep(abb_gofa_5_found *found, double theta[6], double resi
         return -1;
     }
     found->singular |= (abb_gofa_5_set)singular << found->count;
+    found->nearly_singular |= (abb_gofa_5_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3238,13 +3243,15 @@ static abb_gofa_5_set abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_l
                               int steps, int doubtful, abb_gofa_5_found *found,
                               int place[ABB_GOFA_5_LANES])
 {
-    double residual[ABB_GOFA_5_LANES], theta[6][ABB_GOFA_5_LANES], pivot[ABB_GOFA_5_LANES] = {0.0};
+    double residual[ABB_GOFA_5_LANES], theta[6][ABB_GOFA_5_LANES], pivot[ABB_GOFA_5_LANES];
     abb_gofa_5_set met = 0;
     ABB_GOFA_5_STORE(residual, abb_gofa_5_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         abb_gofa_5_lane J[6][7], x[6];
         (void)abb_gofa_5_error(loop, c, s, J);
         ABB_GOFA_5_STORE(pivot, abb_gofa_5_step(J, x));
+    } else {
+        ABB_GOFA_5_STORE(pivot, abb_gofa_5_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = abb_gofa_5_advance[0][i], sine = abb_gofa_5_advance[1][i];
@@ -3257,7 +3264,7 @@ static abb_gofa_5_set abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_l
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = abb_gofa_5_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = abb_gofa_5_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (abb_gofa_5_set)1 << place[k];
         }
@@ -3730,7 +3737,7 @@ static int abb_gofa_5_from_nearby(const abb_gofa_5_loop *loop, abb_gofa_5_found 
         abb_gofa_5_set met;
         abb_gofa_5_then(nearby.link[5], abb_gofa_5_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = abb_gofa_5_try(&nearby, &other);
         met = abb_gofa_5_follow_back(loop, other.q, other.count, found, &lost);
@@ -3764,12 +3771,12 @@ static void abb_gofa_5_from_anywhere(const abb_gofa_5_loop *loop, abb_gofa_5_fou
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void abb_gofa_5_rank(const abb_gofa_5_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && abb_gofa_5_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3811,7 +3818,7 @@ static int abb_gofa_5_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     abb_gofa_5_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.0000000039999986) {
@@ -4226,7 +4233,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != ABB_GOFA_5_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4243,7 +4250,7 @@ int abb_gofa_5_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? ABB_GOFA_5_UNREACHABLE : ABB_GOFA_5_INVALID_POSE;
+        status[row] = valid ? NONE : ABB_GOFA_5_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -4254,7 +4261,7 @@ int abb_gofa_5_ik(
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == ABB_GOFA_5_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -4272,7 +4279,7 @@ int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -ABB_GOFA_5_UNREACHABLE;
+    int result = -NONE;
     int valid = abb_gofa_5_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

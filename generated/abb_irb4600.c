@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = ABB_IRB4600_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -245,7 +247,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & ABB_IRB4600_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & ABB_IRB4600_OUT_OF_LIMITS))
 static const double
     a1 = 0.175, /* x of axis 2 [m] */
@@ -476,20 +478,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v50 = v46 - only_wide(high(3) < v46, turn), v51 = v47 - only_wide(high(3) < v47, turn),
         v52 = v48 - only_wide(high(3) < v48, turn), v53 = v49 - only_wide(high(3) < v49, turn),
         v54 = beyond(v50, 3), v55 = beyond(v51, 3), v56 = beyond(v52, 3), v57 = beyond(v53, 3),
-        q3_ppp = pick_wide(0.0 < v54, v46, v50), q3_pmp = pick_wide(0.0 < v55, v47, v51),
-        q3_mpp = pick_wide(0.0 < v56, v48, v52), q3_mmp = pick_wide(0.0 < v57, v49, v53),
-        q1_ppp = angle1 + (w3_p - w3_p),
+        v58 = turn + v50 - high(3), v59 = turn + v51 - high(3), v60 = turn + v52 - high(3),
+        v61 = turn + v53 - high(3), v62 = pick_wide(v58 < v54, v58, v54),
+        v63 = pick_wide(v59 < v55, v59, v55), v64 = pick_wide(v60 < v56, v60, v56),
+        v65 = pick_wide(v61 < v57, v61, v57), q3_ppp = pick_wide(0.0 < v62, v46, v50),
+        q3_pmp = pick_wide(0.0 < v63, v47, v51), q3_mpp = pick_wide(0.0 < v64, v48, v52),
+        q3_mmp = pick_wide(0.0 < v65, v49, v53), q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m),
-        v58 = maximum_wide(v54, beyond(angle4, 2)), v59 = maximum_wide(v55, beyond(angle5, 2)),
-        v60 = maximum_wide(v56, beyond(angle6, 2)), v61 = maximum_wide(v57, beyond(angle7, 2)),
-        excess_ppp = maximum_wide(v58, beyond(angle12, 5)),
-        excess_ppm = maximum_wide(v58, maximum_wide(low(5) + angle12, -(high(5) + angle12))),
-        excess_pmp = maximum_wide(v59, beyond(angle13, 5)),
-        excess_pmm = maximum_wide(v59, maximum_wide(low(5) + angle13, -(high(5) + angle13))),
-        excess_mpp = maximum_wide(v60, beyond(angle14, 5)),
-        excess_mpm = maximum_wide(v60, maximum_wide(low(5) + angle14, -(high(5) + angle14))),
-        excess_mmp = maximum_wide(v61, beyond(angle15, 5)),
-        excess_mmm = maximum_wide(v61, maximum_wide(low(5) + angle15, -(high(5) + angle15)));
+        v66 = maximum_wide(v62, beyond(angle4, 2)), v67 = maximum_wide(v63, beyond(angle5, 2)),
+        v68 = maximum_wide(v64, beyond(angle6, 2)), v69 = maximum_wide(v65, beyond(angle7, 2)),
+        excess_ppp = maximum_wide(v66, beyond(angle12, 5)),
+        excess_ppm = maximum_wide(v66, maximum_wide(low(5) + angle12, -(high(5) + angle12))),
+        excess_pmp = maximum_wide(v67, beyond(angle13, 5)),
+        excess_pmm = maximum_wide(v67, maximum_wide(low(5) + angle13, -(high(5) + angle13))),
+        excess_mpp = maximum_wide(v68, beyond(angle14, 5)),
+        excess_mpm = maximum_wide(v68, maximum_wide(low(5) + angle14, -(high(5) + angle14))),
+        excess_mmp = maximum_wide(v69, beyond(angle15, 5)),
+        excess_mmm = maximum_wide(v69, maximum_wide(low(5) + angle15, -(high(5) + angle15)));
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0], 0.0 < excess_ppp);
@@ -580,10 +585,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
         q6_m = angle6 - signed_four(half_turn, v26), v27 = raised_four(q3_),
         v28 = v27 - only_four(high(3) < v27, turn), v29 = beyond_four(v28, 3),
-        q3_p = pick_four(0.0 < v29, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3),
-        v30 = maximum_four(v29, beyond_four(angle3, 2)),
-        excess_p = maximum_four(v30, beyond_four(angle5, 5)),
-        excess_m = maximum_four(v30, maximum_four(low(5) + angle5, -(high(5) + angle5)));
+        v30 = turn + v28 - high(3), v31 = pick_four(v30 < v29, v30, v29),
+        q3_p = pick_four(0.0 < v31, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3),
+        v32 = maximum_four(v31, beyond_four(angle3, 2)),
+        excess_p = maximum_four(v32, beyond_four(angle5, 5)),
+        excess_m = maximum_four(v32, maximum_four(low(5) + angle5, -(high(5) + angle5)));
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
     if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
         return -1;
@@ -596,8 +602,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * ABB_IRB4600_UNREACHABLE + (outside1 & ~none1) *
-        ABB_IRB4600_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * ABB_IRB4600_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -769,9 +774,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = ABB_IRB4600_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == ABB_IRB4600_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1045,7 +1050,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != ABB_IRB4600_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1069,7 +1074,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != ABB_IRB4600_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1102,7 +1107,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? ABB_IRB4600_UNREACHABLE : ABB_IRB4600_INVALID_POSE;
+        status[row] = valid ? NONE : ABB_IRB4600_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1117,7 +1122,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == ABB_IRB4600_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1142,12 +1147,18 @@ int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -ABB_IRB4600_UNREACHABLE;
+    int result = -NONE;
     int valid = abb_irb4600_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == ABB_IRB4600_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == ABB_IRB4600_OUT_OF_LIMITS && result < 0)

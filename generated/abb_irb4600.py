@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 d39c91d509652541"
+_KEY = "abb_irb4600 317ec0f0752cc158"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1302,24 +1302,32 @@ def _regular(pose, q, status):
     v55 = max(low3 - v51, v51 - high3)
     v56 = max(low3 - v52, v52 - high3)
     v57 = max(low3 - v53, v53 - high3)
-    q3_ppp = v46 if 0.0 < v54 else v50
-    q3_pmp = v47 if 0.0 < v55 else v51
-    q3_mpp = v48 if 0.0 < v56 else v52
-    q3_mmp = v49 if 0.0 < v57 else v53
+    v58 = turn + v50 - high3
+    v59 = turn + v51 - high3
+    v60 = turn + v52 - high3
+    v61 = turn + v53 - high3
+    v62 = v58 if v58 < v54 else v54
+    v63 = v59 if v59 < v55 else v55
+    v64 = v60 if v60 < v56 else v56
+    v65 = v61 if v61 < v57 else v57
+    q3_ppp = v46 if 0.0 < v62 else v50
+    q3_pmp = v47 if 0.0 < v63 else v51
+    q3_mpp = v48 if 0.0 < v64 else v52
+    q3_mmp = v49 if 0.0 < v65 else v53
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-    v58 = max(v54, max(low2 - angle4, angle4 - high2))
-    v59 = max(v55, max(low2 - angle5, angle5 - high2))
-    v60 = max(v56, max(low2 - angle6, angle6 - high2))
-    v61 = max(v57, max(low2 - angle7, angle7 - high2))
-    excess_ppp = max(v58, max(low5 - angle12, angle12 - high5))
-    excess_ppm = max(v58, max(low5 + angle12, -(high5 + angle12)))
-    excess_pmp = max(v59, max(low5 - angle13, angle13 - high5))
-    excess_pmm = max(v59, max(low5 + angle13, -(high5 + angle13)))
-    excess_mpp = max(v60, max(low5 - angle14, angle14 - high5))
-    excess_mpm = max(v60, max(low5 + angle14, -(high5 + angle14)))
-    excess_mmp = max(v61, max(low5 - angle15, angle15 - high5))
-    excess_mmm = max(v61, max(low5 + angle15, -(high5 + angle15)))
+    v66 = max(v62, max(low2 - angle4, angle4 - high2))
+    v67 = max(v63, max(low2 - angle5, angle5 - high2))
+    v68 = max(v64, max(low2 - angle6, angle6 - high2))
+    v69 = max(v65, max(low2 - angle7, angle7 - high2))
+    excess_ppp = max(v66, max(low5 - angle12, angle12 - high5))
+    excess_ppm = max(v66, max(low5 + angle12, -(high5 + angle12)))
+    excess_pmp = max(v67, max(low5 - angle13, angle13 - high5))
+    excess_pmm = max(v67, max(low5 + angle13, -(high5 + angle13)))
+    excess_mpp = max(v68, max(low5 - angle14, angle14 - high5))
+    excess_mpm = max(v68, max(low5 + angle14, -(high5 + angle14)))
+    excess_mmp = max(v69, max(low5 - angle15, angle15 - high5))
+    excess_mmm = max(v69, max(low5 + angle15, -(high5 + angle15)))
     outside_ppp = 0.0 < excess_ppp
     outside_ppm = 0.0 < excess_ppm
     outside_pmp = 0.0 < excess_pmp
@@ -1557,6 +1565,20 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
+@_jit
+def _solve_past_an_end(T, seed, rows, status):
+    """Solves again with care where fast code has turned a joint that is just beyond an end, next to the
+    seed: by rounding, perhaps."""
+    past = False
+    for row in range(8):
+        if status[row] == OK:
+            for i in range(6):
+                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
+    if past:
+        _, pose = _read(T)
+        _whole(pose, seed, rows, status)
+
+
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1578,13 +1600,16 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if limits:
+        T = _contiguous(_numbers(T, (4, 4), "T"))
+        _solve_past_an_end(T, seed, rows, status)
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 
@@ -1853,24 +1878,32 @@ def _in_tiles(T, q, status):
             v55 = max(low3 - v51, v51 - high3)
             v56 = max(low3 - v52, v52 - high3)
             v57 = max(low3 - v53, v53 - high3)
-            q3_ppp = v46 if 0.0 < v54 else v50
-            q3_pmp = v47 if 0.0 < v55 else v51
-            q3_mpp = v48 if 0.0 < v56 else v52
-            q3_mmp = v49 if 0.0 < v57 else v53
+            v58 = turn + v50 - high3
+            v59 = turn + v51 - high3
+            v60 = turn + v52 - high3
+            v61 = turn + v53 - high3
+            v62 = v58 if v58 < v54 else v54
+            v63 = v59 if v59 < v55 else v55
+            v64 = v60 if v60 < v56 else v56
+            v65 = v61 if v61 < v57 else v57
+            q3_ppp = v46 if 0.0 < v62 else v50
+            q3_pmp = v47 if 0.0 < v63 else v51
+            q3_mpp = v48 if 0.0 < v64 else v52
+            q3_mmp = v49 if 0.0 < v65 else v53
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-            v58 = max(v54, max(low2 - angle4, angle4 - high2))
-            v59 = max(v55, max(low2 - angle5, angle5 - high2))
-            v60 = max(v56, max(low2 - angle6, angle6 - high2))
-            v61 = max(v57, max(low2 - angle7, angle7 - high2))
-            excess_ppp = max(v58, max(low5 - angle12, angle12 - high5))
-            excess_ppm = max(v58, max(low5 + angle12, -(high5 + angle12)))
-            excess_pmp = max(v59, max(low5 - angle13, angle13 - high5))
-            excess_pmm = max(v59, max(low5 + angle13, -(high5 + angle13)))
-            excess_mpp = max(v60, max(low5 - angle14, angle14 - high5))
-            excess_mpm = max(v60, max(low5 + angle14, -(high5 + angle14)))
-            excess_mmp = max(v61, max(low5 - angle15, angle15 - high5))
-            excess_mmm = max(v61, max(low5 + angle15, -(high5 + angle15)))
+            v66 = max(v62, max(low2 - angle4, angle4 - high2))
+            v67 = max(v63, max(low2 - angle5, angle5 - high2))
+            v68 = max(v64, max(low2 - angle6, angle6 - high2))
+            v69 = max(v65, max(low2 - angle7, angle7 - high2))
+            excess_ppp = max(v66, max(low5 - angle12, angle12 - high5))
+            excess_ppm = max(v66, max(low5 + angle12, -(high5 + angle12)))
+            excess_pmp = max(v67, max(low5 - angle13, angle13 - high5))
+            excess_pmm = max(v67, max(low5 + angle13, -(high5 + angle13)))
+            excess_mpp = max(v68, max(low5 - angle14, angle14 - high5))
+            excess_mpm = max(v68, max(low5 + angle14, -(high5 + angle14)))
+            excess_mmp = max(v69, max(low5 - angle15, angle15 - high5))
+            excess_mmm = max(v69, max(low5 + angle15, -(high5 + angle15)))
             outside_ppp = 0.0 < excess_ppp
             outside_ppm = 0.0 < excess_ppm
             outside_pmp = 0.0 < excess_pmp

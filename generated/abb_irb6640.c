@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = ABB_IRB6640_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -254,7 +256,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & ABB_IRB6640_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & ABB_IRB6640_OUT_OF_LIMITS))
 static const double
     d1 = 0.78, /* joint offset 1 [m] */
@@ -488,22 +490,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v62 = exceeds(q1__m, 1), v63 = v57 - only_wide(high(3) < v57, turn),
         v64 = v58 - only_wide(high(3) < v58, turn), v65 = v59 - only_wide(high(3) < v59, turn),
         v66 = v60 - only_wide(high(3) < v60, turn), v67 = beyond(v63, 3), v68 = beyond(v64, 3),
-        v69 = beyond(v65, 3), v70 = beyond(v66, 3), q3_ppp = pick_wide(0.0 < v67, v57, v63),
-        q3_pmp = pick_wide(0.0 < v68, v58, v64), q3_mpp = pick_wide(0.0 < v69, v59, v65),
-        q3_mmp = pick_wide(0.0 < v70, v60, v66), q1_ppp = angle1 + (w3_p - w3_p),
-        q1_mpp = q1__m + (w3_m - w3_m),
-        v71 = maximum_wide(v67, maximum_wide(v61, beyond(q2_ppp, 2))),
-        v72 = maximum_wide(v68, maximum_wide(v61, beyond(q2_pmp, 2))),
-        v73 = maximum_wide(v69, maximum_wide(v62, beyond(q2_mpp, 2))),
-        v74 = maximum_wide(v70, maximum_wide(v62, beyond(q2_mmp, 2))),
-        excess_ppp = maximum_wide(v71, exceeds(q5_ppp, 5)),
-        excess_ppm = maximum_wide(v71, exceeds(q5_ppm, 5)),
-        excess_pmp = maximum_wide(v72, exceeds(q5_pmp, 5)),
-        excess_pmm = maximum_wide(v72, exceeds(q5_pmm, 5)),
-        excess_mpp = maximum_wide(v73, exceeds(q5_mpp, 5)),
-        excess_mpm = maximum_wide(v73, exceeds(q5_mpm, 5)),
-        excess_mmp = maximum_wide(v74, exceeds(q5_mmp, 5)),
-        excess_mmm = maximum_wide(v74, exceeds(q5_mmm, 5));
+        v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = turn + v63 - high(3),
+        v72 = turn + v64 - high(3), v73 = turn + v65 - high(3), v74 = turn + v66 - high(3),
+        v75 = pick_wide(v71 < v67, v71, v67), v76 = pick_wide(v72 < v68, v72, v68),
+        v77 = pick_wide(v73 < v69, v73, v69), v78 = pick_wide(v74 < v70, v74, v70),
+        q3_ppp = pick_wide(0.0 < v75, v57, v63), q3_pmp = pick_wide(0.0 < v76, v58, v64),
+        q3_mpp = pick_wide(0.0 < v77, v59, v65), q3_mmp = pick_wide(0.0 < v78, v60, v66),
+        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m),
+        v79 = maximum_wide(v75, maximum_wide(v61, beyond(q2_ppp, 2))),
+        v80 = maximum_wide(v76, maximum_wide(v61, beyond(q2_pmp, 2))),
+        v81 = maximum_wide(v77, maximum_wide(v62, beyond(q2_mpp, 2))),
+        v82 = maximum_wide(v78, maximum_wide(v62, beyond(q2_mmp, 2))),
+        excess_ppp = maximum_wide(v79, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v79, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v80, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v80, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v81, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v81, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v82, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v82, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
     kind[0] = kind_of(q[0], 0.0 < excess_ppp);
@@ -594,10 +599,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q5_p = raised_four(v28), q5_m = only_four(-v29 <= -half_turn, turn) - v29,
         v30 = raised_four(q3_), v31 = exceeds_four(q1_, 1),
         v32 = v30 - only_four(high(3) < v30, turn), v33 = beyond_four(v32, 3),
-        q3_p = pick_four(0.0 < v33, v30, v32), q1_p = q1_ + (w3 - w3),
-        v34 = maximum_four(v33, maximum_four(v31, beyond_four(q2_p, 2))),
-        excess_p = maximum_four(v34, exceeds_four(q5_p, 5)),
-        excess_m = maximum_four(v34, exceeds_four(q5_m, 5));
+        v34 = turn + v32 - high(3), v35 = pick_four(v34 < v33, v34, v33),
+        q3_p = pick_four(0.0 < v35, v30, v32), q1_p = q1_ + (w3 - w3),
+        v36 = maximum_four(v35, maximum_four(v31, beyond_four(q2_p, 2))),
+        excess_p = maximum_four(v36, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v36, exceeds_four(q5_m, 5));
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
     if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
         return -1;
@@ -610,8 +616,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * ABB_IRB6640_UNREACHABLE + (outside1 & ~none1) *
-        ABB_IRB6640_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * ABB_IRB6640_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -788,9 +793,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = ABB_IRB6640_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == ABB_IRB6640_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1064,7 +1069,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != ABB_IRB6640_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1088,7 +1093,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != ABB_IRB6640_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1121,7 +1126,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? ABB_IRB6640_UNREACHABLE : ABB_IRB6640_INVALID_POSE;
+        status[row] = valid ? NONE : ABB_IRB6640_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1136,7 +1141,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == ABB_IRB6640_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1161,12 +1166,18 @@ int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -ABB_IRB6640_UNREACHABLE;
+    int result = -NONE;
     int valid = abb_irb6640_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == ABB_IRB6640_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == ABB_IRB6640_OUT_OF_LIMITS && result < 0)

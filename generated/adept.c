@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = ADEPT_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -255,7 +257,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & ADEPT_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & ADEPT_OUT_OF_LIMITS))
 static const double
     d1 = 1075.0, /* joint offset 1 [mm] */
@@ -418,7 +420,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], angle1, q2);
     store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(q3));
     const unsigned long long none1 = (bits_four(angle1 != angle1) * 0x1ull & 0x1ull);
-    const unsigned long long kind1 = none1 * ADEPT_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 1);
     return __builtin_popcountll(0x1ull & ~none1);
 }
@@ -623,7 +625,7 @@ static void stay(
         return;
     for (int row = 1 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != ADEPT_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -656,7 +658,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? ADEPT_UNREACHABLE : ADEPT_INVALID_POSE;
+        status[row] = valid ? NONE : ADEPT_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -665,7 +667,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 1; row++) {
-        if (status[row] == ADEPT_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -688,7 +690,7 @@ int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     double all[1][3], found[3], least = HUGE_VAL;
     unsigned char status[1];
-    int result = -ADEPT_UNREACHABLE;
+    int result = -NONE;
     int valid = adept_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 72cb3fa6994c5051"
+_KEY = "adept_cobra600 8ef81a4e8cf96a43"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -942,13 +942,13 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(4)
     seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    rows, status, q = rows[first:last], status[first:last], np.empty(4)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = ARM_3R_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -209,7 +211,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & ARM_3R_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & ARM_3R_OUT_OF_LIMITS))
 static const double
     d1 = 0.4, /* joint offset 1 [m] */
@@ -360,7 +362,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, angle3);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * ARM_3R_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
@@ -583,7 +585,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != ARM_3R_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -613,7 +615,7 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? ARM_3R_UNREACHABLE : ARM_3R_INVALID_POSE;
+        status[row] = valid ? NONE : ARM_3R_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -622,7 +624,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] == ARM_3R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -645,7 +647,7 @@ int arm_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     double all[4][3], found[3], least = HUGE_VAL;
     unsigned char status[4];
-    int result = -ARM_3R_UNREACHABLE;
+    int result = -NONE;
     int valid = arm_3r_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

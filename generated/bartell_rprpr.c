@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = BARTELL_RPRPR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -226,7 +228,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & BARTELL_RPRPR_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & BARTELL_RPRPR_OUT_OF_LIMITS))
 static const double
     d1 = 2.0, /* joint offset 1 [m] */
@@ -424,7 +426,7 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, all_four(q4));
     store_1(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * BARTELL_RPRPR_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -659,7 +661,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != BARTELL_RPRPR_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -692,7 +694,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? BARTELL_RPRPR_UNREACHABLE : BARTELL_RPRPR_INVALID_POSE;
+        status[row] = valid ? NONE : BARTELL_RPRPR_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -701,7 +703,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == BARTELL_RPRPR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
@@ -725,7 +727,7 @@ int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double 
 {
     double all[2][5], found[5], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -BARTELL_RPRPR_UNREACHABLE;
+    int result = -NONE;
     int valid = bartell_rprpr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;

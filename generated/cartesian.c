@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = CARTESIAN_UNREACHABLE }; /* no solution */
+
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
@@ -212,7 +214,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & CARTESIAN_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & CARTESIAN_OUT_OF_LIMITS))
 static const double per_size = 0.8333333333333334;
 
@@ -297,8 +299,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(T14));
     const unsigned long long none1 = (bits_four(all_four(T34) != all_four(T34)) * 0x1ull & 0x1ull);
     const unsigned long long outside1 = (bits_four(where_four(outside)) * 0x1ull & 0x1ull);
-    const unsigned long long kind1 = none1 * CARTESIAN_UNREACHABLE + (outside1 & ~none1) *
-        CARTESIAN_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * CARTESIAN_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 1);
     return __builtin_popcountll(0x1ull & ~(none1 | outside1));
 }
@@ -371,7 +372,7 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? CARTESIAN_UNREACHABLE : CARTESIAN_INVALID_POSE;
+        status[row] = valid ? NONE : CARTESIAN_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -379,7 +380,7 @@ APART int ik_carefully(
         return -CARTESIAN_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 1; row++) {
-        if (status[row] == CARTESIAN_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -401,7 +402,7 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
 {
     double all[1][3], found[3], least = HUGE_VAL;
     unsigned char status[1];
-    int result = -CARTESIAN_UNREACHABLE;
+    int result = -NONE;
     int valid = cartesian_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

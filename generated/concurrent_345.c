@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = CONCURRENT_345_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -439,7 +441,7 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     double first[8], miss[8];
     for (int row = 0; row < 8; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == CONCURRENT_345_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -451,7 +453,7 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = CONCURRENT_345_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -841,9 +843,9 @@ static int leads(
     double q[8][6];
     unsigned char kind[8];
     for (int k = 0; k < 8; k++)
-        kind[k] = CONCURRENT_345_UNREACHABLE;
+        kind[k] = NONE;
     solve(d->T, seed, angle, q, kind);
-    if (kind[row] == CONCURRENT_345_UNREACHABLE || kind[row] > CLOSE /* lost */)
+    if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
     return solves(d, 72, exact, end);
@@ -877,7 +879,7 @@ static void both_sides(
         if (close)
             status[row] = CONCURRENT_345_OK;
         any += doubtful[row];
-        if (status[row] == CONCURRENT_345_UNREACHABLE || doubtful[row])
+        if (status[row] == NONE || doubtful[row])
             continue;
         take(q[row], known[count]);
         count++;
@@ -898,7 +900,7 @@ static void both_sides(
                 && is_new(known, others, end);
         if (!found)
             continue;
-        status[row] = CONCURRENT_345_UNREACHABLE;
+        status[row] = NONE;
         count = keep(known, count, end);
         off += end[5] - q[row][5];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
@@ -916,7 +918,7 @@ static void both_sides(
         double least = HUGE_VAL;
         for (int row = 8 - 1; row >= 0; row--) {
             const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
-            if (status[row] == CONCURRENT_345_UNREACHABLE && gap <= least) {
+            if (status[row] == NONE && gap <= least) {
                 least = gap;
                 place = row;
             }
@@ -927,7 +929,7 @@ static void both_sides(
         status[place] = CONCURRENT_345_OK;
     }
     for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 6 && status[row] == CONCURRENT_345_UNREACHABLE; i++)
+        for (int i = 0; i < 6 && status[row] == NONE; i++)
             q[row][i] = NAN;
 }
 
@@ -997,7 +999,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == CONCURRENT_345_FREE_JOINT;
-        if (status[row] == CONCURRENT_345_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
         chosen = is_open ? row : chosen;
@@ -1028,7 +1030,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? CONCURRENT_345_FREE_JOINT : CONCURRENT_345_UNREACHABLE;
+        status[row] = row == begun ? CONCURRENT_345_FREE_JOINT : NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1146,7 +1148,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != CONCURRENT_345_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1175,7 +1177,7 @@ int concurrent_345_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? CONCURRENT_345_UNREACHABLE : CONCURRENT_345_INVALID_POSE;
+        status[row] = valid ? NONE : CONCURRENT_345_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1184,14 +1186,14 @@ int concurrent_345_ik(
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
-        begun = status[row] == CONCURRENT_345_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
     if (begun >= 0)
         seek(pose, seed, begun, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == CONCURRENT_345_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -1208,7 +1210,7 @@ int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -CONCURRENT_345_UNREACHABLE;
+    int result = -NONE;
     int valid = concurrent_345_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = CRAIG_417_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -235,7 +237,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & CRAIG_417_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & CRAIG_417_OUT_OF_LIMITS))
 static const double
     sqrt2 = 1.4142135623730951, /* square root of 2 */
@@ -496,7 +498,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * CRAIG_417_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -743,7 +745,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != CRAIG_417_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -776,7 +778,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? CRAIG_417_UNREACHABLE : CRAIG_417_INVALID_POSE;
+        status[row] = valid ? NONE : CRAIG_417_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -785,7 +787,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == CRAIG_417_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
@@ -808,7 +810,7 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
 {
     double all[2][4], found[4], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -CRAIG_417_UNREACHABLE;
+    int result = -NONE;
     int valid = craig_417_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;

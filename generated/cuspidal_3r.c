@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = CUSPIDAL_3R_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -395,7 +397,7 @@ static void tighten(const double T[16], double q[4][3], unsigned char status[4])
     double first[4], miss[4];
     for (int row = 0; row < 4; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == CUSPIDAL_3R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -407,7 +409,7 @@ static void tighten(const double T[16], double q[4][3], unsigned char status[4])
     for (int row = 0; row < 4; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = CUSPIDAL_3R_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -578,9 +580,9 @@ static int leads(
     double q[4][3];
     unsigned char kind[4];
     for (int k = 0; k < 4; k++)
-        kind[k] = CUSPIDAL_3R_UNREACHABLE;
+        kind[k] = NONE;
     solve(d->T, seed, angle, q, kind);
-    if (kind[row] == CUSPIDAL_3R_UNREACHABLE || kind[row] > CLOSE /* lost */)
+    if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
     return solves(d, 72, exact, end);
@@ -614,7 +616,7 @@ static void both_sides(
         if (close)
             status[row] = CUSPIDAL_3R_OK;
         any += doubtful[row];
-        if (status[row] == CUSPIDAL_3R_UNREACHABLE || doubtful[row])
+        if (status[row] == NONE || doubtful[row])
             continue;
         take(q[row], known[count]);
         count++;
@@ -635,7 +637,7 @@ static void both_sides(
                 && is_new(known, others, end);
         if (!found)
             continue;
-        status[row] = CUSPIDAL_3R_UNREACHABLE;
+        status[row] = NONE;
         count = keep(known, count, end);
         off += end[0] - q[row][0];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
@@ -653,7 +655,7 @@ static void both_sides(
         double least = HUGE_VAL;
         for (int row = 4 - 1; row >= 0; row--) {
             const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
-            if (status[row] == CUSPIDAL_3R_UNREACHABLE && gap <= least) {
+            if (status[row] == NONE && gap <= least) {
                 least = gap;
                 place = row;
             }
@@ -664,7 +666,7 @@ static void both_sides(
         status[place] = CUSPIDAL_3R_OK;
     }
     for (int row = 0; row < 4; row++)
-        for (int i = 0; i < 3 && status[row] == CUSPIDAL_3R_UNREACHABLE; i++)
+        for (int i = 0; i < 3 && status[row] == NONE; i++)
             q[row][i] = NAN;
 }
 
@@ -728,7 +730,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == CUSPIDAL_3R_FREE_JOINT;
-        if (status[row] == CUSPIDAL_3R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
         chosen = is_open ? row : chosen;
@@ -759,7 +761,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 4; row++) {
-        status[row] = row == begun ? CUSPIDAL_3R_FREE_JOINT : CUSPIDAL_3R_UNREACHABLE;
+        status[row] = row == begun ? CUSPIDAL_3R_FREE_JOINT : NONE;
         for (int i = 0; i < 3; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -872,7 +874,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != CUSPIDAL_3R_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -901,7 +903,7 @@ int cuspidal_3r_ik(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? CUSPIDAL_3R_UNREACHABLE : CUSPIDAL_3R_INVALID_POSE;
+        status[row] = valid ? NONE : CUSPIDAL_3R_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -910,14 +912,14 @@ int cuspidal_3r_ik(
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 4 - 1; row >= 0; row--)
-        begun = status[row] == CUSPIDAL_3R_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
     if (begun >= 0)
         seek(pose, seed, begun, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] == CUSPIDAL_3R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -934,7 +936,7 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
 {
     double all[4][3], found[3], least = HUGE_VAL;
     unsigned char status[4];
-    int result = -CUSPIDAL_3R_UNREACHABLE;
+    int result = -NONE;
     int valid = cuspidal_3r_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

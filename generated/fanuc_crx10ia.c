@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = FANUC_CRX10IA_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2907,8 +2909,8 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = fanuc_crx10ia_largest(length * squares) < 9.999999999999999e+17 &&
-                                fanuc_crx10ia_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = fanuc_crx10ia_largest(length * squares) < 1000000000000.0 &&
+                                fanuc_crx10ia_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3207,7 +3209,7 @@ typedef unsigned long long fanuc_crx10ia_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    fanuc_crx10ia_set singular; /* where the arm is */
+    fanuc_crx10ia_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } fanuc_crx10ia_found;
@@ -3224,12 +3226,13 @@ static int fanuc_crx10ia_alike(const double a[6], const double b[6], double most
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3242,6 +3245,7 @@ static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], doubl
                 }
             }
             found->singular |= (fanuc_crx10ia_set)singular << i;
+            found->nearly_singular |= (fanuc_crx10ia_set)nearly << i;
             return i;
         }
     }
@@ -3249,6 +3253,7 @@ static int fanuc_crx10ia_keep(fanuc_crx10ia_found *found, double theta[6], doubl
         return -1;
     }
     found->singular |= (fanuc_crx10ia_set)singular << found->count;
+    found->nearly_singular |= (fanuc_crx10ia_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3264,14 +3269,15 @@ static fanuc_crx10ia_set fanuc_crx10ia_offer(const fanuc_crx10ia_loop *loop, fan
                               int steps, int doubtful, fanuc_crx10ia_found *found,
                               int place[FANUC_CRX10IA_LANES])
 {
-    double residual[FANUC_CRX10IA_LANES], theta[6][FANUC_CRX10IA_LANES], pivot[FANUC_CRX10IA_LANES]
-        = {0.0};
+    double residual[FANUC_CRX10IA_LANES], theta[6][FANUC_CRX10IA_LANES], pivot[FANUC_CRX10IA_LANES];
     fanuc_crx10ia_set met = 0;
     FANUC_CRX10IA_STORE(residual, fanuc_crx10ia_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         fanuc_crx10ia_lane J[6][7], x[6];
         (void)fanuc_crx10ia_error(loop, c, s, J);
         FANUC_CRX10IA_STORE(pivot, fanuc_crx10ia_step(J, x));
+    } else {
+        FANUC_CRX10IA_STORE(pivot, fanuc_crx10ia_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = fanuc_crx10ia_advance[0][i], sine = fanuc_crx10ia_advance[1][i];
@@ -3285,7 +3291,7 @@ static fanuc_crx10ia_set fanuc_crx10ia_offer(const fanuc_crx10ia_loop *loop, fan
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = fanuc_crx10ia_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = fanuc_crx10ia_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (fanuc_crx10ia_set)1 << place[k];
         }
@@ -3764,7 +3770,7 @@ static int fanuc_crx10ia_from_nearby(const fanuc_crx10ia_loop *loop, fanuc_crx10
         fanuc_crx10ia_set met;
         fanuc_crx10ia_then(nearby.link[5], fanuc_crx10ia_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = fanuc_crx10ia_try(&nearby, &other);
         met = fanuc_crx10ia_follow_back(loop, other.q, other.count, found, &lost);
@@ -3798,12 +3804,12 @@ static void fanuc_crx10ia_from_anywhere(const fanuc_crx10ia_loop *loop, fanuc_cr
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void fanuc_crx10ia_rank(const fanuc_crx10ia_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && fanuc_crx10ia_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3845,7 +3851,7 @@ static int fanuc_crx10ia_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     fanuc_crx10ia_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -4266,7 +4272,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != FANUC_CRX10IA_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4283,7 +4289,7 @@ int fanuc_crx10ia_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? FANUC_CRX10IA_UNREACHABLE : FANUC_CRX10IA_INVALID_POSE;
+        status[row] = valid ? NONE : FANUC_CRX10IA_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -4294,7 +4300,7 @@ int fanuc_crx10ia_ik(
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == FANUC_CRX10IA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -4312,7 +4318,7 @@ int fanuc_crx10ia_ik_nearest(const double T[16], const double q_seed[6], double 
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -FANUC_CRX10IA_UNREACHABLE;
+    int result = -NONE;
     int valid = fanuc_crx10ia_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

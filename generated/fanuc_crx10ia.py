@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia b6851154fdf3b89f"
+_KEY = "fanuc_crx10ia f5e0f417fcd00948"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1635,7 +1635,7 @@ def _fanuc_crx10ia_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 9.999999999999999e+17 and second * squares < 1000000000000.0
+    regular = length * squares < 1000000000000.0 and second * squares < 111111111111.1111
     if not double:
         return 1, regular
     square = 0.0
@@ -1733,10 +1733,10 @@ def _fanuc_crx10ia_angles(joints, links, n, c, s):
 
 @_inner
 def _fanuc_crx10ia_marked(marks):
-    """How many marks are set."""
+    """How many marks of the first kind are set."""
     count = 0
     for mark in marks:
-        count += mark
+        count += mark & 1
     return count
 
 
@@ -1858,9 +1858,10 @@ def _fanuc_crx10ia_gap(a, b):
 @_inner
 def _fanuc_crx10ia_rank(q, singular, count):
     """What comes first where there are more than there are rows, in the place of the marks: 0 for
-    regular solutions, 1 for singular ones, 2 for those that lie together with one of these and may be
-    the same, which only its last digits tell."""
+    regular solutions, 1 for singular ones or nearly so, 2 for those that lie together with one of these
+    and may be the same, which only its last digits tell."""
     for i in range(count):
+        singular[i] = 1 if singular[i] else 0
         for j in range(i):
             if singular[i] == 1 and singular[j] == 1 and _fanuc_crx10ia_gap(q[i], q[j]) < 0.001:
                 singular[i] = 2
@@ -1895,12 +1896,14 @@ def _fanuc_crx10ia_offer(links, c, s, afar, doubtful, q, residual, singular, cou
         if _fanuc_crx10ia_gap(q[k], theta) < 1e-06:
             place = k
             break
-    marked = 0
+    marked = nearly = 0
     if doubtful:
         J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
         _fanuc_crx10ia_error(links, c, s, J)
-        marked = 1 if _fanuc_crx10ia_step(J, x) < 1e-06 else 0
-    if place == count and count >= 64 - marked * 16:
+        pivot = _fanuc_crx10ia_step(J, x)
+        marked = 1 if pivot < 1e-06 else 0
+        nearly = 1 if pivot < 0.0001 else 0
+    if place == count and count >= 64 - nearly * 16:
         return -1, count
     if place == count:
         count += 1
@@ -1910,8 +1913,7 @@ def _fanuc_crx10ia_offer(links, c, s, afar, doubtful, q, residual, singular, cou
         residual[place] = missing
         for i in range(6):
             q[place, i] = theta[i]
-    if marked:
-        singular[place] = 1
+    singular[place] |= marked | nearly << 1
     return place, count
 
 
@@ -2099,7 +2101,7 @@ def _fanuc_crx10ia_attempt_closed(which, loop, q, residual, singular, doubles_me
                 )
                 if place >= 0:
                     here[place] = met[place] = 1
-                    singular_here = singular_here or singular[place] == 1
+                    singular_here = singular_here or singular[place] & 1 == 1
             if far and not _fanuc_crx10ia_marked(here):
                 continue
             complete = complete and _fanuc_crx10ia_marked(here) >= 2
@@ -2256,7 +2258,7 @@ def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count
             if place >= 0:
                 met[place] = 1
                 met_here = True
-                singular_here = singular_here or singular[place] == 1
+                singular_here = singular_here or singular[place] & 1 == 1
             elif i < simple:
                 complete = False
         if i >= first_double and (met_here or not regular):
@@ -2313,7 +2315,7 @@ def _fanuc_crx10ia_from_nearby(loop, q, residual, singular, count):
                 complete = False
             else:
                 met[place] = 1
-                singular_here = singular_here or singular[place] == 1
+                singular_here = singular_here or singular[place] & 1 == 1
         marked = _fanuc_crx10ia_marked(singular)
         agreed = -1
         if complete and found > 0:
@@ -2376,6 +2378,7 @@ def fanuc_crx10ia_general(T, q, residual):
             _, count = _fanuc_crx10ia_offer(
                 loop, c, s, True, True, found, missing, singular, count
             )
+    regular = _fanuc_crx10ia_marked(singular) == 0 and doubles_met[0] == 0
     _fanuc_crx10ia_rank(found, singular, count)
     order = np.empty(64, dtype=np.int64)
     for i in range(count):
@@ -2390,7 +2393,6 @@ def fanuc_crx10ia_general(T, q, residual):
         for k in range(6):
             q[i, k] = found[order[i], k]
         residual[i] = missing[order[i]]
-    regular = _fanuc_crx10ia_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
     return count if certified and regular else -1 - count
@@ -2953,13 +2955,13 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

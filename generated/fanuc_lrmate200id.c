@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = FANUC_LRMATE200ID_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -255,7 +257,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & FANUC_LRMATE200ID_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & FANUC_LRMATE200ID_OUT_OF_LIMITS))
 static const double
     d1 = 0.33, /* joint offset 1 [m] */
@@ -283,7 +285,8 @@ static const double
     m1 = 1.3456000000000003e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 6.836537250918941e-12,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m10 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m11 = 5.061454829783555; /* low3 + turn */
 /* coefficients */
 static const double m4 = 1.5151515151515151, m5 = 0.006893939393939396, m6 = 0.15425297487880124,
 m7 = 1.4764213309828118, m8 = 0.006717717055971795, m9 = 0.0007018510356985458;
@@ -496,22 +499,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v64 = exceeds(q1__m, 1), v65 = v59 + only_wide(v59 < low(3), turn),
         v66 = v60 + only_wide(v60 < low(3), turn), v67 = v61 + only_wide(v61 < low(3), turn),
         v68 = v62 + only_wide(v62 < low(3), turn), v69 = beyond(v65, 3), v70 = beyond(v66, 3),
-        v71 = beyond(v67, 3), v72 = beyond(v68, 3), q3_ppp = pick_wide(0.0 < v69, v59, v65),
-        q3_pmp = pick_wide(0.0 < v70, v60, v66), q3_mpp = pick_wide(0.0 < v71, v61, v67),
-        q3_mmp = pick_wide(0.0 < v72, v62, v68), q1_ppp = angle1 + (w3_p - w3_p),
+        v71 = beyond(v67, 3), v72 = beyond(v68, 3), v73 = m11 - v65, v74 = m11 - v66,
+        v75 = m11 - v67, v76 = m11 - v68, v77 = pick_wide(v73 < v69, v73, v69),
+        v78 = pick_wide(v74 < v70, v74, v70), v79 = pick_wide(v75 < v71, v75, v71),
+        v80 = pick_wide(v76 < v72, v76, v72), q3_ppp = pick_wide(0.0 < v77, v59, v65),
+        q3_pmp = pick_wide(0.0 < v78, v60, v66), q3_mpp = pick_wide(0.0 < v79, v61, v67),
+        q3_mmp = pick_wide(0.0 < v80, v62, v68), q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = q1__m + (w3_m - w3_m),
-        v73 = maximum_wide(v69, maximum_wide(v63, beyond(q2_ppp, 2))),
-        v74 = maximum_wide(v70, maximum_wide(v63, beyond(q2_pmp, 2))),
-        v75 = maximum_wide(v71, maximum_wide(v64, beyond(q2_mpp, 2))),
-        v76 = maximum_wide(v72, maximum_wide(v64, beyond(q2_mmp, 2))),
-        excess_ppp = maximum_wide(v73, exceeds(q5_ppp, 5)),
-        excess_ppm = maximum_wide(v73, exceeds(q5_ppm, 5)),
-        excess_pmp = maximum_wide(v74, exceeds(q5_pmp, 5)),
-        excess_pmm = maximum_wide(v74, exceeds(q5_pmm, 5)),
-        excess_mpp = maximum_wide(v75, exceeds(q5_mpp, 5)),
-        excess_mpm = maximum_wide(v75, exceeds(q5_mpm, 5)),
-        excess_mmp = maximum_wide(v76, exceeds(q5_mmp, 5)),
-        excess_mmm = maximum_wide(v76, exceeds(q5_mmm, 5));
+        v81 = maximum_wide(v77, maximum_wide(v63, beyond(q2_ppp, 2))),
+        v82 = maximum_wide(v78, maximum_wide(v63, beyond(q2_pmp, 2))),
+        v83 = maximum_wide(v79, maximum_wide(v64, beyond(q2_mpp, 2))),
+        v84 = maximum_wide(v80, maximum_wide(v64, beyond(q2_mmp, 2))),
+        excess_ppp = maximum_wide(v81, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v81, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v82, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v82, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v83, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v83, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v84, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v84, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
     kind[0] = kind_of(q[0], 0.0 < excess_ppp);
@@ -601,11 +607,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q2_p = lowered_four(v27), v28 = angle6 - offset5, v29 = offset5 + angle6,
         q5_p = raised_four(v28), q5_m = only_four(-v29 <= -half_turn, turn) - v29,
         v30 = lowered_four(q3_), v31 = exceeds_four(q1_, 1),
-        v32 = v30 + only_four(v30 < low(3), turn), v33 = beyond_four(v32, 3),
-        q3_p = pick_four(0.0 < v33, v30, v32), q1_p = q1_ + (w3 - w3),
-        v34 = maximum_four(v33, maximum_four(v31, beyond_four(q2_p, 2))),
-        excess_p = maximum_four(v34, exceeds_four(q5_p, 5)),
-        excess_m = maximum_four(v34, exceeds_four(q5_m, 5));
+        v32 = v30 + only_four(v30 < low(3), turn), v33 = beyond_four(v32, 3), v34 = m11 - v32,
+        v35 = pick_four(v34 < v33, v34, v33), q3_p = pick_four(0.0 < v35, v30, v32),
+        q1_p = q1_ + (w3 - w3), v36 = maximum_four(v35, maximum_four(v31, beyond_four(q2_p, 2))),
+        excess_p = maximum_four(v36, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v36, exceeds_four(q5_m, 5));
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
     if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
         return -1;
@@ -618,7 +624,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * FANUC_LRMATE200ID_UNREACHABLE + (outside1 & ~none1) *
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
         FANUC_LRMATE200ID_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
@@ -798,9 +804,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = FANUC_LRMATE200ID_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == FANUC_LRMATE200ID_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1074,7 +1080,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != FANUC_LRMATE200ID_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1098,7 +1104,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != FANUC_LRMATE200ID_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1131,7 +1137,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? FANUC_LRMATE200ID_UNREACHABLE : FANUC_LRMATE200ID_INVALID_POSE;
+        status[row] = valid ? NONE : FANUC_LRMATE200ID_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1146,7 +1152,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == FANUC_LRMATE200ID_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1171,12 +1177,18 @@ int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], dou
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -FANUC_LRMATE200ID_UNREACHABLE;
+    int result = -NONE;
     int valid = fanuc_lrmate200id_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == FANUC_LRMATE200ID_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == FANUC_LRMATE200ID_OUT_OF_LIMITS && result < 0)

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 961754563f3f118d"
+_KEY = "fanuc_lrmate200id c93e5a1613eb318d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -197,6 +197,7 @@ m7 = 1.4764213309828118  # a coefficient of c2m3
 m8 = 0.006717717055971795  # a coefficient of c2m3
 m9 = 0.0007018510356985458  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
+m11 = 5.061454829783555  # low3 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1351,24 +1352,32 @@ def _regular(pose, q, status):
     v70 = max(low3 - v66, v66 - high3)
     v71 = max(low3 - v67, v67 - high3)
     v72 = max(low3 - v68, v68 - high3)
-    q3_ppp = v59 if 0.0 < v69 else v65
-    q3_pmp = v60 if 0.0 < v70 else v66
-    q3_mpp = v61 if 0.0 < v71 else v67
-    q3_mmp = v62 if 0.0 < v72 else v68
+    v73 = m11 - v65
+    v74 = m11 - v66
+    v75 = m11 - v67
+    v76 = m11 - v68
+    v77 = v73 if v73 < v69 else v69
+    v78 = v74 if v74 < v70 else v70
+    v79 = v75 if v75 < v71 else v71
+    v80 = v76 if v76 < v72 else v72
+    q3_ppp = v59 if 0.0 < v77 else v65
+    q3_pmp = v60 if 0.0 < v78 else v66
+    q3_mpp = v61 if 0.0 < v79 else v67
+    q3_mmp = v62 if 0.0 < v80 else v68
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v73 = max(v69, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
-    v74 = max(v70, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
-    v75 = max(v71, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
-    v76 = max(v72, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
-    excess_ppp = max(v73, abs(q5_ppp) - high5)
-    excess_ppm = max(v73, abs(q5_ppm) - high5)
-    excess_pmp = max(v74, abs(q5_pmp) - high5)
-    excess_pmm = max(v74, abs(q5_pmm) - high5)
-    excess_mpp = max(v75, abs(q5_mpp) - high5)
-    excess_mpm = max(v75, abs(q5_mpm) - high5)
-    excess_mmp = max(v76, abs(q5_mmp) - high5)
-    excess_mmm = max(v76, abs(q5_mmm) - high5)
+    v81 = max(v77, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
+    v82 = max(v78, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
+    v83 = max(v79, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
+    v84 = max(v80, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
+    excess_ppp = max(v81, abs(q5_ppp) - high5)
+    excess_ppm = max(v81, abs(q5_ppm) - high5)
+    excess_pmp = max(v82, abs(q5_pmp) - high5)
+    excess_pmm = max(v82, abs(q5_pmm) - high5)
+    excess_mpp = max(v83, abs(q5_mpp) - high5)
+    excess_mpm = max(v83, abs(q5_mpm) - high5)
+    excess_mmp = max(v84, abs(q5_mmp) - high5)
+    excess_mmm = max(v84, abs(q5_mmm) - high5)
     outside_ppp = 0.0 < excess_ppp
     outside_ppm = 0.0 < excess_ppm
     outside_pmp = 0.0 < excess_pmp
@@ -1606,6 +1615,20 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
+@_jit
+def _solve_past_an_end(T, seed, rows, status):
+    """Solves again with care where fast code has turned a joint that is just beyond an end, next to the
+    seed: by rounding, perhaps."""
+    past = False
+    for row in range(8):
+        if status[row] == OK:
+            for i in range(6):
+                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
+    if past:
+        _, pose = _read(T)
+        _whole(pose, seed, rows, status)
+
+
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1627,13 +1650,16 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if limits:
+        T = _contiguous(_numbers(T, (4, 4), "T"))
+        _solve_past_an_end(T, seed, rows, status)
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 
@@ -1929,24 +1955,32 @@ def _in_tiles(T, q, status):
             v70 = max(low3 - v66, v66 - high3)
             v71 = max(low3 - v67, v67 - high3)
             v72 = max(low3 - v68, v68 - high3)
-            q3_ppp = v59 if 0.0 < v69 else v65
-            q3_pmp = v60 if 0.0 < v70 else v66
-            q3_mpp = v61 if 0.0 < v71 else v67
-            q3_mmp = v62 if 0.0 < v72 else v68
+            v73 = m11 - v65
+            v74 = m11 - v66
+            v75 = m11 - v67
+            v76 = m11 - v68
+            v77 = v73 if v73 < v69 else v69
+            v78 = v74 if v74 < v70 else v70
+            v79 = v75 if v75 < v71 else v71
+            v80 = v76 if v76 < v72 else v72
+            q3_ppp = v59 if 0.0 < v77 else v65
+            q3_pmp = v60 if 0.0 < v78 else v66
+            q3_mpp = v61 if 0.0 < v79 else v67
+            q3_mmp = v62 if 0.0 < v80 else v68
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v73 = max(v69, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
-            v74 = max(v70, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
-            v75 = max(v71, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
-            v76 = max(v72, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
-            excess_ppp = max(v73, abs(q5_ppp) - high5)
-            excess_ppm = max(v73, abs(q5_ppm) - high5)
-            excess_pmp = max(v74, abs(q5_pmp) - high5)
-            excess_pmm = max(v74, abs(q5_pmm) - high5)
-            excess_mpp = max(v75, abs(q5_mpp) - high5)
-            excess_mpm = max(v75, abs(q5_mpm) - high5)
-            excess_mmp = max(v76, abs(q5_mmp) - high5)
-            excess_mmm = max(v76, abs(q5_mmm) - high5)
+            v81 = max(v77, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
+            v82 = max(v78, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
+            v83 = max(v79, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
+            v84 = max(v80, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
+            excess_ppp = max(v81, abs(q5_ppp) - high5)
+            excess_ppm = max(v81, abs(q5_ppm) - high5)
+            excess_pmp = max(v82, abs(q5_pmp) - high5)
+            excess_pmm = max(v82, abs(q5_pmm) - high5)
+            excess_mpp = max(v83, abs(q5_mpp) - high5)
+            excess_mpm = max(v83, abs(q5_mpm) - high5)
+            excess_mmp = max(v84, abs(q5_mmp) - high5)
+            excess_mmm = max(v84, abs(q5_mmm) - high5)
             outside_ppp = 0.0 < excess_ppp
             outside_ppm = 0.0 < excess_ppm
             outside_pmp = 0.0 < excess_pmp

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = FRANKA_PANDA_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -254,7 +256,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & FRANKA_PANDA_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & FRANKA_PANDA_OUT_OF_LIMITS))
 static const double
     d1 = 0.333, /* joint offset 1 [m] */
@@ -283,7 +285,8 @@ static const double
     m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
     m8 = 0.5, /* 1 / 2 */
     m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
-    m11 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m11 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m12 = 6.265685306179586; /* low6 + turn */
 /* coefficients */
 static const double m2 = 1.754896834873102, m3 = 3.4805529861209807, m4 = 1.2446337324912609,
 m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
@@ -441,7 +444,7 @@ static double beyond_limits(const double values[7])
     const number v42 = c7 * T11 - s7 * T12, v45 = c7 * T12 + s7 * T11, v52 = c7 * T21 - s7 * T22, \
         v55 = c7 * T22 + s7 * T21; \
     /* joint values */ \
-    const number v66 = free_joints[0] + (w4 - w4)
+    const number v68 = free_joints[0] + (w4 - w4)
 #define SIGNED(number, signs) \
     /* theta4 */ \
     const number c4 = v5 + w4 * (m2 * e1), s4 = w4 * (m3 * e1) - v6; \
@@ -464,7 +467,7 @@ static double beyond_limits(const double values[7])
         v54 = T23 * s5, v56 = v14 * v55, v57 = T23 * s4, v58 = s4 * v52, v59 = s5 * (c4 * v55), \
         v60 = v14 * (c4 * v52), v61 = v14 * (T23 * c4); \
     /* joint values */ \
-    const number q7_p = v11 + v66
+    const number q7_p = v11 + v68
 #define SIGNED_TWICE(number, signs) \
     /* theta5 */ \
     const signs v17 = m8 * (1.0 - e2); \
@@ -531,11 +534,12 @@ HELPER wide_mask solve_wide(
 
             /* joint values */
             const wide v64 = angle3 + only_wide(angle3 < low(6), turn), v65 = beyond(v64, 6),
-                q6_p = pick_wide(0.0 < v65, angle3, v64),
-                v67 = maximum_wide(v65, maximum_wide(exceeds(q5_p, 5), maximum_wide(v63,
+                v66 = m12 - v64, v67 = pick_wide(v66 < v65, v66, v65),
+                q6_p = pick_wide(0.0 < v67, angle3, v64),
+                v69 = maximum_wide(v67, maximum_wide(exceeds(q5_p, 5), maximum_wide(v63,
                     exceeds(angle5, 2)))),
-                excess_p = maximum_wide(exceeds(angle4, 3), maximum_wide(v67, exceeds(angle6, 1))),
-                excess_m = maximum_wide(exceeds(q3_m, 3), maximum_wide(v67, exceeds(q1_m, 1)));
+                excess_p = maximum_wide(exceeds(angle4, 3), maximum_wide(v69, exceeds(angle6, 1))),
+                excess_m = maximum_wide(exceeds(q3_m, 3), maximum_wide(v69, exceeds(q1_m, 1)));
             const int row = 4 * i1 + 2 * i2;
             q[7 * row] = angle6; q[7 * row + 1] = angle5; q[7 * row + 2] = angle4;
             q[7 * row + 3] = q4_p; q[7 * row + 4] = q5_p; q[7 * row + 5] = q6_p;
@@ -584,13 +588,14 @@ HELPER int solve_regular(
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v16 * v17,
         q3_m = angle4 - signed_four(half_turn, -v37), q1_m = angle6 - signed_four(half_turn, s1),
         v62 = raised_four(q4_), v63 = beyond_four(v62, 4),
-        v64 = angle3 + only_four(angle3 < low(6), turn), v65 = beyond_four(v64, 6),
-        q6_p = pick_four(0.0 < v65, angle3, v64), q4_p = v11 + v62,
-        v67 = maximum_four(v65, maximum_four(exceeds_four(q5_p, 5), maximum_four(v63,
+        v64 = angle3 + only_four(angle3 < low(6), turn), v65 = beyond_four(v64, 6), v66 = m12 - v64,
+        v67 = pick_four(v66 < v65, v66, v65), q6_p = pick_four(0.0 < v67, angle3, v64),
+        q4_p = v11 + v62,
+        v69 = maximum_four(v67, maximum_four(exceeds_four(q5_p, 5), maximum_four(v63,
             exceeds_four(angle5, 2)))),
-        excess_p = maximum_four(exceeds_four(angle4, 3), maximum_four(v67, exceeds_four(angle6,
+        excess_p = maximum_four(exceeds_four(angle4, 3), maximum_four(v69, exceeds_four(angle6,
             1))),
-        excess_m = maximum_four(exceeds_four(q3_m, 3), maximum_four(v67, exceeds_four(q1_m, 1)));
+        excess_m = maximum_four(exceeds_four(q3_m, 3), maximum_four(v69, exceeds_four(q1_m, 1)));
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
     if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
         return -1;
@@ -604,7 +609,7 @@ HELPER int solve_regular(
         0x100010001000100ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * FRANKA_PANDA_UNREACHABLE + (outside1 & ~none1) *
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
         FRANKA_PANDA_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
@@ -811,9 +816,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = FRANKA_PANDA_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->free_joints, s->seed, s->q, s->status);
-    if (s->status[s->row] == FRANKA_PANDA_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1034,7 +1039,7 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != FRANKA_PANDA_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1058,7 +1063,7 @@ static void tell_once(const double T[16], double q[8][7], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 7 && ends; i++) {
-            status[n / 8] = FRANKA_PANDA_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1079,7 +1084,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != FRANKA_PANDA_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1113,7 +1118,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? FRANKA_PANDA_UNREACHABLE : FRANKA_PANDA_INVALID_POSE;
+        status[row] = valid ? NONE : FRANKA_PANDA_INVALID_POSE;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
@@ -1126,7 +1131,7 @@ APART int ik_carefully(
     tell_once(pose, q, status);
     stay(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == FRANKA_PANDA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 7; i++) {
@@ -1153,7 +1158,7 @@ int franka_panda_ik_nearest(
 {
     double all[8][7], found[7], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -FRANKA_PANDA_UNREACHABLE;
+    int result = -NONE;
     int valid = franka_panda_ik(T, free_joints, q_seed, all, status) >= 0;
     for (int i = 0; i < 7; i++) {
         found[i] = NAN;

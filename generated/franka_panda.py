@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 9595d967a1c4f452"
+_KEY = "franka_panda 3d0f23d189a53da7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -201,6 +201,7 @@ m7 = 1.393e-11  # 1000 * merge_slack1 [m]
 m9 = 0.384  # a coefficient of Y1_6
 m10 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m11 = 9.999999999999999e-09  # doubt_limit^2
+m12 = 6.265685306179586  # low6 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1379,9 +1380,9 @@ def _regular(pose, q_free, q, status):
     v116 = v24 * (T23 * c4_m)
 
     # joint values
-    v129 = q_free[0] + (w4 - w4)
-    q7_ppp = v18 + v129
-    q7_mpp = v19 + v129
+    v137 = q_free[0] + (w4 - w4)
+    q7_ppp = v18 + v137
+    q7_mpp = v19 + v137
 
     # a joint is free, branches meet, or rounding tells what is beyond a limit
     if (
@@ -1500,24 +1501,32 @@ def _regular(pose, q_free, q, status):
     v126 = max(low6 - v122, v122 - high6)
     v127 = max(low6 - v123, v123 - high6)
     v128 = max(low6 - v124, v124 - high6)
-    q6_ppp = angle4 if 0.0 < v125 else v121
-    q6_pmp = angle5 if 0.0 < v126 else v122
-    q6_mpp = angle6 if 0.0 < v127 else v123
-    q6_mmp = angle7 if 0.0 < v128 else v124
+    v129 = m12 - v121
+    v130 = m12 - v122
+    v131 = m12 - v123
+    v132 = m12 - v124
+    v133 = v129 if v129 < v125 else v125
+    v134 = v130 if v130 < v126 else v126
+    v135 = v131 if v131 < v127 else v127
+    v136 = v132 if v132 < v128 else v128
+    q6_ppp = angle4 if 0.0 < v133 else v121
+    q6_pmp = angle5 if 0.0 < v134 else v122
+    q6_mpp = angle6 if 0.0 < v135 else v123
+    q6_mmp = angle7 if 0.0 < v136 else v124
     q4_ppp = v18 + v117
     q4_mpp = v19 + v118
-    v130 = max(v125, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
-    v131 = max(v126, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
-    v132 = max(v127, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
-    v133 = max(v128, max(abs(q5_mmp) - high5, max(v120, abs(angle15) - high2)))
-    excess_ppp = max(abs(angle8) - high3, max(v130, abs(angle16) - high1))
-    excess_ppm = max(abs(q3_ppm) - high3, max(v130, abs(q1_ppm) - high1))
-    excess_pmp = max(abs(angle9) - high3, max(v131, abs(angle17) - high1))
-    excess_pmm = max(abs(q3_pmm) - high3, max(v131, abs(q1_pmm) - high1))
-    excess_mpp = max(abs(angle10) - high3, max(v132, abs(angle18) - high1))
-    excess_mpm = max(abs(q3_mpm) - high3, max(v132, abs(q1_mpm) - high1))
-    excess_mmp = max(abs(angle11) - high3, max(v133, abs(angle19) - high1))
-    excess_mmm = max(abs(q3_mmm) - high3, max(v133, abs(q1_mmm) - high1))
+    v138 = max(v133, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
+    v139 = max(v134, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
+    v140 = max(v135, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
+    v141 = max(v136, max(abs(q5_mmp) - high5, max(v120, abs(angle15) - high2)))
+    excess_ppp = max(abs(angle8) - high3, max(v138, abs(angle16) - high1))
+    excess_ppm = max(abs(q3_ppm) - high3, max(v138, abs(q1_ppm) - high1))
+    excess_pmp = max(abs(angle9) - high3, max(v139, abs(angle17) - high1))
+    excess_pmm = max(abs(q3_pmm) - high3, max(v139, abs(q1_pmm) - high1))
+    excess_mpp = max(abs(angle10) - high3, max(v140, abs(angle18) - high1))
+    excess_mpm = max(abs(q3_mpm) - high3, max(v140, abs(q1_mpm) - high1))
+    excess_mmp = max(abs(angle11) - high3, max(v141, abs(angle19) - high1))
+    excess_mmm = max(abs(q3_mmm) - high3, max(v141, abs(q1_mmm) - high1))
     outside_ppp = 0.0 < excess_ppp
     outside_ppm = 0.0 < excess_ppm
     outside_pmp = 0.0 < excess_pmp
@@ -1792,13 +1801,13 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
-    rows, status, q = rows[first:last], status[first:last], np.empty(7)
     seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
+    rows, status, q = rows[first:last], status[first:last], np.empty(7)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 
@@ -2079,9 +2088,9 @@ def _in_tiles(T, q_free, q, status):
             v114 = v24 * (c4_m * v99)
             v115 = v23 * (T23 * c4_p)
             v116 = v24 * (T23 * c4_m)
-            v129 = given1 + (w4 - w4)
-            q7_ppp = v18 + v129
-            q7_mpp = v19 + v129
+            v137 = given1 + (w4 - w4)
+            q7_ppp = v18 + v137
+            q7_mpp = v19 + v137
             work[368 + k] = Z4
             work[384 + k] = D4
             work[400 + k] = v4
@@ -2239,24 +2248,32 @@ def _in_tiles(T, q_free, q, status):
             v126 = max(low6 - v122, v122 - high6)
             v127 = max(low6 - v123, v123 - high6)
             v128 = max(low6 - v124, v124 - high6)
-            q6_ppp = angle4 if 0.0 < v125 else v121
-            q6_pmp = angle5 if 0.0 < v126 else v122
-            q6_mpp = angle6 if 0.0 < v127 else v123
-            q6_mmp = angle7 if 0.0 < v128 else v124
+            v129 = m12 - v121
+            v130 = m12 - v122
+            v131 = m12 - v123
+            v132 = m12 - v124
+            v133 = v129 if v129 < v125 else v125
+            v134 = v130 if v130 < v126 else v126
+            v135 = v131 if v131 < v127 else v127
+            v136 = v132 if v132 < v128 else v128
+            q6_ppp = angle4 if 0.0 < v133 else v121
+            q6_pmp = angle5 if 0.0 < v134 else v122
+            q6_mpp = angle6 if 0.0 < v135 else v123
+            q6_mmp = angle7 if 0.0 < v136 else v124
             q4_ppp = v18 + v117
             q4_mpp = v19 + v118
-            v130 = max(v125, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
-            v131 = max(v126, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
-            v132 = max(v127, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
-            v133 = max(v128, max(abs(q5_mmp) - high5, max(v120, abs(angle15) - high2)))
-            excess_ppp = max(abs(angle8) - high3, max(v130, abs(angle16) - high1))
-            excess_ppm = max(abs(q3_ppm) - high3, max(v130, abs(q1_ppm) - high1))
-            excess_pmp = max(abs(angle9) - high3, max(v131, abs(angle17) - high1))
-            excess_pmm = max(abs(q3_pmm) - high3, max(v131, abs(q1_pmm) - high1))
-            excess_mpp = max(abs(angle10) - high3, max(v132, abs(angle18) - high1))
-            excess_mpm = max(abs(q3_mpm) - high3, max(v132, abs(q1_mpm) - high1))
-            excess_mmp = max(abs(angle11) - high3, max(v133, abs(angle19) - high1))
-            excess_mmm = max(abs(q3_mmm) - high3, max(v133, abs(q1_mmm) - high1))
+            v138 = max(v133, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
+            v139 = max(v134, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
+            v140 = max(v135, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
+            v141 = max(v136, max(abs(q5_mmp) - high5, max(v120, abs(angle15) - high2)))
+            excess_ppp = max(abs(angle8) - high3, max(v138, abs(angle16) - high1))
+            excess_ppm = max(abs(q3_ppm) - high3, max(v138, abs(q1_ppm) - high1))
+            excess_pmp = max(abs(angle9) - high3, max(v139, abs(angle17) - high1))
+            excess_pmm = max(abs(q3_pmm) - high3, max(v139, abs(q1_pmm) - high1))
+            excess_mpp = max(abs(angle10) - high3, max(v140, abs(angle18) - high1))
+            excess_mpm = max(abs(q3_mpm) - high3, max(v140, abs(q1_mpm) - high1))
+            excess_mmp = max(abs(angle11) - high3, max(v141, abs(angle19) - high1))
+            excess_mmm = max(abs(q3_mmm) - high3, max(v141, abs(q1_mmm) - high1))
             outside_ppp = 0.0 < excess_ppp
             outside_ppm = 0.0 < excess_ppm
             outside_pmp = 0.0 < excess_pmp

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GANTRY_WRIST_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -230,7 +232,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & GANTRY_WRIST_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & GANTRY_WRIST_OUT_OF_LIMITS))
 static const double
     d4 = 0.1, /* joint offset 4 [m] */
@@ -396,7 +398,7 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), all_four(q2), all_four(q3), q4);
     store_2(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5, q6);
     const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * GANTRY_WRIST_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -606,7 +608,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != GANTRY_WRIST_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -639,7 +641,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? GANTRY_WRIST_UNREACHABLE : GANTRY_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : GANTRY_WRIST_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -648,7 +650,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == GANTRY_WRIST_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -672,7 +674,7 @@ int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[2][6], found[6], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -GANTRY_WRIST_UNREACHABLE;
+    int result = -NONE;
     int valid = gantry_wrist_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GENERAL_4R2P_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2602,7 +2604,7 @@ typedef unsigned long long general_4r2p_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    general_4r2p_set singular; /* where the arm is */
+    general_4r2p_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } general_4r2p_found;
@@ -2620,12 +2622,13 @@ static int general_4r2p_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int general_4r2p_keep(general_4r2p_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int general_4r2p_keep(general_4r2p_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 8 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 8 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -2638,6 +2641,7 @@ static int general_4r2p_keep(general_4r2p_found *found, double theta[6], double 
                 }
             }
             found->singular |= (general_4r2p_set)singular << i;
+            found->nearly_singular |= (general_4r2p_set)nearly << i;
             return i;
         }
     }
@@ -2645,6 +2649,7 @@ static int general_4r2p_keep(general_4r2p_found *found, double theta[6], double 
         return -1;
     }
     found->singular |= (general_4r2p_set)singular << found->count;
+    found->nearly_singular |= (general_4r2p_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -2660,8 +2665,7 @@ static general_4r2p_set general_4r2p_offer(const general_4r2p_loop *loop, genera
                               int steps, int doubtful, general_4r2p_found *found,
                               int place[GENERAL_4R2P_LANES])
 {
-    double residual[GENERAL_4R2P_LANES], theta[6][GENERAL_4R2P_LANES], pivot[GENERAL_4R2P_LANES] =
-        {0.0};
+    double residual[GENERAL_4R2P_LANES], theta[6][GENERAL_4R2P_LANES], pivot[GENERAL_4R2P_LANES];
     double length_2[GENERAL_4R2P_LANES];
     double length_4[GENERAL_4R2P_LANES];
     general_4r2p_set met = 0;
@@ -2670,6 +2674,8 @@ static general_4r2p_set general_4r2p_offer(const general_4r2p_loop *loop, genera
         general_4r2p_lane J[6][7], x[6];
         (void)general_4r2p_error(loop, c, s, J);
         GENERAL_4R2P_STORE(pivot, general_4r2p_step(J, x));
+    } else {
+        GENERAL_4R2P_STORE(pivot, general_4r2p_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = general_4r2p_advance[0][i], sine = general_4r2p_advance[1][i];
@@ -2686,7 +2692,7 @@ static general_4r2p_set general_4r2p_offer(const general_4r2p_loop *loop, genera
         }
         row[2] = length_2[k];
         row[4] = length_4[k];
-        place[k] = general_4r2p_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = general_4r2p_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (general_4r2p_set)1 << place[k];
         }
@@ -2772,12 +2778,31 @@ static void general_4r2p_prepare(general_4r2p_setting *set, int which, const gen
     }
 }
 
-/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
- * behind it, the entry zz does not give this turn, and roots tell nothing. */
-static int general_4r2p_tells_all(const general_4r2p_setting *set)
+/* Whether the axes of the second and the fourth turn are parallel where the first has this
+ * angle. */
+static int general_4r2p_are_aligned(const general_4r2p_setting *set, double c, double s)
+{
+    const double *const A = set->between[0], *const D = set->between[3];
+    const double x = c * D[8] + s * D[9], y = c * D[9] - s * D[8];
+    const double first = A[0] * x + A[4] * y + A[8] * D[10], second = A[1] * x + A[5] * y + A[9] *
+        D[10];
+    return first * first + second * second <= 1e-06;
+}
+
+/* Whether every solution has a root, and every root tells its solution. Where the third turn's axis
+ * is parallel to the one before or behind it, the entry zz does not give this turn, and roots tell
+ * nothing. Where these two are parallel at a root, it does not tell their turns. */
+static int general_4r2p_tells_all(const general_4r2p_setting *set, const general_4r2p_roots *roots)
 {
     const double *const B = set->between[1], *const C = set->between[2];
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
+    int aligned = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        aligned |= general_4r2p_are_aligned(set, roots->c[i], roots->s[i]);
+    }
+    for (int i = 0; i < roots->doubles; i++) {
+        aligned |= general_4r2p_are_aligned(set, roots->double_c[i], roots->double_s[i]);
+    }
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18 && !aligned;
 }
 
 /* out += sign a b */
@@ -3115,7 +3140,7 @@ static int general_4r2p_attempt_closed(int which, const general_4r2p_loop *loop,
     found->doubles += roots.doubles;
     return general_4r2p_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
         roots.complete &&
-           general_4r2p_tells_all(&set);
+           general_4r2p_tells_all(&set, &roots);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */
@@ -3173,7 +3198,7 @@ static int general_4r2p_from_nearby(const general_4r2p_loop *loop, general_4r2p_
         general_4r2p_set met;
         general_4r2p_then(nearby.link[5], general_4r2p_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = general_4r2p_try(&nearby, &other);
         met = general_4r2p_follow_back(loop, other.q, other.count, found, &lost);
@@ -3207,12 +3232,12 @@ static void general_4r2p_from_anywhere(const general_4r2p_loop *loop, general_4r
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void general_4r2p_rank(const general_4r2p_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && general_4r2p_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3254,7 +3279,7 @@ static int general_4r2p_general(const double T[16], double q[8][6],
     int rank[64], order[64], certified, inexact = 0;
     general_4r2p_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     certified = general_4r2p_try(loop, &found);
     if (!certified && !general_4r2p_from_nearby(loop, &found)) {
@@ -3672,7 +3697,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != GENERAL_4R2P_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -3689,7 +3714,7 @@ int general_4r2p_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? GENERAL_4R2P_UNREACHABLE : GENERAL_4R2P_INVALID_POSE;
+        status[row] = valid ? NONE : GENERAL_4R2P_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3697,7 +3722,7 @@ int general_4r2p_ik(
         return -GENERAL_4R2P_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == GENERAL_4R2P_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -3715,7 +3740,7 @@ int general_4r2p_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -GENERAL_4R2P_UNREACHABLE;
+    int result = -NONE;
     int valid = general_4r2p_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

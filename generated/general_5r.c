@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GENERAL_5R_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2902,8 +2904,8 @@ static void general_5r_null_plane(const double *E, double c, double s, general_5
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = general_5r_largest(length * squares) < 9.999999999999999e+17 &&
-                                general_5r_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = general_5r_largest(length * squares) < 1000000000000.0 &&
+                                general_5r_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3199,7 +3201,7 @@ typedef unsigned long long general_5r_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    general_5r_set singular; /* where the arm is */
+    general_5r_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } general_5r_found;
@@ -3216,11 +3218,12 @@ static int general_5r_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int general_5r_keep(general_5r_found *found, double theta[6], double residual, int singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int general_5r_keep(general_5r_found *found, double theta[6], double residual, double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3233,6 +3236,7 @@ static int general_5r_keep(general_5r_found *found, double theta[6], double resi
                 }
             }
             found->singular |= (general_5r_set)singular << i;
+            found->nearly_singular |= (general_5r_set)nearly << i;
             return i;
         }
     }
@@ -3240,6 +3244,7 @@ static int general_5r_keep(general_5r_found *found, double theta[6], double resi
         return -1;
     }
     found->singular |= (general_5r_set)singular << found->count;
+    found->nearly_singular |= (general_5r_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3255,13 +3260,15 @@ static general_5r_set general_5r_offer(const general_5r_loop *loop, general_5r_l
                               int steps, int doubtful, general_5r_found *found,
                               int place[GENERAL_5R_LANES])
 {
-    double residual[GENERAL_5R_LANES], theta[6][GENERAL_5R_LANES], pivot[GENERAL_5R_LANES] = {0.0};
+    double residual[GENERAL_5R_LANES], theta[6][GENERAL_5R_LANES], pivot[GENERAL_5R_LANES];
     general_5r_set met = 0;
     GENERAL_5R_STORE(residual, general_5r_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         general_5r_lane J[6][7], x[6];
         (void)general_5r_error(loop, c, s, J);
         GENERAL_5R_STORE(pivot, general_5r_step(J, x));
+    } else {
+        GENERAL_5R_STORE(pivot, general_5r_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = general_5r_advance[0][i], sine = general_5r_advance[1][i];
@@ -3274,7 +3281,7 @@ static general_5r_set general_5r_offer(const general_5r_loop *loop, general_5r_l
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = general_5r_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = general_5r_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (general_5r_set)1 << place[k];
         }
@@ -3485,7 +3492,7 @@ static int general_5r_from_nearby(const general_5r_loop *loop, general_5r_found 
         general_5r_set met;
         general_5r_then(nearby.link[5], general_5r_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = general_5r_try(&nearby, &other);
         met = general_5r_follow_back(loop, other.q, other.count, found, &lost);
@@ -3519,12 +3526,12 @@ static void general_5r_from_anywhere(const general_5r_loop *loop, general_5r_fou
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void general_5r_rank(const general_5r_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && general_5r_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3566,7 +3573,7 @@ static int general_5r_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     general_5r_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -4019,7 +4026,7 @@ static void stand(const double T[16], int row, double rows[16][5], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != GENERAL_5R_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4036,7 +4043,7 @@ int general_5r_ik(
     for (int i = 0; i < 5; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? GENERAL_5R_UNREACHABLE : GENERAL_5R_INVALID_POSE;
+        status[row] = valid ? NONE : GENERAL_5R_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -4047,7 +4054,7 @@ int general_5r_ik(
         for (int i = 0; i < 5; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == GENERAL_5R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 5; i++) {
@@ -4065,7 +4072,7 @@ int general_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5
 {
     double all[16][5], found[5], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -GENERAL_5R_UNREACHABLE;
+    int result = -NONE;
     int valid = general_5r_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GENERAL_5R1P_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -3047,8 +3049,8 @@ static void general_5r1p_null_plane(const double *E, double c, double s, general
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = general_5r1p_largest(length * squares) < 9.999999999999999e+17 &&
-                                general_5r1p_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = general_5r1p_largest(length * squares) < 1000000000000.0 &&
+                                general_5r1p_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3358,7 +3360,7 @@ typedef unsigned long long general_5r1p_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    general_5r1p_set singular; /* where the arm is */
+    general_5r1p_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } general_5r1p_found;
@@ -3376,12 +3378,13 @@ static int general_5r1p_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int general_5r1p_keep(general_5r1p_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int general_5r1p_keep(general_5r1p_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3394,6 +3397,7 @@ static int general_5r1p_keep(general_5r1p_found *found, double theta[6], double 
                 }
             }
             found->singular |= (general_5r1p_set)singular << i;
+            found->nearly_singular |= (general_5r1p_set)nearly << i;
             return i;
         }
     }
@@ -3401,6 +3405,7 @@ static int general_5r1p_keep(general_5r1p_found *found, double theta[6], double 
         return -1;
     }
     found->singular |= (general_5r1p_set)singular << found->count;
+    found->nearly_singular |= (general_5r1p_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3416,8 +3421,7 @@ static general_5r1p_set general_5r1p_offer(const general_5r1p_loop *loop, genera
                               int steps, int doubtful, general_5r1p_found *found,
                               int place[GENERAL_5R1P_LANES])
 {
-    double residual[GENERAL_5R1P_LANES], theta[6][GENERAL_5R1P_LANES], pivot[GENERAL_5R1P_LANES] =
-        {0.0};
+    double residual[GENERAL_5R1P_LANES], theta[6][GENERAL_5R1P_LANES], pivot[GENERAL_5R1P_LANES];
     double length_2[GENERAL_5R1P_LANES];
     general_5r1p_set met = 0;
     GENERAL_5R1P_STORE(residual, general_5r1p_polish(loop, c, s, steps, steps > 4));
@@ -3425,6 +3429,8 @@ static general_5r1p_set general_5r1p_offer(const general_5r1p_loop *loop, genera
         general_5r1p_lane J[6][7], x[6];
         (void)general_5r1p_error(loop, c, s, J);
         GENERAL_5R1P_STORE(pivot, general_5r1p_step(J, x));
+    } else {
+        GENERAL_5R1P_STORE(pivot, general_5r1p_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = general_5r1p_advance[0][i], sine = general_5r1p_advance[1][i];
@@ -3439,7 +3445,7 @@ static general_5r1p_set general_5r1p_offer(const general_5r1p_loop *loop, genera
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
         row[2] = length_2[k];
-        place[k] = general_5r1p_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = general_5r1p_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (general_5r1p_set)1 << place[k];
         }
@@ -3651,7 +3657,7 @@ static int general_5r1p_from_nearby(const general_5r1p_loop *loop, general_5r1p_
         general_5r1p_set met;
         general_5r1p_then(nearby.link[5], general_5r1p_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = general_5r1p_try(&nearby, &other);
         met = general_5r1p_follow_back(loop, other.q, other.count, found, &lost);
@@ -3685,12 +3691,12 @@ static void general_5r1p_from_anywhere(const general_5r1p_loop *loop, general_5r
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void general_5r1p_rank(const general_5r1p_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && general_5r1p_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3732,7 +3738,7 @@ static int general_5r1p_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     general_5r1p_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     certified = general_5r1p_try(loop, &found);
     if (!certified && !general_5r1p_from_nearby(loop, &found)) {
@@ -4149,7 +4155,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != GENERAL_5R1P_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4166,7 +4172,7 @@ int general_5r1p_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? GENERAL_5R1P_UNREACHABLE : GENERAL_5R1P_INVALID_POSE;
+        status[row] = valid ? NONE : GENERAL_5R1P_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -4174,7 +4180,7 @@ int general_5r1p_ik(
         return -GENERAL_5R1P_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == GENERAL_5R1P_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -4192,7 +4198,7 @@ int general_5r1p_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -GENERAL_5R1P_UNREACHABLE;
+    int result = -NONE;
     int valid = general_5r1p_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GENERAL_6R_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2913,8 +2915,8 @@ static void general_6r_null_plane(const double *E, double c, double s, general_6
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = general_6r_largest(length * squares) < 9.999999999999999e+17 &&
-                                general_6r_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = general_6r_largest(length * squares) < 1000000000000.0 &&
+                                general_6r_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3210,7 +3212,7 @@ typedef unsigned long long general_6r_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    general_6r_set singular; /* where the arm is */
+    general_6r_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } general_6r_found;
@@ -3227,11 +3229,12 @@ static int general_6r_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int general_6r_keep(general_6r_found *found, double theta[6], double residual, int singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int general_6r_keep(general_6r_found *found, double theta[6], double residual, double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3244,6 +3247,7 @@ static int general_6r_keep(general_6r_found *found, double theta[6], double resi
                 }
             }
             found->singular |= (general_6r_set)singular << i;
+            found->nearly_singular |= (general_6r_set)nearly << i;
             return i;
         }
     }
@@ -3251,6 +3255,7 @@ static int general_6r_keep(general_6r_found *found, double theta[6], double resi
         return -1;
     }
     found->singular |= (general_6r_set)singular << found->count;
+    found->nearly_singular |= (general_6r_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3266,13 +3271,15 @@ static general_6r_set general_6r_offer(const general_6r_loop *loop, general_6r_l
                               int steps, int doubtful, general_6r_found *found,
                               int place[GENERAL_6R_LANES])
 {
-    double residual[GENERAL_6R_LANES], theta[6][GENERAL_6R_LANES], pivot[GENERAL_6R_LANES] = {0.0};
+    double residual[GENERAL_6R_LANES], theta[6][GENERAL_6R_LANES], pivot[GENERAL_6R_LANES];
     general_6r_set met = 0;
     GENERAL_6R_STORE(residual, general_6r_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         general_6r_lane J[6][7], x[6];
         (void)general_6r_error(loop, c, s, J);
         GENERAL_6R_STORE(pivot, general_6r_step(J, x));
+    } else {
+        GENERAL_6R_STORE(pivot, general_6r_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = general_6r_advance[0][i], sine = general_6r_advance[1][i];
@@ -3285,7 +3292,7 @@ static general_6r_set general_6r_offer(const general_6r_loop *loop, general_6r_l
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = general_6r_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = general_6r_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (general_6r_set)1 << place[k];
         }
@@ -3500,7 +3507,7 @@ static int general_6r_from_nearby(const general_6r_loop *loop, general_6r_found 
         general_6r_set met;
         general_6r_then(nearby.link[5], general_6r_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = general_6r_try(&nearby, &other);
         met = general_6r_follow_back(loop, other.q, other.count, found, &lost);
@@ -3534,12 +3541,12 @@ static void general_6r_from_anywhere(const general_6r_loop *loop, general_6r_fou
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void general_6r_rank(const general_6r_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && general_6r_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3581,7 +3588,7 @@ static int general_6r_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     general_6r_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -3880,7 +3887,7 @@ int general_6r_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? GENERAL_6R_UNREACHABLE : GENERAL_6R_INVALID_POSE;
+        status[row] = valid ? NONE : GENERAL_6R_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3888,7 +3895,7 @@ int general_6r_ik(
         return -GENERAL_6R_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == GENERAL_6R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -3905,7 +3912,7 @@ int general_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -GENERAL_6R_UNREACHABLE;
+    int result = -NONE;
     int valid = general_6r_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GENERAL_PRRPRR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2618,7 +2620,7 @@ typedef unsigned long long general_prrprr_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    general_prrprr_set singular; /* where the arm is */
+    general_prrprr_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } general_prrprr_found;
@@ -2636,12 +2638,13 @@ static int general_prrprr_alike(const double a[6], const double b[6], double mos
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int general_prrprr_keep(general_prrprr_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int general_prrprr_keep(general_prrprr_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 8 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 8 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -2654,6 +2657,7 @@ static int general_prrprr_keep(general_prrprr_found *found, double theta[6], dou
                 }
             }
             found->singular |= (general_prrprr_set)singular << i;
+            found->nearly_singular |= (general_prrprr_set)nearly << i;
             return i;
         }
     }
@@ -2661,6 +2665,7 @@ static int general_prrprr_keep(general_prrprr_found *found, double theta[6], dou
         return -1;
     }
     found->singular |= (general_prrprr_set)singular << found->count;
+    found->nearly_singular |= (general_prrprr_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -2677,7 +2682,7 @@ static general_prrprr_set general_prrprr_offer(const general_prrprr_loop *loop, 
                               int place[GENERAL_PRRPRR_LANES])
 {
     double residual[GENERAL_PRRPRR_LANES], theta[6][GENERAL_PRRPRR_LANES],
-        pivot[GENERAL_PRRPRR_LANES] = {0.0};
+        pivot[GENERAL_PRRPRR_LANES];
     double length_0[GENERAL_PRRPRR_LANES];
     double length_3[GENERAL_PRRPRR_LANES];
     general_prrprr_set met = 0;
@@ -2686,6 +2691,8 @@ static general_prrprr_set general_prrprr_offer(const general_prrprr_loop *loop, 
         general_prrprr_lane J[6][7], x[6];
         (void)general_prrprr_error(loop, c, s, J);
         GENERAL_PRRPRR_STORE(pivot, general_prrprr_step(J, x));
+    } else {
+        GENERAL_PRRPRR_STORE(pivot, general_prrprr_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = general_prrprr_advance[0][i], sine = general_prrprr_advance[1][i];
@@ -2703,7 +2710,7 @@ static general_prrprr_set general_prrprr_offer(const general_prrprr_loop *loop, 
         }
         row[0] = length_0[k];
         row[3] = length_3[k];
-        place[k] = general_prrprr_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = general_prrprr_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (general_prrprr_set)1 << place[k];
         }
@@ -2791,12 +2798,32 @@ static void general_prrprr_prepare(general_prrprr_setting *set, int which, const
     }
 }
 
-/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
- * behind it, the entry zz does not give this turn, and roots tell nothing. */
-static int general_prrprr_tells_all(const general_prrprr_setting *set)
+/* Whether the axes of the second and the fourth turn are parallel where the first has this
+ * angle. */
+static int general_prrprr_are_aligned(const general_prrprr_setting *set, double c, double s)
+{
+    const double *const A = set->between[0], *const D = set->between[3];
+    const double x = c * D[8] + s * D[9], y = c * D[9] - s * D[8];
+    const double first = A[0] * x + A[4] * y + A[8] * D[10], second = A[1] * x + A[5] * y + A[9] *
+        D[10];
+    return first * first + second * second <= 1e-06;
+}
+
+/* Whether every solution has a root, and every root tells its solution. Where the third turn's axis
+ * is parallel to the one before or behind it, the entry zz does not give this turn, and roots tell
+ * nothing. Where these two are parallel at a root, it does not tell their turns. */
+static int general_prrprr_tells_all(const general_prrprr_setting *set, const general_prrprr_roots
+    *roots)
 {
     const double *const B = set->between[1], *const C = set->between[2];
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
+    int aligned = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        aligned |= general_prrprr_are_aligned(set, roots->c[i], roots->s[i]);
+    }
+    for (int i = 0; i < roots->doubles; i++) {
+        aligned |= general_prrprr_are_aligned(set, roots->double_c[i], roots->double_s[i]);
+    }
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18 && !aligned;
 }
 
 /* out += sign a b */
@@ -3135,7 +3162,7 @@ static int general_prrprr_attempt_closed(int which, const general_prrprr_loop *l
     found->doubles += roots.doubles;
     return general_prrprr_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
         roots.complete &&
-           general_prrprr_tells_all(&set);
+           general_prrprr_tells_all(&set, &roots);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */
@@ -3193,7 +3220,7 @@ static int general_prrprr_from_nearby(const general_prrprr_loop *loop, general_p
         general_prrprr_set met;
         general_prrprr_then(nearby.link[5], general_prrprr_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = general_prrprr_try(&nearby, &other);
         met = general_prrprr_follow_back(loop, other.q, other.count, found, &lost);
@@ -3228,12 +3255,12 @@ static void general_prrprr_from_anywhere(const general_prrprr_loop *loop, genera
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void general_prrprr_rank(const general_prrprr_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && general_prrprr_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3275,7 +3302,7 @@ static int general_prrprr_general(const double T[16], double q[8][6],
     int rank[64], order[64], certified, inexact = 0;
     general_prrprr_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     certified = general_prrprr_try(loop, &found);
     if (!certified && !general_prrprr_from_nearby(loop, &found)) {
@@ -3706,7 +3733,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != GENERAL_PRRPRR_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -3723,7 +3750,7 @@ int general_prrprr_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? GENERAL_PRRPRR_UNREACHABLE : GENERAL_PRRPRR_INVALID_POSE;
+        status[row] = valid ? NONE : GENERAL_PRRPRR_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3731,7 +3758,7 @@ int general_prrprr_ik(
         return -GENERAL_PRRPRR_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == GENERAL_PRRPRR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -3749,7 +3776,7 @@ int general_prrprr_ik_nearest(const double T[16], const double q_seed[6], double
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -GENERAL_PRRPRR_UNREACHABLE;
+    int result = -NONE;
     int valid = general_prrprr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

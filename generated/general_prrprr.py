@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr 9db5cf8b204b7378"
+_KEY = "general_prrprr 57597c3a37dce692"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1446,10 +1446,10 @@ def _general_prrprr_next_double(roots, counts, seen, looks):
 
 @_inner
 def _general_prrprr_marked(marks):
-    """How many marks are set."""
+    """How many marks of the first kind are set."""
     count = 0
     for mark in marks:
-        count += mark
+        count += mark & 1
     return count
 
 
@@ -1578,9 +1578,10 @@ def _general_prrprr_gap(a, b):
 @_inner
 def _general_prrprr_rank(q, singular, count):
     """What comes first where there are more than there are rows, in the place of the marks: 0 for
-    regular solutions, 1 for singular ones, 2 for those that lie together with one of these and may be
-    the same, which only its last digits tell."""
+    regular solutions, 1 for singular ones or nearly so, 2 for those that lie together with one of these
+    and may be the same, which only its last digits tell."""
     for i in range(count):
+        singular[i] = 1 if singular[i] else 0
         for j in range(i):
             if singular[i] == 1 and singular[j] == 1 and _general_prrprr_gap(q[i], q[j]) < 0.001:
                 singular[i] = 2
@@ -1617,12 +1618,14 @@ def _general_prrprr_offer(links, c, s, afar, doubtful, q, residual, singular, co
         if _general_prrprr_gap(q[k], theta) < 1e-06:
             place = k
             break
-    marked = 0
+    marked = nearly = 0
     if doubtful:
         J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
         _general_prrprr_error(links, c, s, J)
-        marked = 1 if _general_prrprr_step(J, x) < 1e-06 else 0
-    if place == count and count >= 64 - marked * 8:
+        pivot = _general_prrprr_step(J, x)
+        marked = 1 if pivot < 1e-06 else 0
+        nearly = 1 if pivot < 0.0001 else 0
+    if place == count and count >= 64 - nearly * 8:
         return -1, count
     if place == count:
         count += 1
@@ -1632,8 +1635,7 @@ def _general_prrprr_offer(links, c, s, afar, doubtful, q, residual, singular, co
         residual[place] = missing
         for i in range(6):
             q[place, i] = theta[i]
-    if marked:
-        singular[place] = 1
+    singular[place] |= marked | nearly << 1
     return place, count
 
 
@@ -1662,14 +1664,23 @@ def _general_prrprr_setting(which, loop):
 
 
 @_inner
-def _general_prrprr_tells_all(between):
-    """Whether every solution has a root.
+def _general_prrprr_tells_all(between, roots, counts):
+    """Whether every solution has a root, and every root tells its solution.
 
     Where the third turn's axis is parallel to the one before or behind it, the entry zz does not
-    give this turn, and roots tell nothing.
+    give this turn, and roots tell nothing. Where these two are parallel at a root, it does not tell
+    their turns.
     """
-    B, C = between[1], between[2]
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18
+    A, B, C, D = between[0], between[1], between[2], between[3]
+    plain = (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18
+    for double in range(2):
+        for i in range(counts[double]):
+            c, s = math.cos(roots[double, i]), math.sin(roots[double, i])
+            x, y = c * D[8] + s * D[9], c * D[9] - s * D[8]
+            first = A[0] * x + A[4] * y + A[8] * D[10]
+            second = A[1] * x + A[5] * y + A[9] * D[10]
+            plain = plain and first * first + second * second > 1e-06
+    return plain
 
 
 @_inner
@@ -1884,7 +1895,7 @@ def _general_prrprr_attempt_closed(which, loop, q, residual, singular, doubles_m
     good, roots, counts = _general_prrprr_real_roots_closed(setting)
     if not good:
         return False, count
-    complete, expected = counts[2] == 1 and _general_prrprr_tells_all(setting[2]), 0
+    complete, expected = counts[2] == 1 and _general_prrprr_tells_all(setting[2], roots, counts), 0
     doubles_met[0] += counts[1]
     met = np.zeros(64, dtype=np.int64)
     c, s = np.empty(6), np.empty(6)
@@ -1904,7 +1915,7 @@ def _general_prrprr_attempt_closed(which, loop, q, residual, singular, doubles_m
                 )
                 if place >= 0:
                     here[place] = met[place] = 1
-                    singular_here = singular_here or singular[place] == 1
+                    singular_here = singular_here or singular[place] & 1 == 1
             if far and not _general_prrprr_marked(here):
                 continue
             complete = complete and _general_prrprr_marked(here) >= 1
@@ -1956,7 +1967,7 @@ def _general_prrprr_from_nearby(loop, q, residual, singular, count):
                 complete = False
             else:
                 met[place] = 1
-                singular_here = singular_here or singular[place] == 1
+                singular_here = singular_here or singular[place] & 1 == 1
         marked = _general_prrprr_marked(singular)
         agreed = -1
         if complete and found > 0:
@@ -2016,6 +2027,7 @@ def general_prrprr_general(T, q, residual):
             _, count = _general_prrprr_offer(
                 loop, c, s, True, True, found, missing, singular, count
             )
+    regular = _general_prrprr_marked(singular) == 0 and doubles_met[0] == 0
     _general_prrprr_rank(found, singular, count)
     order = np.empty(64, dtype=np.int64)
     for i in range(count):
@@ -2032,7 +2044,6 @@ def general_prrprr_general(T, q, residual):
         q[i, 0] *= 0.5188865104263425
         q[i, 3] *= 0.5188865104263425
         residual[i] = missing[order[i]]
-    regular = _general_prrprr_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
     return count if certified and regular else -1 - count
@@ -2545,13 +2556,13 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = GENERAL_RPPRRR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2616,7 +2618,7 @@ typedef unsigned long long general_rpprrr_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    general_rpprrr_set singular; /* where the arm is */
+    general_rpprrr_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } general_rpprrr_found;
@@ -2634,12 +2636,13 @@ static int general_rpprrr_alike(const double a[6], const double b[6], double mos
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 8 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 8 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -2652,6 +2655,7 @@ static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], dou
                 }
             }
             found->singular |= (general_rpprrr_set)singular << i;
+            found->nearly_singular |= (general_rpprrr_set)nearly << i;
             return i;
         }
     }
@@ -2659,6 +2663,7 @@ static int general_rpprrr_keep(general_rpprrr_found *found, double theta[6], dou
         return -1;
     }
     found->singular |= (general_rpprrr_set)singular << found->count;
+    found->nearly_singular |= (general_rpprrr_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -2675,7 +2680,7 @@ static general_rpprrr_set general_rpprrr_offer(const general_rpprrr_loop *loop, 
                               int place[GENERAL_RPPRRR_LANES])
 {
     double residual[GENERAL_RPPRRR_LANES], theta[6][GENERAL_RPPRRR_LANES],
-        pivot[GENERAL_RPPRRR_LANES] = {0.0};
+        pivot[GENERAL_RPPRRR_LANES];
     double length_1[GENERAL_RPPRRR_LANES];
     double length_2[GENERAL_RPPRRR_LANES];
     general_rpprrr_set met = 0;
@@ -2684,6 +2689,8 @@ static general_rpprrr_set general_rpprrr_offer(const general_rpprrr_loop *loop, 
         general_rpprrr_lane J[6][7], x[6];
         (void)general_rpprrr_error(loop, c, s, J);
         GENERAL_RPPRRR_STORE(pivot, general_rpprrr_step(J, x));
+    } else {
+        GENERAL_RPPRRR_STORE(pivot, general_rpprrr_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = general_rpprrr_advance[0][i], sine = general_rpprrr_advance[1][i];
@@ -2701,7 +2708,7 @@ static general_rpprrr_set general_rpprrr_offer(const general_rpprrr_loop *loop, 
         }
         row[1] = length_1[k];
         row[2] = length_2[k];
-        place[k] = general_rpprrr_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = general_rpprrr_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (general_rpprrr_set)1 << place[k];
         }
@@ -2789,12 +2796,32 @@ static void general_rpprrr_prepare(general_rpprrr_setting *set, int which, const
     }
 }
 
-/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
- * behind it, the entry zz does not give this turn, and roots tell nothing. */
-static int general_rpprrr_tells_all(const general_rpprrr_setting *set)
+/* Whether the axes of the second and the fourth turn are parallel where the first has this
+ * angle. */
+static int general_rpprrr_are_aligned(const general_rpprrr_setting *set, double c, double s)
+{
+    const double *const A = set->between[0], *const D = set->between[3];
+    const double x = c * D[8] + s * D[9], y = c * D[9] - s * D[8];
+    const double first = A[0] * x + A[4] * y + A[8] * D[10], second = A[1] * x + A[5] * y + A[9] *
+        D[10];
+    return first * first + second * second <= 1e-06;
+}
+
+/* Whether every solution has a root, and every root tells its solution. Where the third turn's axis
+ * is parallel to the one before or behind it, the entry zz does not give this turn, and roots tell
+ * nothing. Where these two are parallel at a root, it does not tell their turns. */
+static int general_rpprrr_tells_all(const general_rpprrr_setting *set, const general_rpprrr_roots
+    *roots)
 {
     const double *const B = set->between[1], *const C = set->between[2];
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
+    int aligned = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        aligned |= general_rpprrr_are_aligned(set, roots->c[i], roots->s[i]);
+    }
+    for (int i = 0; i < roots->doubles; i++) {
+        aligned |= general_rpprrr_are_aligned(set, roots->double_c[i], roots->double_s[i]);
+    }
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18 && !aligned;
 }
 
 /* out += sign a b */
@@ -3133,7 +3160,7 @@ static int general_rpprrr_attempt_closed(int which, const general_rpprrr_loop *l
     found->doubles += roots.doubles;
     return general_rpprrr_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
         roots.complete &&
-           general_rpprrr_tells_all(&set);
+           general_rpprrr_tells_all(&set, &roots);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */
@@ -3191,7 +3218,7 @@ static int general_rpprrr_from_nearby(const general_rpprrr_loop *loop, general_r
         general_rpprrr_set met;
         general_rpprrr_then(nearby.link[5], general_rpprrr_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = general_rpprrr_try(&nearby, &other);
         met = general_rpprrr_follow_back(loop, other.q, other.count, found, &lost);
@@ -3226,12 +3253,12 @@ static void general_rpprrr_from_anywhere(const general_rpprrr_loop *loop, genera
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void general_rpprrr_rank(const general_rpprrr_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && general_rpprrr_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3273,7 +3300,7 @@ static int general_rpprrr_general(const double T[16], double q[8][6],
     int rank[64], order[64], certified, inexact = 0;
     general_rpprrr_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     certified = general_rpprrr_try(loop, &found);
     if (!certified && !general_rpprrr_from_nearby(loop, &found)) {
@@ -3683,7 +3710,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != GENERAL_RPPRRR_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -3700,7 +3727,7 @@ int general_rpprrr_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? GENERAL_RPPRRR_UNREACHABLE : GENERAL_RPPRRR_INVALID_POSE;
+        status[row] = valid ? NONE : GENERAL_RPPRRR_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3708,7 +3735,7 @@ int general_rpprrr_ik(
         return -GENERAL_RPPRRR_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == GENERAL_RPPRRR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -3726,7 +3753,7 @@ int general_rpprrr_ik_nearest(const double T[16], const double q_seed[6], double
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -GENERAL_RPPRRR_UNREACHABLE;
+    int result = -NONE;
     int valid = general_rpprrr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

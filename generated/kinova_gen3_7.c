@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KINOVA_GEN3_7_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2926,8 +2928,8 @@ static void kinova_gen3_7_null_plane(const double *E, double c, double s, kinova
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_gen3_7_largest(length * squares) < 9.999999999999999e+17 &&
-                                kinova_gen3_7_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = kinova_gen3_7_largest(length * squares) < 1000000000000.0 &&
+                                kinova_gen3_7_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3226,7 +3228,7 @@ typedef unsigned long long kinova_gen3_7_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    kinova_gen3_7_set singular; /* where the arm is */
+    kinova_gen3_7_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } kinova_gen3_7_found;
@@ -3243,12 +3245,13 @@ static int kinova_gen3_7_alike(const double a[6], const double b[6], double most
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3261,6 +3264,7 @@ static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], doubl
                 }
             }
             found->singular |= (kinova_gen3_7_set)singular << i;
+            found->nearly_singular |= (kinova_gen3_7_set)nearly << i;
             return i;
         }
     }
@@ -3268,6 +3272,7 @@ static int kinova_gen3_7_keep(kinova_gen3_7_found *found, double theta[6], doubl
         return -1;
     }
     found->singular |= (kinova_gen3_7_set)singular << found->count;
+    found->nearly_singular |= (kinova_gen3_7_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3283,14 +3288,15 @@ static kinova_gen3_7_set kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kin
                               int steps, int doubtful, kinova_gen3_7_found *found,
                               int place[KINOVA_GEN3_7_LANES])
 {
-    double residual[KINOVA_GEN3_7_LANES], theta[6][KINOVA_GEN3_7_LANES], pivot[KINOVA_GEN3_7_LANES]
-        = {0.0};
+    double residual[KINOVA_GEN3_7_LANES], theta[6][KINOVA_GEN3_7_LANES], pivot[KINOVA_GEN3_7_LANES];
     kinova_gen3_7_set met = 0;
     KINOVA_GEN3_7_STORE(residual, kinova_gen3_7_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         kinova_gen3_7_lane J[6][7], x[6];
         (void)kinova_gen3_7_error(loop, c, s, J);
         KINOVA_GEN3_7_STORE(pivot, kinova_gen3_7_step(J, x));
+    } else {
+        KINOVA_GEN3_7_STORE(pivot, kinova_gen3_7_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = kinova_gen3_7_advance[0][i], sine = kinova_gen3_7_advance[1][i];
@@ -3304,7 +3310,7 @@ static kinova_gen3_7_set kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kin
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = kinova_gen3_7_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = kinova_gen3_7_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (kinova_gen3_7_set)1 << place[k];
         }
@@ -3523,7 +3529,7 @@ static int kinova_gen3_7_from_nearby(const kinova_gen3_7_loop *loop, kinova_gen3
         kinova_gen3_7_set met;
         kinova_gen3_7_then(nearby.link[5], kinova_gen3_7_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = kinova_gen3_7_try(&nearby, &other);
         met = kinova_gen3_7_follow_back(loop, other.q, other.count, found, &lost);
@@ -3557,12 +3563,12 @@ static void kinova_gen3_7_from_anywhere(const kinova_gen3_7_loop *loop, kinova_g
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void kinova_gen3_7_rank(const kinova_gen3_7_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && kinova_gen3_7_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3604,7 +3610,7 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
     int rank[64], order[64], certified, inexact = 0;
     kinova_gen3_7_close(T, free_joints, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.062224539232323) {
@@ -3985,7 +3991,7 @@ static void stand(const double T[16], int row, double rows[16][7], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != KINOVA_GEN3_7_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4003,7 +4009,7 @@ int kinova_gen3_7_ik(
     for (int i = 0; i < 7; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? KINOVA_GEN3_7_UNREACHABLE : KINOVA_GEN3_7_INVALID_POSE;
+        status[row] = valid ? NONE : KINOVA_GEN3_7_INVALID_POSE;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
@@ -4011,7 +4017,7 @@ int kinova_gen3_7_ik(
         return -KINOVA_GEN3_7_INVALID_POSE;
     solve(pose, free_joints, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == KINOVA_GEN3_7_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 7; i++) {
@@ -4030,7 +4036,7 @@ int kinova_gen3_7_ik_nearest(
 {
     double all[16][7], found[7], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -KINOVA_GEN3_7_UNREACHABLE;
+    int result = -NONE;
     int valid = kinova_gen3_7_ik(T, free_joints, q_seed, all, status) >= 0;
     for (int i = 0; i < 7; i++) {
         found[i] = NAN;

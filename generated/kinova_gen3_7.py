@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 045b172b26da768d"
+_KEY = "kinova_gen3_7 dd2dbb2a4b96dd09"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1684,7 +1684,7 @@ def _kinova_gen3_7_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 9.999999999999999e+17 and second * squares < 1000000000000.0
+    regular = length * squares < 1000000000000.0 and second * squares < 111111111111.1111
     if not double:
         return 1, regular
     square = 0.0
@@ -1782,10 +1782,10 @@ def _kinova_gen3_7_angles(joints, links, n, c, s):
 
 @_inner
 def _kinova_gen3_7_marked(marks):
-    """How many marks are set."""
+    """How many marks of the first kind are set."""
     count = 0
     for mark in marks:
-        count += mark
+        count += mark & 1
     return count
 
 
@@ -1907,9 +1907,10 @@ def _kinova_gen3_7_gap(a, b):
 @_inner
 def _kinova_gen3_7_rank(q, singular, count):
     """What comes first where there are more than there are rows, in the place of the marks: 0 for
-    regular solutions, 1 for singular ones, 2 for those that lie together with one of these and may be
-    the same, which only its last digits tell."""
+    regular solutions, 1 for singular ones or nearly so, 2 for those that lie together with one of these
+    and may be the same, which only its last digits tell."""
     for i in range(count):
+        singular[i] = 1 if singular[i] else 0
         for j in range(i):
             if singular[i] == 1 and singular[j] == 1 and _kinova_gen3_7_gap(q[i], q[j]) < 0.001:
                 singular[i] = 2
@@ -1944,12 +1945,14 @@ def _kinova_gen3_7_offer(links, c, s, afar, doubtful, q, residual, singular, cou
         if _kinova_gen3_7_gap(q[k], theta) < 1e-06:
             place = k
             break
-    marked = 0
+    marked = nearly = 0
     if doubtful:
         J, x = carray(_room(42), (6, 7)), carray(_room(6), 6)
         _kinova_gen3_7_error(links, c, s, J)
-        marked = 1 if _kinova_gen3_7_step(J, x) < 1e-06 else 0
-    if place == count and count >= 64 - marked * 16:
+        pivot = _kinova_gen3_7_step(J, x)
+        marked = 1 if pivot < 1e-06 else 0
+        nearly = 1 if pivot < 0.0001 else 0
+    if place == count and count >= 64 - nearly * 16:
         return -1, count
     if place == count:
         count += 1
@@ -1959,8 +1962,7 @@ def _kinova_gen3_7_offer(links, c, s, afar, doubtful, q, residual, singular, cou
         residual[place] = missing
         for i in range(6):
             q[place, i] = theta[i]
-    if marked:
-        singular[place] = 1
+    singular[place] |= marked | nearly << 1
     return place, count
 
 
@@ -2111,7 +2113,7 @@ def _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count
             if place >= 0:
                 met[place] = 1
                 met_here = True
-                singular_here = singular_here or singular[place] == 1
+                singular_here = singular_here or singular[place] & 1 == 1
             elif i < simple:
                 complete = False
         if i >= first_double and (met_here or not regular):
@@ -2163,7 +2165,7 @@ def _kinova_gen3_7_from_nearby(loop, useless, q, residual, singular, count):
                 complete = False
             else:
                 met[place] = 1
-                singular_here = singular_here or singular[place] == 1
+                singular_here = singular_here or singular[place] & 1 == 1
         marked = _kinova_gen3_7_marked(singular)
         agreed = -1
         if complete and found > 0:
@@ -2227,6 +2229,7 @@ def kinova_gen3_7_general(T, q_free, q, residual):
             _, count = _kinova_gen3_7_offer(
                 loop, c, s, True, True, found, missing, singular, count
             )
+    regular = _kinova_gen3_7_marked(singular) == 0 and doubles_met[0] == 0
     _kinova_gen3_7_rank(found, singular, count)
     order = np.empty(64, dtype=np.int64)
     for i in range(count):
@@ -2241,7 +2244,6 @@ def kinova_gen3_7_general(T, q_free, q, residual):
         for k in range(6):
             q[i, k] = found[order[i], k]
         residual[i] = missing[order[i]]
-    regular = _kinova_gen3_7_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
     return count if certified and regular else -1 - count
@@ -2761,13 +2763,13 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
-    rows, status, q = rows[first:last], status[first:last], np.empty(7)
     seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
+    rows, status, q = rows[first:last], status[first:last], np.empty(7)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

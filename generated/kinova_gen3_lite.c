@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KINOVA_GEN3_LITE_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -3064,9 +3066,8 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 9.999999999999999e+17
-        &&
-                                kinova_gen3_lite_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 1000000000000.0 &&
+                                kinova_gen3_lite_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3368,7 +3369,7 @@ typedef unsigned long long kinova_gen3_lite_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    kinova_gen3_lite_set singular; /* where the arm is */
+    kinova_gen3_lite_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } kinova_gen3_lite_found;
@@ -3385,12 +3386,13 @@ static int kinova_gen3_lite_alike(const double a[6], const double b[6], double m
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
 static int kinova_gen3_lite_keep(kinova_gen3_lite_found *found, double theta[6], double residual,
-    int singular)
+    double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3403,6 +3405,7 @@ static int kinova_gen3_lite_keep(kinova_gen3_lite_found *found, double theta[6],
                 }
             }
             found->singular |= (kinova_gen3_lite_set)singular << i;
+            found->nearly_singular |= (kinova_gen3_lite_set)nearly << i;
             return i;
         }
     }
@@ -3410,6 +3413,7 @@ static int kinova_gen3_lite_keep(kinova_gen3_lite_found *found, double theta[6],
         return -1;
     }
     found->singular |= (kinova_gen3_lite_set)singular << found->count;
+    found->nearly_singular |= (kinova_gen3_lite_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3426,13 +3430,15 @@ static kinova_gen3_lite_set kinova_gen3_lite_offer(const kinova_gen3_lite_loop *
                               int place[KINOVA_GEN3_LITE_LANES])
 {
     double residual[KINOVA_GEN3_LITE_LANES], theta[6][KINOVA_GEN3_LITE_LANES],
-        pivot[KINOVA_GEN3_LITE_LANES] = {0.0};
+        pivot[KINOVA_GEN3_LITE_LANES];
     kinova_gen3_lite_set met = 0;
     KINOVA_GEN3_LITE_STORE(residual, kinova_gen3_lite_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         kinova_gen3_lite_lane J[6][7], x[6];
         (void)kinova_gen3_lite_error(loop, c, s, J);
         KINOVA_GEN3_LITE_STORE(pivot, kinova_gen3_lite_step(J, x));
+    } else {
+        KINOVA_GEN3_LITE_STORE(pivot, kinova_gen3_lite_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = kinova_gen3_lite_advance[0][i], sine = kinova_gen3_lite_advance[1][i];
@@ -3446,7 +3452,7 @@ static kinova_gen3_lite_set kinova_gen3_lite_offer(const kinova_gen3_lite_loop *
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = kinova_gen3_lite_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = kinova_gen3_lite_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (kinova_gen3_lite_set)1 << place[k];
         }
@@ -3662,7 +3668,7 @@ static int kinova_gen3_lite_from_nearby(const kinova_gen3_lite_loop *loop, kinov
         kinova_gen3_lite_set met;
         kinova_gen3_lite_then(nearby.link[5], kinova_gen3_lite_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = kinova_gen3_lite_try(&nearby, &other);
         met = kinova_gen3_lite_follow_back(loop, other.q, other.count, found, &lost);
@@ -3697,12 +3703,12 @@ static void kinova_gen3_lite_from_anywhere(const kinova_gen3_lite_loop *loop, ki
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void kinova_gen3_lite_rank(const kinova_gen3_lite_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && kinova_gen3_lite_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3745,7 +3751,7 @@ static int kinova_gen3_lite_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     kinova_gen3_lite_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -4113,7 +4119,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != KINOVA_GEN3_LITE_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4130,7 +4136,7 @@ int kinova_gen3_lite_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? KINOVA_GEN3_LITE_UNREACHABLE : KINOVA_GEN3_LITE_INVALID_POSE;
+        status[row] = valid ? NONE : KINOVA_GEN3_LITE_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -4138,7 +4144,7 @@ int kinova_gen3_lite_ik(
         return -KINOVA_GEN3_LITE_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == KINOVA_GEN3_LITE_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -4156,7 +4162,7 @@ int kinova_gen3_lite_ik_nearest(const double T[16], const double q_seed[6], doub
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -KINOVA_GEN3_LITE_UNREACHABLE;
+    int result = -NONE;
     int valid = kinova_gen3_lite_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KINOVA_J2S6S300_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -253,7 +255,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & KINOVA_J2S6S300_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & KINOVA_J2S6S300_OUT_OF_LIMITS))
 static const double
     d1 = 0.2755, /* joint offset 1 [m] */
@@ -286,7 +288,10 @@ static const double
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 9.401396550145706e-12,
     m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m6 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m8 = 7.1034900546169215, /* low2 + turn */
+    m9 = 6.614797864058509, /* low3 + turn */
+    m10 = 6.806784081777885; /* low5 + turn */
 /* coefficients */
 static const double m3 = 1.2195121951219514, m4 = 0.08700963109756096;
 
@@ -503,52 +508,61 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v71 = q2__pm + only_wide(q2__pm < low(2), turn),
         v72 = q2__mp + only_wide(q2__mp < low(2), turn),
         v73 = q2__mm + only_wide(q2__mm < low(2), turn), v74 = beyond(v70, 2), v75 = beyond(v71, 2),
-        v76 = beyond(v72, 2), v77 = beyond(v73, 2), q2_ppp = pick_wide(0.0 < v74, q2__pp, v70),
-        q2_pmp = pick_wide(0.0 < v75, q2__pm, v71), q2_mpp = pick_wide(0.0 < v76, q2__mp, v72),
-        q2_mmp = pick_wide(0.0 < v77, q2__mm, v73), v78 = q3__p + only_wide(q3__p < low(3), turn),
-        v79 = q3__m + only_wide(q3__m < low(3), turn), v80 = beyond(v78, 3), v81 = beyond(v79, 3),
-        v82 = angle5 + only_wide(angle5 < low(5), turn),
-        v83 = only_wide(-angle5 < low(5), turn) - angle5,
-        v84 = angle6 + only_wide(angle6 < low(5), turn),
-        v85 = only_wide(-angle6 < low(5), turn) - angle6,
-        v86 = angle7 + only_wide(angle7 < low(5), turn),
-        v87 = only_wide(-angle7 < low(5), turn) - angle7,
-        v88 = angle8 + only_wide(angle8 < low(5), turn),
-        v89 = only_wide(-angle8 < low(5), turn) - angle8, v90 = beyond(v82, 5),
-        v91 = beyond(v83, 5), v92 = beyond(v84, 5), v93 = beyond(v85, 5), v94 = beyond(v86, 5),
-        v95 = beyond(v87, 5), v96 = beyond(v88, 5), v97 = beyond(v89, 5),
-        q1_ppp = v4 + raised_wide(v54), q1_mpp = v4 + raised_wide(v55),
-        q3_ppp = v1 + pick_wide(0.0 < v80, q3__p, v78),
-        q3_pmp = v1 + pick_wide(0.0 < v81, q3__m, v79), v98 = maximum_wide(v74, v80),
-        v99 = maximum_wide(v75, v81), v100 = maximum_wide(v76, v80), v101 = maximum_wide(v77, v81),
-        excess_ppp = maximum_wide(v90, v98), excess_ppm = maximum_wide(v91, v98),
-        excess_pmp = maximum_wide(v92, v99), excess_pmm = maximum_wide(v93, v99),
-        excess_mpp = maximum_wide(v94, v100), excess_mpm = maximum_wide(v95, v100),
-        excess_mmp = maximum_wide(v96, v101), excess_mmm = maximum_wide(v97, v101);
+        v76 = beyond(v72, 2), v77 = beyond(v73, 2), v78 = m8 - v70, v79 = m8 - v71, v80 = m8 - v72,
+        v81 = m8 - v73, v82 = pick_wide(v78 < v74, v78, v74), v83 = pick_wide(v79 < v75, v79, v75),
+        v84 = pick_wide(v80 < v76, v80, v76), v85 = pick_wide(v81 < v77, v81, v77),
+        q2_ppp = pick_wide(0.0 < v82, q2__pp, v70), q2_pmp = pick_wide(0.0 < v83, q2__pm, v71),
+        q2_mpp = pick_wide(0.0 < v84, q2__mp, v72), q2_mmp = pick_wide(0.0 < v85, q2__mm, v73),
+        v86 = q3__p + only_wide(q3__p < low(3), turn),
+        v87 = q3__m + only_wide(q3__m < low(3), turn), v88 = beyond(v86, 3), v89 = beyond(v87, 3),
+        v90 = m9 - v86, v91 = m9 - v87, v92 = pick_wide(v90 < v88, v90, v88),
+        v93 = pick_wide(v91 < v89, v91, v89), v94 = angle5 + only_wide(angle5 < low(5), turn),
+        v95 = only_wide(-angle5 < low(5), turn) - angle5,
+        v96 = angle6 + only_wide(angle6 < low(5), turn),
+        v97 = only_wide(-angle6 < low(5), turn) - angle6,
+        v98 = angle7 + only_wide(angle7 < low(5), turn),
+        v99 = only_wide(-angle7 < low(5), turn) - angle7,
+        v100 = angle8 + only_wide(angle8 < low(5), turn),
+        v101 = only_wide(-angle8 < low(5), turn) - angle8, v102 = beyond(v94, 5),
+        v103 = beyond(v95, 5), v104 = beyond(v96, 5), v105 = beyond(v97, 5), v106 = beyond(v98, 5),
+        v107 = beyond(v99, 5), v108 = beyond(v100, 5), v109 = beyond(v101, 5), v110 = m10 - v94,
+        v111 = m10 - v95, v112 = m10 - v96, v113 = m10 - v97, v114 = m10 - v98, v115 = m10 - v99,
+        v116 = m10 - v100, v117 = m10 - v101, v118 = pick_wide(v110 < v102, v110, v102),
+        v119 = pick_wide(v111 < v103, v111, v103), v120 = pick_wide(v112 < v104, v112, v104),
+        v121 = pick_wide(v113 < v105, v113, v105), v122 = pick_wide(v114 < v106, v114, v106),
+        v123 = pick_wide(v115 < v107, v115, v107), v124 = pick_wide(v116 < v108, v116, v108),
+        v125 = pick_wide(v117 < v109, v117, v109), q1_ppp = v4 + raised_wide(v54),
+        q1_mpp = v4 + raised_wide(v55), q3_ppp = v1 + pick_wide(0.0 < v92, q3__p, v86),
+        q3_pmp = v1 + pick_wide(0.0 < v93, q3__m, v87), v126 = maximum_wide(v82, v92),
+        v127 = maximum_wide(v83, v93), v128 = maximum_wide(v84, v92), v129 = maximum_wide(v85, v93),
+        excess_ppp = maximum_wide(v118, v126), excess_ppm = maximum_wide(v119, v126),
+        excess_pmp = maximum_wide(v120, v127), excess_pmm = maximum_wide(v121, v127),
+        excess_mpp = maximum_wide(v122, v128), excess_mpm = maximum_wide(v123, v128),
+        excess_mmp = maximum_wide(v124, v129), excess_mmm = maximum_wide(v125, v129);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1;
-    q[4] = pick_wide(0.0 < v90, angle5, v82); q[5] = lowered_wide(v62);
+    q[4] = pick_wide(0.0 < v118, angle5, v94); q[5] = lowered_wide(v62);
     kind[0] = kind_of(q[0], 0.0 < excess_ppp);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
-    q[10] = pick_wide(0.0 < v91, -angle5, v83); q[11] = lowered_wide(v63);
+    q[10] = pick_wide(0.0 < v119, -angle5, v95); q[11] = lowered_wide(v63);
     kind[1] = kind_of(q[6], 0.0 < excess_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
-    q[16] = pick_wide(0.0 < v92, angle6, v84); q[17] = lowered_wide(v64);
+    q[16] = pick_wide(0.0 < v120, angle6, v96); q[17] = lowered_wide(v64);
     kind[2] = kind_of(q[12], 0.0 < excess_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
-    q[22] = pick_wide(0.0 < v93, -angle6, v85); q[23] = lowered_wide(v65);
+    q[22] = pick_wide(0.0 < v121, -angle6, v97); q[23] = lowered_wide(v65);
     kind[3] = kind_of(q[18], 0.0 < excess_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
-    q[28] = pick_wide(0.0 < v94, angle7, v86); q[29] = lowered_wide(v66);
+    q[28] = pick_wide(0.0 < v122, angle7, v98); q[29] = lowered_wide(v66);
     kind[4] = kind_of(q[24], 0.0 < excess_mpp);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
-    q[34] = pick_wide(0.0 < v95, -angle7, v87); q[35] = lowered_wide(v67);
+    q[34] = pick_wide(0.0 < v123, -angle7, v99); q[35] = lowered_wide(v67);
     kind[5] = kind_of(q[30], 0.0 < excess_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
-    q[40] = pick_wide(0.0 < v96, angle8, v88); q[41] = lowered_wide(v68);
+    q[40] = pick_wide(0.0 < v124, angle8, v100); q[41] = lowered_wide(v68);
     kind[6] = kind_of(q[36], 0.0 < excess_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
-    q[46] = pick_wide(0.0 < v97, -angle8, v89); q[47] = lowered_wide(v69);
+    q[46] = pick_wide(0.0 < v125, -angle8, v101); q[47] = lowered_wide(v69);
     kind[7] = kind_of(q[42], 0.0 < excess_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | ((v42 <= m6) | (v24 <= m5) | (v41 <= m6) | (v40 <= m6) | (v23 <= m5) |
@@ -620,14 +634,17 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q3_ = raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = lowered_four(v37),
         q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn),
-        v40 = beyond_four(v39, 2), q2_p = pick_four(0.0 < v40, q2_, v39),
-        v41 = q3_ + only_four(q3_ < low(3), turn), v42 = beyond_four(v41, 3),
-        v43 = angle2 + only_four(angle2 < low(5), turn),
-        v44 = only_four(-angle2 < low(5), turn) - angle2, v45 = beyond_four(v43, 5),
-        v46 = beyond_four(v44, 5), q5_p = pick_four(0.0 < v45, angle2, v43),
-        q5_m = pick_four(0.0 < v46, -angle2, v44), q1_p = v4 + raised_four(v33),
-        q3_p = v1 + pick_four(0.0 < v42, q3_, v41), v47 = maximum_four(v40, v42),
-        excess_p = maximum_four(v45, v47), excess_m = maximum_four(v46, v47);
+        v40 = beyond_four(v39, 2), v41 = m8 - v39, v42 = pick_four(v41 < v40, v41, v40),
+        q2_p = pick_four(0.0 < v42, q2_, v39), v43 = q3_ + only_four(q3_ < low(3), turn),
+        v44 = beyond_four(v43, 3), v45 = m9 - v43, v46 = pick_four(v45 < v44, v45, v44),
+        v47 = angle2 + only_four(angle2 < low(5), turn),
+        v48 = only_four(-angle2 < low(5), turn) - angle2, v49 = beyond_four(v47, 5),
+        v50 = beyond_four(v48, 5), v51 = m10 - v47, v52 = m10 - v48,
+        v53 = pick_four(v51 < v49, v51, v49), v54 = pick_four(v52 < v50, v52, v50),
+        q5_p = pick_four(0.0 < v53, angle2, v47), q5_m = pick_four(0.0 < v54, -angle2, v48),
+        q1_p = v4 + raised_four(v33), q3_p = v1 + pick_four(0.0 < v46, q3_, v43),
+        v55 = maximum_four(v42, v46), excess_p = maximum_four(v53, v55),
+        excess_m = maximum_four(v54, v55);
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
     if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
         return -1;
@@ -640,7 +657,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * KINOVA_J2S6S300_UNREACHABLE + (outside1 & ~none1) *
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
         KINOVA_J2S6S300_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
@@ -823,9 +840,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = KINOVA_J2S6S300_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == KINOVA_J2S6S300_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1099,7 +1116,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != KINOVA_J2S6S300_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1123,7 +1140,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = KINOVA_J2S6S300_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1146,7 +1163,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != KINOVA_J2S6S300_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1179,7 +1196,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? KINOVA_J2S6S300_UNREACHABLE : KINOVA_J2S6S300_INVALID_POSE;
+        status[row] = valid ? NONE : KINOVA_J2S6S300_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1195,7 +1212,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == KINOVA_J2S6S300_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1220,12 +1237,18 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -KINOVA_J2S6S300_UNREACHABLE;
+    int result = -NONE;
     int valid = kinova_j2s6s300_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == KINOVA_J2S6S300_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == KINOVA_J2S6S300_OUT_OF_LIMITS && result < 0)

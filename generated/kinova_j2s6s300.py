@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 2bbd6ee1e7f65b89"
+_KEY = "kinova_j2s6s300 c80f42c6145aa285"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -197,6 +197,9 @@ m3 = 1.2195121951219514  # a coefficient of S2
 m4 = 0.08700963109756096  # a coefficient of S2
 m5 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
+m8 = 7.1034900546169215  # low2 + turn
+m9 = 6.614797864058509  # low3 + turn
+m10 = 6.806784081777885  # low5 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1408,54 +1411,82 @@ def _regular(pose, q, status):
     v75 = max(low2 - v71, v71 - high2)
     v76 = max(low2 - v72, v72 - high2)
     v77 = max(low2 - v73, v73 - high2)
-    q2_ppp = q2__pp if 0.0 < v74 else v70
-    q2_pmp = q2__pm if 0.0 < v75 else v71
-    q2_mpp = q2__mp if 0.0 < v76 else v72
-    q2_mmp = q2__mm if 0.0 < v77 else v73
-    v78 = q3__p + (turn if q3__p < low3 else 0.0)
-    v79 = q3__m + (turn if q3__m < low3 else 0.0)
-    v80 = max(low3 - v78, v78 - high3)
-    v81 = max(low3 - v79, v79 - high3)
-    v82 = angle5 + (turn if angle5 < low5 else 0.0)
-    v83 = (turn if -angle5 < low5 else 0.0) - angle5
-    v84 = angle6 + (turn if angle6 < low5 else 0.0)
-    v85 = (turn if -angle6 < low5 else 0.0) - angle6
-    v86 = angle7 + (turn if angle7 < low5 else 0.0)
-    v87 = (turn if -angle7 < low5 else 0.0) - angle7
-    v88 = angle8 + (turn if angle8 < low5 else 0.0)
-    v89 = (turn if -angle8 < low5 else 0.0) - angle8
-    v90 = max(low5 - v82, v82 - high5)
-    v91 = max(low5 - v83, v83 - high5)
-    v92 = max(low5 - v84, v84 - high5)
-    v93 = max(low5 - v85, v85 - high5)
-    v94 = max(low5 - v86, v86 - high5)
-    v95 = max(low5 - v87, v87 - high5)
-    v96 = max(low5 - v88, v88 - high5)
-    v97 = max(low5 - v89, v89 - high5)
-    q5_ppp = angle5 if 0.0 < v90 else v82
-    q5_ppm = -angle5 if 0.0 < v91 else v83
-    q5_pmp = angle6 if 0.0 < v92 else v84
-    q5_pmm = -angle6 if 0.0 < v93 else v85
-    q5_mpp = angle7 if 0.0 < v94 else v86
-    q5_mpm = -angle7 if 0.0 < v95 else v87
-    q5_mmp = angle8 if 0.0 < v96 else v88
-    q5_mmm = -angle8 if 0.0 < v97 else v89
+    v78 = m8 - v70
+    v79 = m8 - v71
+    v80 = m8 - v72
+    v81 = m8 - v73
+    v82 = v78 if v78 < v74 else v74
+    v83 = v79 if v79 < v75 else v75
+    v84 = v80 if v80 < v76 else v76
+    v85 = v81 if v81 < v77 else v77
+    q2_ppp = q2__pp if 0.0 < v82 else v70
+    q2_pmp = q2__pm if 0.0 < v83 else v71
+    q2_mpp = q2__mp if 0.0 < v84 else v72
+    q2_mmp = q2__mm if 0.0 < v85 else v73
+    v86 = q3__p + (turn if q3__p < low3 else 0.0)
+    v87 = q3__m + (turn if q3__m < low3 else 0.0)
+    v88 = max(low3 - v86, v86 - high3)
+    v89 = max(low3 - v87, v87 - high3)
+    v90 = m9 - v86
+    v91 = m9 - v87
+    v92 = v90 if v90 < v88 else v88
+    v93 = v91 if v91 < v89 else v89
+    v94 = angle5 + (turn if angle5 < low5 else 0.0)
+    v95 = (turn if -angle5 < low5 else 0.0) - angle5
+    v96 = angle6 + (turn if angle6 < low5 else 0.0)
+    v97 = (turn if -angle6 < low5 else 0.0) - angle6
+    v98 = angle7 + (turn if angle7 < low5 else 0.0)
+    v99 = (turn if -angle7 < low5 else 0.0) - angle7
+    v100 = angle8 + (turn if angle8 < low5 else 0.0)
+    v101 = (turn if -angle8 < low5 else 0.0) - angle8
+    v102 = max(low5 - v94, v94 - high5)
+    v103 = max(low5 - v95, v95 - high5)
+    v104 = max(low5 - v96, v96 - high5)
+    v105 = max(low5 - v97, v97 - high5)
+    v106 = max(low5 - v98, v98 - high5)
+    v107 = max(low5 - v99, v99 - high5)
+    v108 = max(low5 - v100, v100 - high5)
+    v109 = max(low5 - v101, v101 - high5)
+    v110 = m10 - v94
+    v111 = m10 - v95
+    v112 = m10 - v96
+    v113 = m10 - v97
+    v114 = m10 - v98
+    v115 = m10 - v99
+    v116 = m10 - v100
+    v117 = m10 - v101
+    v118 = v110 if v110 < v102 else v102
+    v119 = v111 if v111 < v103 else v103
+    v120 = v112 if v112 < v104 else v104
+    v121 = v113 if v113 < v105 else v105
+    v122 = v114 if v114 < v106 else v106
+    v123 = v115 if v115 < v107 else v107
+    v124 = v116 if v116 < v108 else v108
+    v125 = v117 if v117 < v109 else v109
+    q5_ppp = angle5 if 0.0 < v118 else v94
+    q5_ppm = -angle5 if 0.0 < v119 else v95
+    q5_pmp = angle6 if 0.0 < v120 else v96
+    q5_pmm = -angle6 if 0.0 < v121 else v97
+    q5_mpp = angle7 if 0.0 < v122 else v98
+    q5_mpm = -angle7 if 0.0 < v123 else v99
+    q5_mmp = angle8 if 0.0 < v124 else v100
+    q5_mmm = -angle8 if 0.0 < v125 else v101
     q1_ppp = v4 + (v54 + (turn if v54 <= -half_turn else 0.0))
     q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
-    q3_ppp = v1 + (q3__p if 0.0 < v80 else v78)
-    q3_pmp = v1 + (q3__m if 0.0 < v81 else v79)
-    v98 = max(v74, v80)
-    v99 = max(v75, v81)
-    v100 = max(v76, v80)
-    v101 = max(v77, v81)
-    excess_ppp = max(v90, v98)
-    excess_ppm = max(v91, v98)
-    excess_pmp = max(v92, v99)
-    excess_pmm = max(v93, v99)
-    excess_mpp = max(v94, v100)
-    excess_mpm = max(v95, v100)
-    excess_mmp = max(v96, v101)
-    excess_mmm = max(v97, v101)
+    q3_ppp = v1 + (q3__p if 0.0 < v92 else v86)
+    q3_pmp = v1 + (q3__m if 0.0 < v93 else v87)
+    v126 = max(v82, v92)
+    v127 = max(v83, v93)
+    v128 = max(v84, v92)
+    v129 = max(v85, v93)
+    excess_ppp = max(v118, v126)
+    excess_ppm = max(v119, v126)
+    excess_pmp = max(v120, v127)
+    excess_pmm = max(v121, v127)
+    excess_mpp = max(v122, v128)
+    excess_mpm = max(v123, v128)
+    excess_mmp = max(v124, v129)
+    excess_mmm = max(v125, v129)
     outside_ppp = 0.0 < excess_ppp
     outside_ppm = 0.0 < excess_ppm
     outside_pmp = 0.0 < excess_pmp
@@ -1693,6 +1724,20 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
+@_jit
+def _solve_past_an_end(T, seed, rows, status):
+    """Solves again with care where fast code has turned a joint that is just beyond an end, next to the
+    seed: by rounding, perhaps."""
+    past = False
+    for row in range(8):
+        if status[row] == OK:
+            for i in range(6):
+                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
+    if past:
+        _, pose = _read(T)
+        _whole(pose, seed, rows, status)
+
+
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1714,13 +1759,16 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if limits:
+        T = _contiguous(_numbers(T, (4, 4), "T"))
+        _solve_past_an_end(T, seed, rows, status)
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 
@@ -2034,54 +2082,82 @@ def _in_tiles(T, q, status):
             v75 = max(low2 - v71, v71 - high2)
             v76 = max(low2 - v72, v72 - high2)
             v77 = max(low2 - v73, v73 - high2)
-            q2_ppp = q2__pp if 0.0 < v74 else v70
-            q2_pmp = q2__pm if 0.0 < v75 else v71
-            q2_mpp = q2__mp if 0.0 < v76 else v72
-            q2_mmp = q2__mm if 0.0 < v77 else v73
-            v78 = q3__p + (turn if q3__p < low3 else 0.0)
-            v79 = q3__m + (turn if q3__m < low3 else 0.0)
-            v80 = max(low3 - v78, v78 - high3)
-            v81 = max(low3 - v79, v79 - high3)
-            v82 = angle5 + (turn if angle5 < low5 else 0.0)
-            v83 = (turn if -angle5 < low5 else 0.0) - angle5
-            v84 = angle6 + (turn if angle6 < low5 else 0.0)
-            v85 = (turn if -angle6 < low5 else 0.0) - angle6
-            v86 = angle7 + (turn if angle7 < low5 else 0.0)
-            v87 = (turn if -angle7 < low5 else 0.0) - angle7
-            v88 = angle8 + (turn if angle8 < low5 else 0.0)
-            v89 = (turn if -angle8 < low5 else 0.0) - angle8
-            v90 = max(low5 - v82, v82 - high5)
-            v91 = max(low5 - v83, v83 - high5)
-            v92 = max(low5 - v84, v84 - high5)
-            v93 = max(low5 - v85, v85 - high5)
-            v94 = max(low5 - v86, v86 - high5)
-            v95 = max(low5 - v87, v87 - high5)
-            v96 = max(low5 - v88, v88 - high5)
-            v97 = max(low5 - v89, v89 - high5)
-            q5_ppp = angle5 if 0.0 < v90 else v82
-            q5_ppm = -angle5 if 0.0 < v91 else v83
-            q5_pmp = angle6 if 0.0 < v92 else v84
-            q5_pmm = -angle6 if 0.0 < v93 else v85
-            q5_mpp = angle7 if 0.0 < v94 else v86
-            q5_mpm = -angle7 if 0.0 < v95 else v87
-            q5_mmp = angle8 if 0.0 < v96 else v88
-            q5_mmm = -angle8 if 0.0 < v97 else v89
+            v78 = m8 - v70
+            v79 = m8 - v71
+            v80 = m8 - v72
+            v81 = m8 - v73
+            v82 = v78 if v78 < v74 else v74
+            v83 = v79 if v79 < v75 else v75
+            v84 = v80 if v80 < v76 else v76
+            v85 = v81 if v81 < v77 else v77
+            q2_ppp = q2__pp if 0.0 < v82 else v70
+            q2_pmp = q2__pm if 0.0 < v83 else v71
+            q2_mpp = q2__mp if 0.0 < v84 else v72
+            q2_mmp = q2__mm if 0.0 < v85 else v73
+            v86 = q3__p + (turn if q3__p < low3 else 0.0)
+            v87 = q3__m + (turn if q3__m < low3 else 0.0)
+            v88 = max(low3 - v86, v86 - high3)
+            v89 = max(low3 - v87, v87 - high3)
+            v90 = m9 - v86
+            v91 = m9 - v87
+            v92 = v90 if v90 < v88 else v88
+            v93 = v91 if v91 < v89 else v89
+            v94 = angle5 + (turn if angle5 < low5 else 0.0)
+            v95 = (turn if -angle5 < low5 else 0.0) - angle5
+            v96 = angle6 + (turn if angle6 < low5 else 0.0)
+            v97 = (turn if -angle6 < low5 else 0.0) - angle6
+            v98 = angle7 + (turn if angle7 < low5 else 0.0)
+            v99 = (turn if -angle7 < low5 else 0.0) - angle7
+            v100 = angle8 + (turn if angle8 < low5 else 0.0)
+            v101 = (turn if -angle8 < low5 else 0.0) - angle8
+            v102 = max(low5 - v94, v94 - high5)
+            v103 = max(low5 - v95, v95 - high5)
+            v104 = max(low5 - v96, v96 - high5)
+            v105 = max(low5 - v97, v97 - high5)
+            v106 = max(low5 - v98, v98 - high5)
+            v107 = max(low5 - v99, v99 - high5)
+            v108 = max(low5 - v100, v100 - high5)
+            v109 = max(low5 - v101, v101 - high5)
+            v110 = m10 - v94
+            v111 = m10 - v95
+            v112 = m10 - v96
+            v113 = m10 - v97
+            v114 = m10 - v98
+            v115 = m10 - v99
+            v116 = m10 - v100
+            v117 = m10 - v101
+            v118 = v110 if v110 < v102 else v102
+            v119 = v111 if v111 < v103 else v103
+            v120 = v112 if v112 < v104 else v104
+            v121 = v113 if v113 < v105 else v105
+            v122 = v114 if v114 < v106 else v106
+            v123 = v115 if v115 < v107 else v107
+            v124 = v116 if v116 < v108 else v108
+            v125 = v117 if v117 < v109 else v109
+            q5_ppp = angle5 if 0.0 < v118 else v94
+            q5_ppm = -angle5 if 0.0 < v119 else v95
+            q5_pmp = angle6 if 0.0 < v120 else v96
+            q5_pmm = -angle6 if 0.0 < v121 else v97
+            q5_mpp = angle7 if 0.0 < v122 else v98
+            q5_mpm = -angle7 if 0.0 < v123 else v99
+            q5_mmp = angle8 if 0.0 < v124 else v100
+            q5_mmm = -angle8 if 0.0 < v125 else v101
             q1_ppp = v4 + (v54 + (turn if v54 <= -half_turn else 0.0))
             q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
-            q3_ppp = v1 + (q3__p if 0.0 < v80 else v78)
-            q3_pmp = v1 + (q3__m if 0.0 < v81 else v79)
-            v98 = max(v74, v80)
-            v99 = max(v75, v81)
-            v100 = max(v76, v80)
-            v101 = max(v77, v81)
-            excess_ppp = max(v90, v98)
-            excess_ppm = max(v91, v98)
-            excess_pmp = max(v92, v99)
-            excess_pmm = max(v93, v99)
-            excess_mpp = max(v94, v100)
-            excess_mpm = max(v95, v100)
-            excess_mmp = max(v96, v101)
-            excess_mmm = max(v97, v101)
+            q3_ppp = v1 + (q3__p if 0.0 < v92 else v86)
+            q3_pmp = v1 + (q3__m if 0.0 < v93 else v87)
+            v126 = max(v82, v92)
+            v127 = max(v83, v93)
+            v128 = max(v84, v92)
+            v129 = max(v85, v93)
+            excess_ppp = max(v118, v126)
+            excess_ppm = max(v119, v126)
+            excess_pmp = max(v120, v127)
+            excess_pmm = max(v121, v127)
+            excess_mpp = max(v122, v128)
+            excess_mpm = max(v123, v128)
+            excess_mmp = max(v124, v129)
+            excess_mmm = max(v125, v129)
             outside_ppp = 0.0 < excess_ppp
             outside_ppm = 0.0 < excess_ppm
             outside_pmp = 0.0 < excess_pmp

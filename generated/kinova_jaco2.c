@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KINOVA_JACO2_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2975,8 +2977,8 @@ static void kinova_jaco2_null_plane(const double *E, double c, double s, kinova_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_jaco2_largest(length * squares) < 9.999999999999999e+17 &&
-                                kinova_jaco2_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = kinova_jaco2_largest(length * squares) < 1000000000000.0 &&
+                                kinova_jaco2_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3274,7 +3276,7 @@ typedef unsigned long long kinova_jaco2_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    kinova_jaco2_set singular; /* where the arm is */
+    kinova_jaco2_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } kinova_jaco2_found;
@@ -3291,12 +3293,13 @@ static int kinova_jaco2_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3309,6 +3312,7 @@ static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double 
                 }
             }
             found->singular |= (kinova_jaco2_set)singular << i;
+            found->nearly_singular |= (kinova_jaco2_set)nearly << i;
             return i;
         }
     }
@@ -3316,6 +3320,7 @@ static int kinova_jaco2_keep(kinova_jaco2_found *found, double theta[6], double 
         return -1;
     }
     found->singular |= (kinova_jaco2_set)singular << found->count;
+    found->nearly_singular |= (kinova_jaco2_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3331,14 +3336,15 @@ static kinova_jaco2_set kinova_jaco2_offer(const kinova_jaco2_loop *loop, kinova
                               int steps, int doubtful, kinova_jaco2_found *found,
                               int place[KINOVA_JACO2_LANES])
 {
-    double residual[KINOVA_JACO2_LANES], theta[6][KINOVA_JACO2_LANES], pivot[KINOVA_JACO2_LANES] =
-        {0.0};
+    double residual[KINOVA_JACO2_LANES], theta[6][KINOVA_JACO2_LANES], pivot[KINOVA_JACO2_LANES];
     kinova_jaco2_set met = 0;
     KINOVA_JACO2_STORE(residual, kinova_jaco2_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         kinova_jaco2_lane J[6][7], x[6];
         (void)kinova_jaco2_error(loop, c, s, J);
         KINOVA_JACO2_STORE(pivot, kinova_jaco2_step(J, x));
+    } else {
+        KINOVA_JACO2_STORE(pivot, kinova_jaco2_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = kinova_jaco2_advance[0][i], sine = kinova_jaco2_advance[1][i];
@@ -3351,7 +3357,7 @@ static kinova_jaco2_set kinova_jaco2_offer(const kinova_jaco2_loop *loop, kinova
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = kinova_jaco2_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = kinova_jaco2_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (kinova_jaco2_set)1 << place[k];
         }
@@ -3562,7 +3568,7 @@ static int kinova_jaco2_from_nearby(const kinova_jaco2_loop *loop, kinova_jaco2_
         kinova_jaco2_set met;
         kinova_jaco2_then(nearby.link[5], kinova_jaco2_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = kinova_jaco2_try(&nearby, &other);
         met = kinova_jaco2_follow_back(loop, other.q, other.count, found, &lost);
@@ -3596,12 +3602,12 @@ static void kinova_jaco2_from_anywhere(const kinova_jaco2_loop *loop, kinova_jac
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void kinova_jaco2_rank(const kinova_jaco2_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && kinova_jaco2_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3643,7 +3649,7 @@ static int kinova_jaco2_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     kinova_jaco2_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -3895,7 +3901,7 @@ int kinova_jaco2_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? KINOVA_JACO2_UNREACHABLE : KINOVA_JACO2_INVALID_POSE;
+        status[row] = valid ? NONE : KINOVA_JACO2_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3903,7 +3909,7 @@ int kinova_jaco2_ik(
         return -KINOVA_JACO2_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == KINOVA_JACO2_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -3920,7 +3926,7 @@ int kinova_jaco2_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -KINOVA_JACO2_UNREACHABLE;
+    int result = -NONE;
     int valid = kinova_jaco2_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KUKA_IIWA14_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -257,7 +259,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & KUKA_IIWA14_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & KUKA_IIWA14_OUT_OF_LIMITS))
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
@@ -605,8 +607,7 @@ HELPER int solve_regular(
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * KUKA_IIWA14_UNREACHABLE + (outside1 & ~none1) *
-        KUKA_IIWA14_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * KUKA_IIWA14_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -825,9 +826,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = KUKA_IIWA14_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->free_joints, s->seed, s->q, s->status);
-    if (s->status[s->row] == KUKA_IIWA14_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1048,7 +1049,7 @@ static void stand(const double T[16], int row, double rows[8][7], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != KUKA_IIWA14_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1072,7 +1073,7 @@ static void tell_once(const double T[16], double q[8][7], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 7 && ends; i++) {
-            status[n / 8] = KUKA_IIWA14_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1093,7 +1094,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != KUKA_IIWA14_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1127,7 +1128,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? KUKA_IIWA14_UNREACHABLE : KUKA_IIWA14_INVALID_POSE;
+        status[row] = valid ? NONE : KUKA_IIWA14_INVALID_POSE;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
@@ -1140,7 +1141,7 @@ APART int ik_carefully(
     tell_once(pose, q, status);
     stay(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == KUKA_IIWA14_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 7; i++) {
@@ -1167,7 +1168,7 @@ int kuka_iiwa14_ik_nearest(
 {
     double all[8][7], found[7], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -KUKA_IIWA14_UNREACHABLE;
+    int result = -NONE;
     int valid = kuka_iiwa14_ik(T, free_joints, q_seed, all, status) >= 0;
     for (int i = 0; i < 7; i++) {
         found[i] = NAN;

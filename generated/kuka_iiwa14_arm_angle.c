@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+enum { NONE = KUKA_IIWA14_ARM_ANGLE_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -249,7 +251,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & KUKA_IIWA14_ARM_ANGLE_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
@@ -698,8 +700,8 @@ HELPER int solve_regular(
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * KUKA_IIWA14_ARM_ANGLE_UNREACHABLE + (outside1 & ~none1)
-        * KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
+        KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -913,9 +915,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = KUKA_IIWA14_ARM_ANGLE_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->free_joints, s->seed, s->q, s->status);
-    if (s->status[s->row] == KUKA_IIWA14_ARM_ANGLE_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1035,8 +1037,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? KUKA_IIWA14_ARM_ANGLE_UNREACHABLE :
-            KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+        status[row] = valid ? NONE : KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
@@ -1047,7 +1048,7 @@ APART int ik_carefully(
         if (status[row] == KUKA_IIWA14_ARM_ANGLE_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, free_joints, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == KUKA_IIWA14_ARM_ANGLE_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
@@ -1073,7 +1074,7 @@ int kuka_iiwa14_arm_angle_ik_nearest(
 {
     double all[8][7], found[7], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -KUKA_IIWA14_ARM_ANGLE_UNREACHABLE;
+    int result = -NONE;
     int valid = kuka_iiwa14_arm_angle_ik(T, free_joints, q_seed, all, status) >= 0;
     for (int i = 0; i < 7; i++) {
         found[i] = NAN;

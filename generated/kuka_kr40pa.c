@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KUKA_KR40PA_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -235,7 +237,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & KUKA_KR40PA_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & KUKA_KR40PA_OUT_OF_LIMITS))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
@@ -483,7 +485,7 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     double first[2], miss[2];
     for (int row = 0; row < 2; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == KUKA_KR40PA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -498,7 +500,7 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     for (int row = 0; row < 2; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = KUKA_KR40PA_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -735,7 +737,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * KUKA_KR40PA_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -901,7 +903,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == KUKA_KR40PA_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -909,7 +911,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 2; i++)
-        s->status[i] = KUKA_KR40PA_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const double result = shortfall(s);
     return result;
@@ -919,7 +921,7 @@ static double attempt(struct search *s, double moved)
 static int serves(const struct search *s)
 {
     const int status = s->status[s->row];
-    return status != KUKA_KR40PA_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -1008,7 +1010,7 @@ static void choose_again(
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : KUKA_KR40PA_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 4; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -1076,7 +1078,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 2 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == KUKA_KR40PA_FREE_JOINT;
-        if (status[row] == KUKA_KR40PA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         double here[4], ahead;
         take(q[row], here);
@@ -1111,7 +1113,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? KUKA_KR40PA_FREE_JOINT : KUKA_KR40PA_UNREACHABLE;
+        status[row] = row == begun ? KUKA_KR40PA_FREE_JOINT : NONE;
         for (int i = 0; i < 4; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1229,7 +1231,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != KUKA_KR40PA_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1262,7 +1264,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? KUKA_KR40PA_UNREACHABLE : KUKA_KR40PA_INVALID_POSE;
+        status[row] = valid ? NONE : KUKA_KR40PA_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -1271,7 +1273,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
-        begun = status[row] == KUKA_KR40PA_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     for (int row = 0; row < 2; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
@@ -1279,7 +1281,7 @@ APART int ik_carefully(
     seek(pose, seed, begun, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == KUKA_KR40PA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
@@ -1303,7 +1305,7 @@ int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[
 {
     double all[2][4], found[4], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -KUKA_KR40PA_UNREACHABLE;
+    int result = -NONE;
     int valid = kuka_kr40pa_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KUKA_KR6_R900_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -245,7 +247,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & KUKA_KR6_R900_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & KUKA_KR6_R900_OUT_OF_LIMITS))
 static const double
     d1 = 0.4, /* joint offset 1 [m] */
@@ -555,7 +557,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long kind1 = none1 * KUKA_KR6_R900_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
@@ -831,7 +833,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != KUKA_KR6_R900_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -864,7 +866,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? KUKA_KR6_R900_UNREACHABLE : KUKA_KR6_R900_INVALID_POSE;
+        status[row] = valid ? NONE : KUKA_KR6_R900_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -873,7 +875,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == KUKA_KR6_R900_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -897,7 +899,7 @@ int kuka_kr6_r900_ik_nearest(const double T[16], const double q_seed[6], double 
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -KUKA_KR6_R900_UNREACHABLE;
+    int result = -NONE;
     int valid = kuka_kr6_r900_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

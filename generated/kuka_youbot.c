@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = KUKA_YOUBOT_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -244,7 +246,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & KUKA_YOUBOT_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & KUKA_YOUBOT_OUT_OF_LIMITS))
 static const double
     d1 = 0.147, /* joint offset 1 [m] */
@@ -563,7 +565,7 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * KUKA_YOUBOT_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
@@ -757,7 +759,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == KUKA_YOUBOT_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -765,7 +767,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 4; i++)
-        s->status[i] = KUKA_YOUBOT_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const double result = shortfall(s);
     if (result > s->best) {
@@ -779,7 +781,7 @@ static double attempt(struct search *s, double moved)
 static int serves(const struct search *s)
 {
     const int status = s->status[s->row];
-    return status != KUKA_YOUBOT_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -885,7 +887,7 @@ static void choose_again(
         nearest = serving_in_turn(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : KUKA_YOUBOT_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 5; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -1001,7 +1003,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != KUKA_YOUBOT_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1034,7 +1036,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? KUKA_YOUBOT_UNREACHABLE : KUKA_YOUBOT_INVALID_POSE;
+        status[row] = valid ? NONE : KUKA_YOUBOT_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -1046,7 +1048,7 @@ APART int ik_carefully(
             choose_again(pose, seed, row, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] == KUKA_YOUBOT_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
@@ -1070,7 +1072,7 @@ int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[
 {
     double all[4][5], found[5], least = HUGE_VAL;
     unsigned char status[4];
-    int result = -KUKA_YOUBOT_UNREACHABLE;
+    int result = -NONE;
     int valid = kuka_youbot_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = MANSEUR_DOTY_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2917,8 +2919,8 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = manseur_doty_largest(length * squares) < 9.999999999999999e+17 &&
-                                manseur_doty_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = manseur_doty_largest(length * squares) < 1000000000000.0 &&
+                                manseur_doty_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3216,7 +3218,7 @@ typedef unsigned long long manseur_doty_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    manseur_doty_set singular; /* where the arm is */
+    manseur_doty_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } manseur_doty_found;
@@ -3233,12 +3235,13 @@ static int manseur_doty_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3251,6 +3254,7 @@ static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double 
                 }
             }
             found->singular |= (manseur_doty_set)singular << i;
+            found->nearly_singular |= (manseur_doty_set)nearly << i;
             return i;
         }
     }
@@ -3258,6 +3262,7 @@ static int manseur_doty_keep(manseur_doty_found *found, double theta[6], double 
         return -1;
     }
     found->singular |= (manseur_doty_set)singular << found->count;
+    found->nearly_singular |= (manseur_doty_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3273,14 +3278,15 @@ static manseur_doty_set manseur_doty_offer(const manseur_doty_loop *loop, manseu
                               int steps, int doubtful, manseur_doty_found *found,
                               int place[MANSEUR_DOTY_LANES])
 {
-    double residual[MANSEUR_DOTY_LANES], theta[6][MANSEUR_DOTY_LANES], pivot[MANSEUR_DOTY_LANES] =
-        {0.0};
+    double residual[MANSEUR_DOTY_LANES], theta[6][MANSEUR_DOTY_LANES], pivot[MANSEUR_DOTY_LANES];
     manseur_doty_set met = 0;
     MANSEUR_DOTY_STORE(residual, manseur_doty_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         manseur_doty_lane J[6][7], x[6];
         (void)manseur_doty_error(loop, c, s, J);
         MANSEUR_DOTY_STORE(pivot, manseur_doty_step(J, x));
+    } else {
+        MANSEUR_DOTY_STORE(pivot, manseur_doty_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = manseur_doty_advance[0][i], sine = manseur_doty_advance[1][i];
@@ -3293,7 +3299,7 @@ static manseur_doty_set manseur_doty_offer(const manseur_doty_loop *loop, manseu
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = manseur_doty_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = manseur_doty_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (manseur_doty_set)1 << place[k];
         }
@@ -3510,7 +3516,7 @@ static int manseur_doty_from_nearby(const manseur_doty_loop *loop, manseur_doty_
         manseur_doty_set met;
         manseur_doty_then(nearby.link[5], manseur_doty_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = manseur_doty_try(&nearby, &other);
         met = manseur_doty_follow_back(loop, other.q, other.count, found, &lost);
@@ -3544,12 +3550,12 @@ static void manseur_doty_from_anywhere(const manseur_doty_loop *loop, manseur_do
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void manseur_doty_rank(const manseur_doty_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && manseur_doty_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3591,7 +3597,7 @@ static int manseur_doty_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     manseur_doty_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -3830,7 +3836,7 @@ int manseur_doty_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? MANSEUR_DOTY_UNREACHABLE : MANSEUR_DOTY_INVALID_POSE;
+        status[row] = valid ? NONE : MANSEUR_DOTY_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3838,7 +3844,7 @@ int manseur_doty_ik(
         return -MANSEUR_DOTY_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == MANSEUR_DOTY_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -3855,7 +3861,7 @@ int manseur_doty_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -MANSEUR_DOTY_UNREACHABLE;
+    int result = -NONE;
     int valid = manseur_doty_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PARALLEL_123_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -442,7 +444,7 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     double first[8], miss[8];
     for (int row = 0; row < 8; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == PARALLEL_123_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -454,7 +456,7 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = PARALLEL_123_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -805,7 +807,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -813,7 +815,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = PARALLEL_123_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->by, s->q, s->status);
     const double result = shortfall(s);
     return result;
@@ -823,7 +825,7 @@ static double attempt(struct search *s, double moved)
 static int serves(const struct search *s)
 {
     const int status = s->status[s->row];
-    return status != PARALLEL_123_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -912,7 +914,7 @@ static void choose_again(
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : PARALLEL_123_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 6; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -952,9 +954,9 @@ static int leads(
     double q[8][6];
     unsigned char kind[8];
     for (int k = 0; k < 8; k++)
-        kind[k] = PARALLEL_123_UNREACHABLE;
+        kind[k] = NONE;
     solve(d->T, seed, angle, q, kind);
-    if (kind[row] == PARALLEL_123_UNREACHABLE || kind[row] > CLOSE /* lost */)
+    if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
     return solves(d, 72, exact, end);
@@ -988,7 +990,7 @@ static void both_sides(
         if (close)
             status[row] = PARALLEL_123_OK;
         any += doubtful[row];
-        if (status[row] == PARALLEL_123_UNREACHABLE || doubtful[row])
+        if (status[row] == NONE || doubtful[row])
             continue;
         take(q[row], known[count]);
         count++;
@@ -1009,7 +1011,7 @@ static void both_sides(
                 && is_new(known, others, end);
         if (!found)
             continue;
-        status[row] = PARALLEL_123_UNREACHABLE;
+        status[row] = NONE;
         count = keep(known, count, end);
         off += end[5] - q[row][5];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
@@ -1027,7 +1029,7 @@ static void both_sides(
         double least = HUGE_VAL;
         for (int row = 8 - 1; row >= 0; row--) {
             const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
-            if (status[row] == PARALLEL_123_UNREACHABLE && gap <= least) {
+            if (status[row] == NONE && gap <= least) {
                 least = gap;
                 place = row;
             }
@@ -1038,7 +1040,7 @@ static void both_sides(
         status[place] = PARALLEL_123_OK;
     }
     for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 6 && status[row] == PARALLEL_123_UNREACHABLE; i++)
+        for (int i = 0; i < 6 && status[row] == NONE; i++)
             q[row][i] = NAN;
 }
 
@@ -1108,7 +1110,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == PARALLEL_123_FREE_JOINT;
-        if (status[row] == PARALLEL_123_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
         chosen = is_open ? row : chosen;
@@ -1139,7 +1141,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? PARALLEL_123_FREE_JOINT : PARALLEL_123_UNREACHABLE;
+        status[row] = row == begun ? PARALLEL_123_FREE_JOINT : NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1260,7 +1262,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = PARALLEL_123_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1279,7 +1281,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PARALLEL_123_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1308,7 +1310,7 @@ int parallel_123_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? PARALLEL_123_UNREACHABLE : PARALLEL_123_INVALID_POSE;
+        status[row] = valid ? NONE : PARALLEL_123_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1317,7 +1319,7 @@ int parallel_123_ik(
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
-        begun = status[row] == PARALLEL_123_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
@@ -1328,7 +1330,7 @@ int parallel_123_ik(
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == PARALLEL_123_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -1345,7 +1347,7 @@ int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -PARALLEL_123_UNREACHABLE;
+    int result = -NONE;
     int valid = parallel_123_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = PHANTOMX_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -235,7 +237,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PHANTOMX_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PHANTOMX_OUT_OF_LIMITS))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
@@ -483,7 +485,7 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     double first[2], miss[2];
     for (int row = 0; row < 2; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == PHANTOMX_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -498,7 +500,7 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     for (int row = 0; row < 2; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = PHANTOMX_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -738,7 +740,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * PHANTOMX_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -906,7 +908,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == PHANTOMX_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -914,7 +916,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 2; i++)
-        s->status[i] = PHANTOMX_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const double result = shortfall(s);
     return result;
@@ -924,7 +926,7 @@ static double attempt(struct search *s, double moved)
 static int serves(const struct search *s)
 {
     const int status = s->status[s->row];
-    return status != PHANTOMX_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -1013,7 +1015,7 @@ static void choose_again(
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : PHANTOMX_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 4; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -1081,7 +1083,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 2 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == PHANTOMX_FREE_JOINT;
-        if (status[row] == PHANTOMX_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         double here[4], ahead;
         take(q[row], here);
@@ -1116,7 +1118,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? PHANTOMX_FREE_JOINT : PHANTOMX_UNREACHABLE;
+        status[row] = row == begun ? PHANTOMX_FREE_JOINT : NONE;
         for (int i = 0; i < 4; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1234,7 +1236,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PHANTOMX_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1267,7 +1269,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? PHANTOMX_UNREACHABLE : PHANTOMX_INVALID_POSE;
+        status[row] = valid ? NONE : PHANTOMX_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -1276,7 +1278,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
-        begun = status[row] == PHANTOMX_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     for (int row = 0; row < 2; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
@@ -1284,7 +1286,7 @@ APART int ik_carefully(
     seek(pose, seed, begun, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == PHANTOMX_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
@@ -1307,7 +1309,7 @@ int phantomx_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     double all[2][4], found[4], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -PHANTOMX_UNREACHABLE;
+    int result = -NONE;
     int valid = phantomx_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;

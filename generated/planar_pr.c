@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PLANAR_PR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -202,7 +204,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PLANAR_PR_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PLANAR_PR_OUT_OF_LIMITS))
 static const double
     a = 0.3, /* x of the home pose [m] */
@@ -310,7 +312,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
 
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, angle1);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * PLANAR_PR_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -497,7 +499,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PLANAR_PR_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -527,7 +529,7 @@ APART int ik_carefully(
     for (int i = 0; i < 2; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? PLANAR_PR_UNREACHABLE : PLANAR_PR_INVALID_POSE;
+        status[row] = valid ? NONE : PLANAR_PR_INVALID_POSE;
         for (int i = 0; i < 2; i++)
             q[row][i] = NAN;
     }
@@ -536,7 +538,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == PLANAR_PR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
@@ -559,7 +561,7 @@ int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
 {
     double all[2][2], found[2], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -PLANAR_PR_UNREACHABLE;
+    int result = -NONE;
     int valid = planar_pr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 2; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PLANAR_RP_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -224,7 +226,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PLANAR_RP_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PLANAR_RP_OUT_OF_LIMITS))
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
@@ -358,8 +360,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * PLANAR_RP_UNREACHABLE + (outside1 & ~none1) *
-        PLANAR_RP_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * PLANAR_RP_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
@@ -450,9 +451,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 2; i++)
-        s->status[i] = PLANAR_RP_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == PLANAR_RP_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -669,7 +670,7 @@ static void stand(const double T[16], int row, double rows[2][2], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
-        if (status[k] != PLANAR_RP_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -690,7 +691,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PLANAR_RP_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -720,7 +721,7 @@ APART int ik_carefully(
     for (int i = 0; i < 2; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? PLANAR_RP_UNREACHABLE : PLANAR_RP_INVALID_POSE;
+        status[row] = valid ? NONE : PLANAR_RP_INVALID_POSE;
         for (int i = 0; i < 2; i++)
             q[row][i] = NAN;
     }
@@ -732,7 +733,7 @@ APART int ik_carefully(
             keep_limits(pose, seed, row, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == PLANAR_RP_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 2; i++) {
@@ -756,7 +757,7 @@ int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]
 {
     double all[2][2], found[2], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -PLANAR_RP_UNREACHABLE;
+    int result = -NONE;
     int valid = planar_rp_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 2; i++) {
         found[i] = NAN;

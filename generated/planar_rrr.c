@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PLANAR_RRR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -255,7 +257,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PLANAR_RRR_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PLANAR_RRR_OUT_OF_LIMITS))
 static const double
     a1 = 0.4, /* link length 1 [m] */
@@ -456,7 +458,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * PLANAR_RRR_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -606,7 +608,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == PLANAR_RRR_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -614,7 +616,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 2; i++)
-        s->status[i] = PLANAR_RRR_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const double result = shortfall(s);
     if (result > s->best) {
@@ -628,7 +630,7 @@ static double attempt(struct search *s, double moved)
 static int serves(const struct search *s)
 {
     const int status = s->status[s->row];
-    return status != PLANAR_RRR_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -734,7 +736,7 @@ static void choose_again(
         nearest = serving_in_turn(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : PLANAR_RRR_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 3; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -850,7 +852,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PLANAR_RRR_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -883,7 +885,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? PLANAR_RRR_UNREACHABLE : PLANAR_RRR_INVALID_POSE;
+        status[row] = valid ? NONE : PLANAR_RRR_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -895,7 +897,7 @@ APART int ik_carefully(
             choose_again(pose, seed, row, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == PLANAR_RRR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -919,7 +921,7 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
 {
     double all[2][3], found[3], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -PLANAR_RRR_UNREACHABLE;
+    int result = -NONE;
     int valid = planar_rrr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PLANAR_RRRR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -486,7 +488,7 @@ static void stand(const double T[16], int row, double rows[1][4], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 1; k++)
-        if (status[k] != PLANAR_RRRR_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -503,7 +505,7 @@ int planar_rrrr_ik(
     for (int i = 0; i < 4; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? PLANAR_RRRR_UNREACHABLE : PLANAR_RRRR_INVALID_POSE;
+        status[row] = valid ? NONE : PLANAR_RRRR_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -511,7 +513,7 @@ int planar_rrrr_ik(
         return -PLANAR_RRRR_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 1; row++) {
-        if (status[row] == PLANAR_RRRR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 4; i++) {
@@ -529,7 +531,7 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
 {
     double all[1][4], found[4], least = HUGE_VAL;
     unsigned char status[1];
-    int result = -PLANAR_RRRR_UNREACHABLE;
+    int result = -NONE;
     int valid = planar_rrrr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;

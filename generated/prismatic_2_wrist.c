@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PRISMATIC_2_WRIST_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -231,7 +233,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PRISMATIC_2_WRIST_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
 static const double
     a1 = 0.1, /* link length 1 [m] */
@@ -549,7 +551,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle2, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long kind1 = none1 * PRISMATIC_2_WRIST_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
@@ -838,7 +840,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = PRISMATIC_2_WRIST_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -857,7 +859,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PRISMATIC_2_WRIST_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -890,7 +892,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? PRISMATIC_2_WRIST_UNREACHABLE : PRISMATIC_2_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : PRISMATIC_2_WRIST_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -900,7 +902,7 @@ APART int ik_carefully(
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == PRISMATIC_2_WRIST_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -924,7 +926,7 @@ int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -PRISMATIC_2_WRIST_UNREACHABLE;
+    int result = -NONE;
     int valid = prismatic_2_wrist_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = PUMA_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -228,7 +230,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PUMA_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PUMA_OUT_OF_LIMITS))
 static const double
     L2 = 0.4318, /* z of axis 3 [m] */
@@ -525,7 +527,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle4, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long kind1 = none1 * PUMA_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
@@ -800,7 +802,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = PUMA_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -819,7 +821,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != PUMA_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -852,7 +854,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? PUMA_UNREACHABLE : PUMA_INVALID_POSE;
+        status[row] = valid ? NONE : PUMA_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -862,7 +864,7 @@ APART int ik_carefully(
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == PUMA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -885,7 +887,7 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -PUMA_UNREACHABLE;
+    int result = -NONE;
     int valid = puma_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

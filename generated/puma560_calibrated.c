@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = PUMA560_CALIBRATED_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2870,9 +2872,8 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = puma560_calibrated_largest(length * squares) < 9.999999999999999e+17
-        &&
-                                puma560_calibrated_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = puma560_calibrated_largest(length * squares) < 1000000000000.0 &&
+                                puma560_calibrated_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3174,7 +3175,7 @@ typedef unsigned long long puma560_calibrated_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    puma560_calibrated_set singular; /* where the arm is */
+    puma560_calibrated_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } puma560_calibrated_found;
@@ -3191,12 +3192,13 @@ static int puma560_calibrated_alike(const double a[6], const double b[6], double
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
 static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta[6], double
-    residual, int singular)
+    residual, double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3209,6 +3211,7 @@ static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta
                 }
             }
             found->singular |= (puma560_calibrated_set)singular << i;
+            found->nearly_singular |= (puma560_calibrated_set)nearly << i;
             return i;
         }
     }
@@ -3216,6 +3219,7 @@ static int puma560_calibrated_keep(puma560_calibrated_found *found, double theta
         return -1;
     }
     found->singular |= (puma560_calibrated_set)singular << found->count;
+    found->nearly_singular |= (puma560_calibrated_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3232,13 +3236,15 @@ static puma560_calibrated_set puma560_calibrated_offer(const puma560_calibrated_
                               int place[PUMA560_CALIBRATED_LANES])
 {
     double residual[PUMA560_CALIBRATED_LANES], theta[6][PUMA560_CALIBRATED_LANES],
-        pivot[PUMA560_CALIBRATED_LANES] = {0.0};
+        pivot[PUMA560_CALIBRATED_LANES];
     puma560_calibrated_set met = 0;
     PUMA560_CALIBRATED_STORE(residual, puma560_calibrated_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         puma560_calibrated_lane J[6][7], x[6];
         (void)puma560_calibrated_error(loop, c, s, J);
         PUMA560_CALIBRATED_STORE(pivot, puma560_calibrated_step(J, x));
+    } else {
+        PUMA560_CALIBRATED_STORE(pivot, puma560_calibrated_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = puma560_calibrated_advance[0][i], sine =
@@ -3253,7 +3259,7 @@ static puma560_calibrated_set puma560_calibrated_offer(const puma560_calibrated_
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = puma560_calibrated_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = puma560_calibrated_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (puma560_calibrated_set)1 << place[k];
         }
@@ -3474,7 +3480,7 @@ static int puma560_calibrated_from_nearby(const puma560_calibrated_loop *loop,
         puma560_calibrated_set met;
         puma560_calibrated_then(nearby.link[5], puma560_calibrated_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = puma560_calibrated_try(&nearby, &other);
         met = puma560_calibrated_follow_back(loop, other.q, other.count, found, &lost);
@@ -3509,12 +3515,12 @@ static void puma560_calibrated_from_anywhere(const puma560_calibrated_loop *loop
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void puma560_calibrated_rank(const puma560_calibrated_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && puma560_calibrated_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3557,7 +3563,7 @@ static int puma560_calibrated_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     puma560_calibrated_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.0000000039999986) {
@@ -3859,7 +3865,7 @@ int puma560_calibrated_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? PUMA560_CALIBRATED_UNREACHABLE : PUMA560_CALIBRATED_INVALID_POSE;
+        status[row] = valid ? NONE : PUMA560_CALIBRATED_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3867,7 +3873,7 @@ int puma560_calibrated_ik(
         return -PUMA560_CALIBRATED_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == PUMA560_CALIBRATED_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -3884,7 +3890,7 @@ int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], do
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -PUMA560_CALIBRATED_UNREACHABLE;
+    int result = -NONE;
     int valid = puma560_calibrated_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = PUMA560_F32_UNREACHABLE }; /* no solution */
+
 static const float turn = 6.2831855f;
 #define half_turn (0.5f * turn)
 
@@ -123,7 +125,7 @@ TURNS(wide)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & PUMA560_F32_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & PUMA560_F32_OUT_OF_LIMITS))
 static const float
     d1 = 0.67183f, /* joint offset 1 [m] */
@@ -527,9 +529,9 @@ static float attempt(struct search *s, float moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = PUMA560_F32_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == PUMA560_F32_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VALF;
     return -beyond_limits(s->q[s->row]);
 }
@@ -803,7 +805,7 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
         return;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != PUMA560_F32_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
@@ -827,7 +829,7 @@ static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
             ends = off_pose(T, half, e) <= 1e-07f;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = PUMA560_F32_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -850,7 +852,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;
-        if (status[row] != PUMA560_F32_UNREACHABLE) {
+        if (status[row] != NONE) {
             const float off = half_way(x, q[row], half);
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
             if (off < nearest) {
@@ -883,7 +885,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? PUMA560_F32_UNREACHABLE : PUMA560_F32_INVALID_POSE;
+        status[row] = valid ? NONE : PUMA560_F32_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -899,7 +901,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == PUMA560_F32_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -924,12 +926,18 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 {
     float all[8][6], found[6], least = HUGE_VALF;
     unsigned char status[8];
-    int result = -PUMA560_F32_UNREACHABLE;
+    int result = -NONE;
     int valid = puma560_f32_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == PUMA560_F32_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         float distance = 0.0f;
         if (status[row] == PUMA560_F32_OUT_OF_LIMITS && result < 0)

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = RAIL_5DOF_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -226,7 +228,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & RAIL_5DOF_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & RAIL_5DOF_OUT_OF_LIMITS))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
@@ -475,7 +477,7 @@ static void tighten(const double T[16], double q[2][5], unsigned char status[2])
     double first[2], miss[2];
     for (int row = 0; row < 2; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == RAIL_5DOF_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -490,7 +492,7 @@ static void tighten(const double T[16], double q[2][5], unsigned char status[2])
     for (int row = 0; row < 2; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = RAIL_5DOF_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -701,7 +703,7 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), angle1, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5);
     const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * RAIL_5DOF_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -897,7 +899,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 2 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == RAIL_5DOF_FREE_JOINT;
-        if (status[row] == RAIL_5DOF_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         double here[5], ahead;
         take(q[row], here);
@@ -932,7 +934,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? RAIL_5DOF_FREE_JOINT : RAIL_5DOF_UNREACHABLE;
+        status[row] = row == begun ? RAIL_5DOF_FREE_JOINT : NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1052,7 +1054,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != RAIL_5DOF_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1085,7 +1087,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? RAIL_5DOF_UNREACHABLE : RAIL_5DOF_INVALID_POSE;
+        status[row] = valid ? NONE : RAIL_5DOF_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -1094,12 +1096,12 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
-        begun = status[row] == RAIL_5DOF_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     tighten(pose, q, status);
     seek(pose, seed, begun, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == RAIL_5DOF_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
@@ -1122,7 +1124,7 @@ int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]
 {
     double all[2][5], found[5], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -RAIL_5DOF_UNREACHABLE;
+    int result = -NONE;
     int valid = rail_5dof_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = RRPRRR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -229,7 +231,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & RRPRRR_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & RRPRRR_OUT_OF_LIMITS))
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
@@ -451,7 +453,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     store_2(&q[4][4], &q[5][4], &q[6][4], &q[7][4], q5_p, q6_p);
     const unsigned long long none1 = (bits_four(angle1 != angle1) * 0x204081ull & 0x1010101ull) |
         (bits_four(q1_m != q1_m) * 0x20408100000000ull & 0x101010100000000ull);
-    const unsigned long long kind1 = none1 * RRPRRR_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
@@ -702,7 +704,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != RRPRRR_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -735,7 +737,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? RRPRRR_UNREACHABLE : RRPRRR_INVALID_POSE;
+        status[row] = valid ? NONE : RRPRRR_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -744,7 +746,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == RRPRRR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -767,7 +769,7 @@ int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -RRPRRR_UNREACHABLE;
+    int result = -NONE;
     int valid = rrprrr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = SCARA_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -244,7 +246,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SCARA_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SCARA_OUT_OF_LIMITS))
 static const double
     L1 = 0.4, /* link length 1 [m] */
@@ -464,8 +466,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
     const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * SCARA_UNREACHABLE + (outside1 & ~none1) *
-        SCARA_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * SCARA_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
@@ -603,9 +604,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 2; i++)
-        s->status[i] = SCARA_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == SCARA_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -883,7 +884,7 @@ static void stand(const double T[16], int row, double rows[2][4], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
-        if (status[k] != SCARA_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -907,7 +908,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SCARA_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -940,7 +941,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? SCARA_UNREACHABLE : SCARA_INVALID_POSE;
+        status[row] = valid ? NONE : SCARA_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -955,7 +956,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == SCARA_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 4; i++) {
@@ -979,12 +980,18 @@ int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     double all[2][4], found[4], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -SCARA_UNREACHABLE;
+    int result = -NONE;
     int valid = scara_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 2 && valid; row++)
+        for (int i = 0; i < 4 && status[row] == SCARA_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == SCARA_OUT_OF_LIMITS && result < 0)

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = SCARA_F32_UNREACHABLE }; /* no solution */
+
 static const float turn = 6.2831855f;
 #define half_turn (0.5f * turn)
 
@@ -136,7 +138,7 @@ TURNS(wide)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SCARA_F32_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SCARA_F32_OUT_OF_LIMITS))
 static const float
     L1 = 0.4f, /* link length 1 [m] */
@@ -416,9 +418,9 @@ static float attempt(struct search *s, float moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 2; i++)
-        s->status[i] = SCARA_F32_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == SCARA_F32_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VALF;
     return -beyond_limits(s->q[s->row]);
 }
@@ -696,7 +698,7 @@ static void stand(const float T[16], int row, float rows[2][4], const unsigned c
         return;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
-        if (status[k] != SCARA_F32_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
@@ -720,7 +722,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         float between = 0.0005f;
-        if (status[row] != SCARA_F32_UNREACHABLE) {
+        if (status[row] != NONE) {
             const float off = half_way(x, q[row], half);
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
             if (off < nearest) {
@@ -753,7 +755,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? SCARA_F32_UNREACHABLE : SCARA_F32_INVALID_POSE;
+        status[row] = valid ? NONE : SCARA_F32_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -768,7 +770,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == SCARA_F32_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 4; i++) {
@@ -792,12 +794,18 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
 {
     float all[2][4], found[4], least = HUGE_VALF;
     unsigned char status[2];
-    int result = -SCARA_F32_UNREACHABLE;
+    int result = -NONE;
     int valid = scara_f32_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 2 && valid; row++)
+        for (int i = 0; i < 4 && status[row] == SCARA_F32_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 2 && valid; row++) {
         float distance = 0.0f;
         if (status[row] == SCARA_F32_OUT_OF_LIMITS && result < 0)

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = SCARA_PRRR_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -236,7 +238,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SCARA_PRRR_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SCARA_PRRR_OUT_OF_LIMITS))
 static const double
     a2 = 0.3, /* link length 2 [m] */
@@ -406,7 +408,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), angle3, q3, q4);
     const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * SCARA_PRRR_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -639,7 +641,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SCARA_PRRR_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -672,7 +674,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? SCARA_PRRR_UNREACHABLE : SCARA_PRRR_INVALID_POSE;
+        status[row] = valid ? NONE : SCARA_PRRR_INVALID_POSE;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
@@ -681,7 +683,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == SCARA_PRRR_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
@@ -705,7 +707,7 @@ int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4
 {
     double all[2][4], found[4], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -SCARA_PRRR_UNREACHABLE;
+    int result = -NONE;
     int valid = scara_prrr_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 4; i++) {
         found[i] = NAN;

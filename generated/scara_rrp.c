@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = SCARA_RRP_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -210,7 +212,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SCARA_RRP_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SCARA_RRP_OUT_OF_LIMITS))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
@@ -337,7 +339,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle2, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], all_four(q3));
     const unsigned long long none1 = (bits_four(angle2 != angle2) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * SCARA_RRP_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -540,7 +542,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SCARA_RRP_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -570,7 +572,7 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? SCARA_RRP_UNREACHABLE : SCARA_RRP_INVALID_POSE;
+        status[row] = valid ? NONE : SCARA_RRP_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -579,7 +581,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == SCARA_RRP_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -602,7 +604,7 @@ int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3]
 {
     double all[2][3], found[3], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -SCARA_RRP_UNREACHABLE;
+    int result = -NONE;
     int valid = scara_rrp_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = SCARA_WRIST_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -248,7 +250,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SCARA_WRIST_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SCARA_WRIST_OUT_OF_LIMITS))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
@@ -460,7 +462,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle2, q2, all_four(q3), q4);
     store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
     const unsigned long long none1 = (bits_four(angle2 != angle2) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * SCARA_WRIST_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
@@ -705,7 +707,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SCARA_WRIST_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -738,7 +740,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? SCARA_WRIST_UNREACHABLE : SCARA_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : SCARA_WRIST_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -747,7 +749,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] == SCARA_WRIST_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -771,7 +773,7 @@ int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[
 {
     double all[4][6], found[6], least = HUGE_VAL;
     unsigned char status[4];
-    int result = -SCARA_WRIST_UNREACHABLE;
+    int result = -NONE;
     int valid = scara_wrist_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = SCORBOT_POINTING_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -220,7 +222,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SCORBOT_POINTING_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SCORBOT_POINTING_OUT_OF_LIMITS))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
@@ -467,7 +469,7 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
     double first[4], miss[4];
     for (int row = 0; row < 4; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == SCORBOT_POINTING_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -482,7 +484,7 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
     for (int row = 0; row < 4; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = SCORBOT_POINTING_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -769,7 +771,7 @@ HELPER int solve_regular(
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * SCORBOT_POINTING_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
@@ -958,7 +960,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == SCORBOT_POINTING_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -966,7 +968,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 4; i++)
-        s->status[i] = SCORBOT_POINTING_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->free_joints, s->seed, s->q, s->status);
     const double result = shortfall(s);
     return result;
@@ -976,7 +978,7 @@ static double attempt(struct search *s, double moved)
 static int serves(const struct search *s)
 {
     const int status = s->status[s->row];
-    return status != SCORBOT_POINTING_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -1066,7 +1068,7 @@ static void choose_again(
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : SCORBOT_POINTING_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 5; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -1135,7 +1137,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == SCORBOT_POINTING_FREE_JOINT;
-        if (status[row] == SCORBOT_POINTING_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         double here[5], ahead;
         take(q[row], here);
@@ -1171,7 +1173,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 4; row++) {
-        status[row] = row == begun ? SCORBOT_POINTING_FREE_JOINT : SCORBOT_POINTING_UNREACHABLE;
+        status[row] = row == begun ? SCORBOT_POINTING_FREE_JOINT : NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1298,7 +1300,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SCORBOT_POINTING_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1332,7 +1334,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? SCORBOT_POINTING_UNREACHABLE : SCORBOT_POINTING_INVALID_POSE;
+        status[row] = valid ? NONE : SCORBOT_POINTING_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -1341,7 +1343,7 @@ APART int ik_carefully(
     solve(pose, free_joints, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 4 - 1; row >= 0; row--)
-        begun = status[row] == SCORBOT_POINTING_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     for (int row = 0; row < 4; row++)
         if (status[row] >= LOST)
             choose_again(pose, free_joints, seed, row, q, status);
@@ -1349,7 +1351,7 @@ APART int ik_carefully(
     seek(pose, free_joints, seed, begun, q, status);
     stay(pose, free_joints, seed, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] == SCORBOT_POINTING_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
@@ -1375,7 +1377,7 @@ int scorbot_pointing_ik_nearest(
 {
     double all[4][5], found[5], least = HUGE_VAL;
     unsigned char status[4];
-    int result = -SCORBOT_POINTING_UNREACHABLE;
+    int result = -NONE;
     int valid = scorbot_pointing_ik(T, free_joints, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = SPHERICAL_OFFSET_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -211,7 +213,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SPHERICAL_OFFSET_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SPHERICAL_OFFSET_OUT_OF_LIMITS))
 static const double
     d2 = 0.15, /* joint offset 2 [m] */
@@ -340,7 +342,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle1, q2);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
     const unsigned long long none1 = (bits_four(angle1 != angle1) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * SPHERICAL_OFFSET_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
@@ -552,7 +554,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SPHERICAL_OFFSET_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -582,7 +584,7 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? SPHERICAL_OFFSET_UNREACHABLE : SPHERICAL_OFFSET_INVALID_POSE;
+        status[row] = valid ? NONE : SPHERICAL_OFFSET_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -591,7 +593,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] == SPHERICAL_OFFSET_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -615,7 +617,7 @@ int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], doub
 {
     double all[4][3], found[3], least = HUGE_VAL;
     unsigned char status[4];
-    int result = -SPHERICAL_OFFSET_UNREACHABLE;
+    int result = -NONE;
     int valid = spherical_offset_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+enum { NONE = SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -240,7 +242,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
@@ -557,7 +559,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle4, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long kind1 = none1 * SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
@@ -835,7 +837,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -854,7 +856,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -887,8 +889,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE :
-            SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
+        status[row] = valid ? NONE : SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -898,7 +899,7 @@ APART int ik_carefully(
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -922,7 +923,7 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;
+    int result = -NONE;
     int valid = spherical_wrist_all_offsets_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

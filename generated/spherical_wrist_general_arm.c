@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+enum { NONE = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -440,7 +442,7 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     double first[8], miss[8];
     for (int row = 0; row < 8; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -452,7 +454,7 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -803,9 +805,9 @@ static int leads(
     double q[8][6];
     unsigned char kind[8];
     for (int k = 0; k < 8; k++)
-        kind[k] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+        kind[k] = NONE;
     solve(d->T, seed, angle, q, kind);
-    if (kind[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE || kind[row] > CLOSE /* lost */)
+    if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
     return solves(d, 72, exact, end);
@@ -839,7 +841,7 @@ static void both_sides(
         if (close)
             status[row] = SPHERICAL_WRIST_GENERAL_ARM_OK;
         any += doubtful[row];
-        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE || doubtful[row])
+        if (status[row] == NONE || doubtful[row])
             continue;
         take(q[row], known[count]);
         count++;
@@ -860,7 +862,7 @@ static void both_sides(
                 && is_new(known, others, end);
         if (!found)
             continue;
-        status[row] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+        status[row] = NONE;
         count = keep(known, count, end);
         off += end[0] - q[row][0];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
@@ -878,7 +880,7 @@ static void both_sides(
         double least = HUGE_VAL;
         for (int row = 8 - 1; row >= 0; row--) {
             const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
-            if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE && gap <= least) {
+            if (status[row] == NONE && gap <= least) {
                 least = gap;
                 place = row;
             }
@@ -889,7 +891,7 @@ static void both_sides(
         status[place] = SPHERICAL_WRIST_GENERAL_ARM_OK;
     }
     for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 6 && status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE; i++)
+        for (int i = 0; i < 6 && status[row] == NONE; i++)
             q[row][i] = NAN;
 }
 
@@ -959,7 +961,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT;
-        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
         chosen = is_open ? row : chosen;
@@ -990,8 +992,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT :
-            SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+        status[row] = row == begun ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1109,7 +1110,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1138,8 +1139,7 @@ int spherical_wrist_general_arm_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE :
-            SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+        status[row] = valid ? NONE : SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1148,14 +1148,14 @@ int spherical_wrist_general_arm_ik(
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
-        begun = status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
     if (begun >= 0)
         seek(pose, seed, begun, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -1172,7 +1172,7 @@ int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_se
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+    int result = -NONE;
     int valid = spherical_wrist_general_arm_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = TECHMAN_TM5_900_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -255,7 +257,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & TECHMAN_TM5_900_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & TECHMAN_TM5_900_OUT_OF_LIMITS))
 static const double
     d1 = 0.1452, /* joint offset 1 [m] */
@@ -619,7 +621,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long kind1 = none1 * TECHMAN_TM5_900_UNREACHABLE + (outside1 & ~none1) *
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
         TECHMAN_TM5_900_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
@@ -829,7 +831,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == TECHMAN_TM5_900_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -837,7 +839,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = TECHMAN_TM5_900_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const double result = shortfall(s);
     if (result > s->best) {
@@ -853,7 +855,7 @@ static int serves(const struct search *s)
     const int status = s->status[s->row];
     if (s->within && beyond_limits(s->q[s->row]) > 0.0)
         return 0;
-    return status != TECHMAN_TM5_900_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -959,7 +961,7 @@ static void choose_again(
         nearest = serving_in_turn(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : TECHMAN_TM5_900_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 6; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -1187,7 +1189,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != TECHMAN_TM5_900_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1211,7 +1213,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = TECHMAN_TM5_900_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1234,7 +1236,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != TECHMAN_TM5_900_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1267,7 +1269,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? TECHMAN_TM5_900_UNREACHABLE : TECHMAN_TM5_900_INVALID_POSE;
+        status[row] = valid ? NONE : TECHMAN_TM5_900_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1286,7 +1288,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == TECHMAN_TM5_900_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1311,12 +1313,18 @@ int techman_tm5_900_ik_nearest(const double T[16], const double q_seed[6], doubl
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -TECHMAN_TM5_900_UNREACHABLE;
+    int result = -NONE;
     int valid = techman_tm5_900_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == TECHMAN_TM5_900_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == TECHMAN_TM5_900_OUT_OF_LIMITS && result < 0)

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = UR5_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -246,7 +248,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & UR5_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & UR5_OUT_OF_LIMITS))
 static const double
     d1 = 0.089159, /* joint offset 1 [m] */
@@ -582,7 +584,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
-    const unsigned long long kind1 = none1 * UR5_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
@@ -783,7 +785,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == UR5_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -791,7 +793,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = UR5_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const double result = shortfall(s);
     if (result > s->best) {
@@ -807,7 +809,7 @@ static int serves(const struct search *s)
     const int status = s->status[s->row];
     if (s->within && beyond_limits(s->q[s->row]) > 0.0)
         return 0;
-    return status != UR5_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -913,7 +915,7 @@ static void choose_again(
         nearest = serving_in_turn(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : UR5_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 6; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -1141,7 +1143,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != UR5_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1165,7 +1167,7 @@ static void tell_once(const double T[16], double q[8][6], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = UR5_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1188,7 +1190,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != UR5_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1221,7 +1223,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? UR5_UNREACHABLE : UR5_INVALID_POSE;
+        status[row] = valid ? NONE : UR5_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1240,7 +1242,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == UR5_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1264,12 +1266,18 @@ int ur5_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -UR5_UNREACHABLE;
+    int result = -NONE;
     int valid = ur5_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == UR5_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == UR5_OUT_OF_LIMITS && result < 0)

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = UR5_F32_UNREACHABLE }; /* no solution */
+
 static const float turn = 6.2831855f;
 #define half_turn (0.5f * turn)
 
@@ -128,7 +130,7 @@ TURNS(wide)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & UR5_F32_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & UR5_F32_OUT_OF_LIMITS))
 static const float
     d1 = 0.089159f, /* joint offset 1 [m] */
@@ -562,7 +564,7 @@ static float shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == UR5_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
+    return s->status[s->row] == NONE ? -HUGE_VALF : 0.0f;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -570,7 +572,7 @@ static float attempt(struct search *s, float moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = UR5_F32_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
     const float result = shortfall(s);
     if (result > s->best) {
@@ -586,7 +588,7 @@ static int serves(const struct search *s)
     const int status = s->status[s->row];
     if (s->within && beyond_limits(s->q[s->row]) > 0.0f)
         return 0;
-    return status != UR5_F32_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -692,7 +694,7 @@ static void choose_again(
         nearest = serving_in_turn(&lost);
     attempt(&lost, isnan(nearest) ? 0.0f : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : UR5_F32_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 6; i++)
         q[row][i] = served ? lost.q[row][i] : (float)NAN;
 }
@@ -920,7 +922,7 @@ static void stand(const float T[16], int row, float rows[8][6], const unsigned c
         return;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != UR5_F32_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
@@ -944,7 +946,7 @@ static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
             ends = off_pose(T, half, e) <= 1e-07f;
         }
         for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = UR5_F32_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -967,7 +969,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float between = 0.0005f;
-        if (status[row] != UR5_F32_UNREACHABLE) {
+        if (status[row] != NONE) {
             const float off = half_way(x, q[row], half);
             between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
             if (off < nearest) {
@@ -1000,7 +1002,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? UR5_F32_UNREACHABLE : UR5_F32_INVALID_POSE;
+        status[row] = valid ? NONE : UR5_F32_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1019,7 +1021,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == UR5_F32_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1043,12 +1045,18 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 {
     float all[8][6], found[6], least = HUGE_VALF;
     unsigned char status[8];
-    int result = -UR5_F32_UNREACHABLE;
+    int result = -NONE;
     int valid = ur5_f32_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == UR5_F32_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         float distance = 0.0f;
         if (status[row] == UR5_F32_OUT_OF_LIMITS && result < 0)

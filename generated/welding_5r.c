@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = WELDING_5R_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -425,7 +427,7 @@ static void tighten(const double T[16], double q[8][5], unsigned char status[8])
     double first[8], miss[8];
     for (int row = 0; row < 8; row++) {
         first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == WELDING_5R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         first[row] = missed_by(T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
@@ -437,7 +439,7 @@ static void tighten(const double T[16], double q[8][5], unsigned char status[8])
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
-        status[row] = WELDING_5R_UNREACHABLE;
+        status[row] = NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -735,7 +737,7 @@ static double shortfall(const struct search *s)
 {
     if (s->status[s->row] >= LOST)
         return s->q[s->row][0];
-    return s->status[s->row] == WELDING_5R_UNREACHABLE ? -HUGE_VAL : 0.0;
+    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved: 0 if it serves, else less. */
@@ -743,7 +745,7 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = WELDING_5R_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->by, s->q, s->status);
     const double result = shortfall(s);
     return result == 0.0 && s->within ? -beyond_limits(s->q[s->row]) : result;
@@ -755,7 +757,7 @@ static int serves(const struct search *s)
     const int status = s->status[s->row];
     if (s->within && beyond_limits(s->q[s->row]) > 0.0)
         return 0;
-    return status != WELDING_5R_UNREACHABLE && status < LOST;
+    return status != NONE && status < LOST;
 }
 
 /* Golden section for a move that serves, or NaN. */
@@ -844,7 +846,7 @@ static void choose_again(
     double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : WELDING_5R_UNREACHABLE;
+    status[row] = served ? lost.status[row] : NONE;
     for (int i = 0; i < 5; i++)
         q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
@@ -925,9 +927,9 @@ static int leads(
     double q[8][5];
     unsigned char kind[8];
     for (int k = 0; k < 8; k++)
-        kind[k] = WELDING_5R_UNREACHABLE;
+        kind[k] = NONE;
     solve(d->T, seed, angle, q, kind);
-    if (kind[row] == WELDING_5R_UNREACHABLE || kind[row] > CLOSE /* lost */)
+    if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
     return solves(d, 72, exact, end);
@@ -961,7 +963,7 @@ static void both_sides(
         if (close)
             status[row] = WELDING_5R_OK;
         any += doubtful[row];
-        if (status[row] == WELDING_5R_UNREACHABLE || doubtful[row])
+        if (status[row] == NONE || doubtful[row])
             continue;
         take(q[row], known[count]);
         count++;
@@ -982,7 +984,7 @@ static void both_sides(
                 && is_new(known, others, end);
         if (!found)
             continue;
-        status[row] = WELDING_5R_UNREACHABLE;
+        status[row] = NONE;
         count = keep(known, count, end);
         off += end[0] - q[row][0];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
@@ -1000,7 +1002,7 @@ static void both_sides(
         double least = HUGE_VAL;
         for (int row = 8 - 1; row >= 0; row--) {
             const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
-            if (status[row] == WELDING_5R_UNREACHABLE && gap <= least) {
+            if (status[row] == NONE && gap <= least) {
                 least = gap;
                 place = row;
             }
@@ -1011,7 +1013,7 @@ static void both_sides(
         status[place] = WELDING_5R_OK;
     }
     for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 5 && status[row] == WELDING_5R_UNREACHABLE; i++)
+        for (int i = 0; i < 5 && status[row] == NONE; i++)
             q[row][i] = NAN;
 }
 
@@ -1082,7 +1084,7 @@ static void seek(
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == WELDING_5R_FREE_JOINT;
-        if (status[row] == WELDING_5R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         fault += beyond_limits(q[row]) > 0.0;
         before = fault < before ? fault : before;
@@ -1120,7 +1122,7 @@ static void seek(
         return;
     }
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? WELDING_5R_FREE_JOINT : WELDING_5R_UNREACHABLE;
+        status[row] = row == begun ? WELDING_5R_FREE_JOINT : NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1263,7 +1265,7 @@ static void stand(const double T[16], int row, double rows[8][5], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != WELDING_5R_UNREACHABLE && beyond_limits(rows[k]) < beyond
+        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1286,7 +1288,7 @@ static void tell_once(const double T[16], double q[8][5], unsigned char status[8
             ends = off_pose(T, half, e) <= 1e-14;
         }
         for (int i = 0; i < 5 && ends; i++) {
-            status[n / 8] = WELDING_5R_UNREACHABLE;
+            status[n / 8] = NONE;
             row[i] = NAN;
         }
     }
@@ -1306,7 +1308,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != WELDING_5R_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1335,7 +1337,7 @@ int welding_5r_ik(
     for (int i = 0; i < 5; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? WELDING_5R_UNREACHABLE : WELDING_5R_INVALID_POSE;
+        status[row] = valid ? NONE : WELDING_5R_INVALID_POSE;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
@@ -1344,7 +1346,7 @@ int welding_5r_ik(
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
-        begun = status[row] == WELDING_5R_UNREACHABLE ? begun : row;
+        begun = status[row] == NONE ? begun : row;
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
@@ -1358,7 +1360,7 @@ int welding_5r_ik(
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == WELDING_5R_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 5; i++) {
@@ -1376,7 +1378,7 @@ int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5
 {
     double all[8][5], found[5], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -WELDING_5R_UNREACHABLE;
+    int result = -NONE;
     int valid = welding_5r_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 5; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = WRIST_ZYZ_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -235,7 +237,7 @@ HELPER void transpose(wide x[LANES])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & WRIST_ZYZ_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & WRIST_ZYZ_OUT_OF_LIMITS))
 static const double
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -365,7 +367,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * WRIST_ZYZ_UNREACHABLE;
+    const unsigned long long kind1 = none1 * NONE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
@@ -558,7 +560,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != WRIST_ZYZ_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -591,7 +593,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? WRIST_ZYZ_UNREACHABLE : WRIST_ZYZ_INVALID_POSE;
+        status[row] = valid ? NONE : WRIST_ZYZ_INVALID_POSE;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
@@ -600,7 +602,7 @@ APART int ik_carefully(
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] == WRIST_ZYZ_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
@@ -623,7 +625,7 @@ int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3]
 {
     double all[2][3], found[3], least = HUGE_VAL;
     unsigned char status[2];
-    int result = -WRIST_ZYZ_UNREACHABLE;
+    int result = -NONE;
     int valid = wrist_zyz_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 3; i++) {
         found[i] = NAN;

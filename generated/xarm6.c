@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = XARM6_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2769,8 +2771,8 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = xarm6_largest(length * squares) < 9.999999999999999e+17 &&
-                                xarm6_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = xarm6_largest(length * squares) < 1000000000000.0 &&
+                                xarm6_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3062,7 +3064,7 @@ typedef unsigned long long xarm6_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    xarm6_set singular; /* where the arm is */
+    xarm6_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } xarm6_found;
@@ -3079,11 +3081,12 @@ static int xarm6_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int xarm6_keep(xarm6_found *found, double theta[6], double residual, int singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int xarm6_keep(xarm6_found *found, double theta[6], double residual, double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3096,6 +3099,7 @@ static int xarm6_keep(xarm6_found *found, double theta[6], double residual, int 
                 }
             }
             found->singular |= (xarm6_set)singular << i;
+            found->nearly_singular |= (xarm6_set)nearly << i;
             return i;
         }
     }
@@ -3103,6 +3107,7 @@ static int xarm6_keep(xarm6_found *found, double theta[6], double residual, int 
         return -1;
     }
     found->singular |= (xarm6_set)singular << found->count;
+    found->nearly_singular |= (xarm6_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3117,13 +3122,15 @@ static xarm6_set xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane
                               int steps, int doubtful, xarm6_found *found,
                               int place[XARM6_LANES])
 {
-    double residual[XARM6_LANES], theta[6][XARM6_LANES], pivot[XARM6_LANES] = {0.0};
+    double residual[XARM6_LANES], theta[6][XARM6_LANES], pivot[XARM6_LANES];
     xarm6_set met = 0;
     XARM6_STORE(residual, xarm6_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         xarm6_lane J[6][7], x[6];
         (void)xarm6_error(loop, c, s, J);
         XARM6_STORE(pivot, xarm6_step(J, x));
+    } else {
+        XARM6_STORE(pivot, xarm6_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = xarm6_advance[0][i], sine = xarm6_advance[1][i];
@@ -3136,7 +3143,7 @@ static xarm6_set xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = xarm6_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = xarm6_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (xarm6_set)1 << place[k];
         }
@@ -3593,7 +3600,7 @@ static int xarm6_from_nearby(const xarm6_loop *loop, xarm6_found *found)
         xarm6_set met;
         xarm6_then(nearby.link[5], xarm6_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = xarm6_try(&nearby, &other);
         met = xarm6_follow_back(loop, other.q, other.count, found, &lost);
@@ -3627,12 +3634,12 @@ static void xarm6_from_anywhere(const xarm6_loop *loop, xarm6_found *found)
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void xarm6_rank(const xarm6_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && xarm6_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3674,7 +3681,7 @@ static int xarm6_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     xarm6_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -3911,7 +3918,7 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? XARM6_UNREACHABLE : XARM6_INVALID_POSE;
+        status[row] = valid ? NONE : XARM6_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -3919,7 +3926,7 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
         return -XARM6_INVALID_POSE;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == XARM6_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
@@ -3936,7 +3943,7 @@ int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -XARM6_UNREACHABLE;
+    int result = -NONE;
     int valid = xarm6_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

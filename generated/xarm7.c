@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+enum { NONE = XARM7_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2784,8 +2786,8 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = xarm7_largest(length * squares) < 9.999999999999999e+17 &&
-                                xarm7_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = xarm7_largest(length * squares) < 1000000000000.0 &&
+                                xarm7_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3077,7 +3079,7 @@ typedef unsigned long long xarm7_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    xarm7_set singular; /* where the arm is */
+    xarm7_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } xarm7_found;
@@ -3094,11 +3096,12 @@ static int xarm7_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int xarm7_keep(xarm7_found *found, double theta[6], double residual, int singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int xarm7_keep(xarm7_found *found, double theta[6], double residual, double pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3111,6 +3114,7 @@ static int xarm7_keep(xarm7_found *found, double theta[6], double residual, int 
                 }
             }
             found->singular |= (xarm7_set)singular << i;
+            found->nearly_singular |= (xarm7_set)nearly << i;
             return i;
         }
     }
@@ -3118,6 +3122,7 @@ static int xarm7_keep(xarm7_found *found, double theta[6], double residual, int 
         return -1;
     }
     found->singular |= (xarm7_set)singular << found->count;
+    found->nearly_singular |= (xarm7_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3132,13 +3137,15 @@ static xarm7_set xarm7_offer(const xarm7_loop *loop, xarm7_lane c[6], xarm7_lane
                               int steps, int doubtful, xarm7_found *found,
                               int place[XARM7_LANES])
 {
-    double residual[XARM7_LANES], theta[6][XARM7_LANES], pivot[XARM7_LANES] = {0.0};
+    double residual[XARM7_LANES], theta[6][XARM7_LANES], pivot[XARM7_LANES];
     xarm7_set met = 0;
     XARM7_STORE(residual, xarm7_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         xarm7_lane J[6][7], x[6];
         (void)xarm7_error(loop, c, s, J);
         XARM7_STORE(pivot, xarm7_step(J, x));
+    } else {
+        XARM7_STORE(pivot, xarm7_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = xarm7_advance[0][i], sine = xarm7_advance[1][i];
@@ -3151,7 +3158,7 @@ static xarm7_set xarm7_offer(const xarm7_loop *loop, xarm7_lane c[6], xarm7_lane
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = xarm7_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = xarm7_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (xarm7_set)1 << place[k];
         }
@@ -3356,7 +3363,7 @@ static int xarm7_from_nearby(const xarm7_loop *loop, xarm7_found *found)
         xarm7_set met;
         xarm7_then(nearby.link[5], xarm7_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = xarm7_try(&nearby, &other);
         met = xarm7_follow_back(loop, other.q, other.count, found, &lost);
@@ -3390,12 +3397,12 @@ static void xarm7_from_anywhere(const xarm7_loop *loop, xarm7_found *found)
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void xarm7_rank(const xarm7_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && xarm7_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3437,7 +3444,7 @@ static int xarm7_general(const double T[16], const double free_joints[1], double
     int rank[64], order[64], certified, inexact = 0;
     xarm7_close(T, free_joints, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -3692,7 +3699,7 @@ int xarm7_ik(
     for (int i = 0; i < 7; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? XARM7_UNREACHABLE : XARM7_INVALID_POSE;
+        status[row] = valid ? NONE : XARM7_INVALID_POSE;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
@@ -3700,7 +3707,7 @@ int xarm7_ik(
         return -XARM7_INVALID_POSE;
     solve(pose, free_joints, seed, q, status);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == XARM7_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
@@ -3718,7 +3725,7 @@ int xarm7_ik_nearest(
 {
     double all[16][7], found[7], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -XARM7_UNREACHABLE;
+    int result = -NONE;
     int valid = xarm7_ik(T, free_joints, q_seed, all, status) >= 0;
     for (int i = 0; i < 7; i++) {
         found[i] = NAN;

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = YASKAWA_GP7_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -254,7 +256,7 @@ TURNS(four)
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((where_all((x) != (x)) & YASKAWA_GP7_UNREACHABLE) \
+    ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & YASKAWA_GP7_OUT_OF_LIMITS))
 static const double
     d1 = 0.33, /* joint offset 1 [m] */
@@ -283,7 +285,8 @@ static const double
     m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.920847203220787e-11,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m10 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m11 = 5.061485306179586; /* low3 + turn */
 /* coefficients */
 static const double m4 = 1.1235955056179774, m5 = 0.003174157303370838, m6 = 0.10245901639344261,
 m7 = 1.1270491803278688, m8 = 0.0031839139344262803, m9 = 0.00028944672131148006;
@@ -495,21 +498,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
         v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn),
         v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3), v79 = beyond(v75, 3),
-        q3_ppp = pick_wide(0.0 < v76, v66, v72), q3_pmp = pick_wide(0.0 < v77, v67, v73),
-        q3_mpp = pick_wide(0.0 < v78, v68, v74), q3_mmp = pick_wide(0.0 < v79, v69, v75),
+        v80 = m11 - v72, v81 = m11 - v73, v82 = m11 - v74, v83 = m11 - v75,
+        v84 = pick_wide(v80 < v76, v80, v76), v85 = pick_wide(v81 < v77, v81, v77),
+        v86 = pick_wide(v82 < v78, v82, v78), v87 = pick_wide(v83 < v79, v83, v79),
+        q3_ppp = pick_wide(0.0 < v84, v66, v72), q3_pmp = pick_wide(0.0 < v85, v67, v73),
+        q3_mpp = pick_wide(0.0 < v86, v68, v74), q3_mmp = pick_wide(0.0 < v87, v69, v75),
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m),
-        v80 = maximum_wide(v76, maximum_wide(v70, beyond(q2_ppp, 2))),
-        v81 = maximum_wide(v77, maximum_wide(v70, beyond(q2_pmp, 2))),
-        v82 = maximum_wide(v78, maximum_wide(v71, beyond(q2_mpp, 2))),
-        v83 = maximum_wide(v79, maximum_wide(v71, beyond(q2_mmp, 2))),
-        excess_ppp = maximum_wide(v80, exceeds(q5_ppp, 5)),
-        excess_ppm = maximum_wide(v80, exceeds(q5_ppm, 5)),
-        excess_pmp = maximum_wide(v81, exceeds(q5_pmp, 5)),
-        excess_pmm = maximum_wide(v81, exceeds(q5_pmm, 5)),
-        excess_mpp = maximum_wide(v82, exceeds(q5_mpp, 5)),
-        excess_mpm = maximum_wide(v82, exceeds(q5_mpm, 5)),
-        excess_mmp = maximum_wide(v83, exceeds(q5_mmp, 5)),
-        excess_mmm = maximum_wide(v83, exceeds(q5_mmm, 5));
+        v88 = maximum_wide(v84, maximum_wide(v70, beyond(q2_ppp, 2))),
+        v89 = maximum_wide(v85, maximum_wide(v70, beyond(q2_pmp, 2))),
+        v90 = maximum_wide(v86, maximum_wide(v71, beyond(q2_mpp, 2))),
+        v91 = maximum_wide(v87, maximum_wide(v71, beyond(q2_mmp, 2))),
+        excess_ppp = maximum_wide(v88, exceeds(q5_ppp, 5)),
+        excess_ppm = maximum_wide(v88, exceeds(q5_ppm, 5)),
+        excess_pmp = maximum_wide(v89, exceeds(q5_pmp, 5)),
+        excess_pmm = maximum_wide(v89, exceeds(q5_pmm, 5)),
+        excess_mpp = maximum_wide(v90, exceeds(q5_mpp, 5)),
+        excess_mpm = maximum_wide(v90, exceeds(q5_mpm, 5)),
+        excess_mmp = maximum_wide(v91, exceeds(q5_mmp, 5)),
+        excess_mmm = maximum_wide(v91, exceeds(q5_mmm, 5));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
     q[5] = raised_wide(v58);
@@ -606,11 +612,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q5_m = only_four(-v28 <= -half_turn, turn) - v28, v30 = angle6 - offset6,
         v31 = angle6 - signed_four(half_turn, v29) - offset6, q6_p = raised_four(v30),
         q6_m = raised_four(v31), v32 = lowered_four(q3_), v33 = exceeds_four(q1_, 1),
-        v34 = v32 + only_four(v32 < low(3), turn), v35 = beyond_four(v34, 3),
-        q3_p = pick_four(0.0 < v35, v32, v34), q1_p = q1_ + (w3 - w3),
-        v36 = maximum_four(v35, maximum_four(v33, beyond_four(q2_p, 2))),
-        excess_p = maximum_four(v36, exceeds_four(q5_p, 5)),
-        excess_m = maximum_four(v36, exceeds_four(q5_m, 5));
+        v34 = v32 + only_four(v32 < low(3), turn), v35 = beyond_four(v34, 3), v36 = m11 - v34,
+        v37 = pick_four(v36 < v35, v36, v35), q3_p = pick_four(0.0 < v37, v32, v34),
+        q1_p = q1_ + (w3 - w3), v38 = maximum_four(v37, maximum_four(v33, beyond_four(q2_p, 2))),
+        excess_p = maximum_four(v38, exceeds_four(q5_p, 5)),
+        excess_m = maximum_four(v38, exceeds_four(q5_m, 5));
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
     if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
         return -1;
@@ -623,8 +629,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * YASKAWA_GP7_UNREACHABLE + (outside1 & ~none1) *
-        YASKAWA_GP7_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * YASKAWA_GP7_OUT_OF_LIMITS;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -801,9 +806,9 @@ static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        s->status[i] = YASKAWA_GP7_UNREACHABLE;
+        s->status[i] = NONE;
     solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == YASKAWA_GP7_UNREACHABLE)
+    if (s->status[s->row] == NONE)
         return -HUGE_VAL;
     return -beyond_limits(s->q[s->row]);
 }
@@ -1077,7 +1082,7 @@ static void stand(const double T[16], int row, double rows[8][6], const unsigned
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
-        if (status[k] != YASKAWA_GP7_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -1101,7 +1106,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double between = 1e-06;
-        if (status[row] != YASKAWA_GP7_UNREACHABLE) {
+        if (status[row] != NONE) {
             const double off = half_way(x, q[row], half);
             between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
             if (off < nearest) {
@@ -1134,7 +1139,7 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? YASKAWA_GP7_UNREACHABLE : YASKAWA_GP7_INVALID_POSE;
+        status[row] = valid ? NONE : YASKAWA_GP7_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1149,7 +1154,7 @@ APART int ik_carefully(
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] == YASKAWA_GP7_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -1174,12 +1179,18 @@ int yaskawa_gp7_ik_nearest(const double T[16], const double q_seed[6], double q[
 {
     double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
-    int result = -YASKAWA_GP7_UNREACHABLE;
+    int result = -NONE;
     int valid = yaskawa_gp7_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
+    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    for (int row = 0; row < 8 && valid; row++)
+        for (int i = 0; i < 6 && status[row] == YASKAWA_GP7_OK; i++)
+            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    if (past)
+        (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == YASKAWA_GP7_OUT_OF_LIMITS && result < 0)

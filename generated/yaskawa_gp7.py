@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 8478a10ce95bf6d5"
+_KEY = "yaskawa_gp7 73345f950cbed092"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -197,6 +197,7 @@ m7 = 1.1270491803278688  # a coefficient of c2m3
 m8 = 0.0031839139344262803  # a coefficient of c2m3
 m9 = 0.00028944672131148006  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
+m11 = 5.061485306179586  # low3 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1360,24 +1361,32 @@ def _regular(pose, q, status):
     v77 = max(low3 - v73, v73 - high3)
     v78 = max(low3 - v74, v74 - high3)
     v79 = max(low3 - v75, v75 - high3)
-    q3_ppp = v66 if 0.0 < v76 else v72
-    q3_pmp = v67 if 0.0 < v77 else v73
-    q3_mpp = v68 if 0.0 < v78 else v74
-    q3_mmp = v69 if 0.0 < v79 else v75
+    v80 = m11 - v72
+    v81 = m11 - v73
+    v82 = m11 - v74
+    v83 = m11 - v75
+    v84 = v80 if v80 < v76 else v76
+    v85 = v81 if v81 < v77 else v77
+    v86 = v82 if v82 < v78 else v78
+    v87 = v83 if v83 < v79 else v79
+    q3_ppp = v66 if 0.0 < v84 else v72
+    q3_pmp = v67 if 0.0 < v85 else v73
+    q3_mpp = v68 if 0.0 < v86 else v74
+    q3_mmp = v69 if 0.0 < v87 else v75
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v80 = max(v76, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
-    v81 = max(v77, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
-    v82 = max(v78, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
-    v83 = max(v79, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
-    excess_ppp = max(v80, abs(q5_ppp) - high5)
-    excess_ppm = max(v80, abs(q5_ppm) - high5)
-    excess_pmp = max(v81, abs(q5_pmp) - high5)
-    excess_pmm = max(v81, abs(q5_pmm) - high5)
-    excess_mpp = max(v82, abs(q5_mpp) - high5)
-    excess_mpm = max(v82, abs(q5_mpm) - high5)
-    excess_mmp = max(v83, abs(q5_mmp) - high5)
-    excess_mmm = max(v83, abs(q5_mmm) - high5)
+    v88 = max(v84, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
+    v89 = max(v85, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
+    v90 = max(v86, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
+    v91 = max(v87, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
+    excess_ppp = max(v88, abs(q5_ppp) - high5)
+    excess_ppm = max(v88, abs(q5_ppm) - high5)
+    excess_pmp = max(v89, abs(q5_pmp) - high5)
+    excess_pmm = max(v89, abs(q5_pmm) - high5)
+    excess_mpp = max(v90, abs(q5_mpp) - high5)
+    excess_mpm = max(v90, abs(q5_mpm) - high5)
+    excess_mmp = max(v91, abs(q5_mmp) - high5)
+    excess_mmm = max(v91, abs(q5_mmm) - high5)
     outside_ppp = 0.0 < excess_ppp
     outside_ppm = 0.0 < excess_ppm
     outside_pmp = 0.0 < excess_pmp
@@ -1615,6 +1624,20 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
+@_jit
+def _solve_past_an_end(T, seed, rows, status):
+    """Solves again with care where fast code has turned a joint that is just beyond an end, next to the
+    seed: by rounding, perhaps."""
+    past = False
+    for row in range(8):
+        if status[row] == OK:
+            for i in range(6):
+                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
+    if past:
+        _, pose = _read(T)
+        _whole(pose, seed, rows, status)
+
+
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1636,13 +1659,16 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if limits:
+        T = _contiguous(_numbers(T, (4, 4), "T"))
+        _solve_past_an_end(T, seed, rows, status)
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 
@@ -1950,24 +1976,32 @@ def _in_tiles(T, q, status):
             v77 = max(low3 - v73, v73 - high3)
             v78 = max(low3 - v74, v74 - high3)
             v79 = max(low3 - v75, v75 - high3)
-            q3_ppp = v66 if 0.0 < v76 else v72
-            q3_pmp = v67 if 0.0 < v77 else v73
-            q3_mpp = v68 if 0.0 < v78 else v74
-            q3_mmp = v69 if 0.0 < v79 else v75
+            v80 = m11 - v72
+            v81 = m11 - v73
+            v82 = m11 - v74
+            v83 = m11 - v75
+            v84 = v80 if v80 < v76 else v76
+            v85 = v81 if v81 < v77 else v77
+            v86 = v82 if v82 < v78 else v78
+            v87 = v83 if v83 < v79 else v79
+            q3_ppp = v66 if 0.0 < v84 else v72
+            q3_pmp = v67 if 0.0 < v85 else v73
+            q3_mpp = v68 if 0.0 < v86 else v74
+            q3_mmp = v69 if 0.0 < v87 else v75
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v80 = max(v76, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
-            v81 = max(v77, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
-            v82 = max(v78, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
-            v83 = max(v79, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
-            excess_ppp = max(v80, abs(q5_ppp) - high5)
-            excess_ppm = max(v80, abs(q5_ppm) - high5)
-            excess_pmp = max(v81, abs(q5_pmp) - high5)
-            excess_pmm = max(v81, abs(q5_pmm) - high5)
-            excess_mpp = max(v82, abs(q5_mpp) - high5)
-            excess_mpm = max(v82, abs(q5_mpm) - high5)
-            excess_mmp = max(v83, abs(q5_mmp) - high5)
-            excess_mmm = max(v83, abs(q5_mmm) - high5)
+            v88 = max(v84, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
+            v89 = max(v85, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
+            v90 = max(v86, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
+            v91 = max(v87, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
+            excess_ppp = max(v88, abs(q5_ppp) - high5)
+            excess_ppm = max(v88, abs(q5_ppm) - high5)
+            excess_pmp = max(v89, abs(q5_pmp) - high5)
+            excess_pmm = max(v89, abs(q5_pmm) - high5)
+            excess_mpp = max(v90, abs(q5_mpp) - high5)
+            excess_mpm = max(v90, abs(q5_mpm) - high5)
+            excess_mmp = max(v91, abs(q5_mmp) - high5)
+            excess_mmm = max(v91, abs(q5_mmm) - high5)
             outside_ppp = 0.0 < excess_ppp
             outside_ppm = 0.0 < excess_ppm
             outside_pmp = 0.0 < excess_pmp

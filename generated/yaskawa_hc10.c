@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { NONE = YASKAWA_HC10_UNREACHABLE }; /* no solution */
+
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
 
@@ -2900,8 +2902,8 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = yaskawa_hc10_largest(length * squares) < 9.999999999999999e+17 &&
-                                yaskawa_hc10_largest(second * squares) < 1000000000000.0;
+    out->regular[out->groups] = yaskawa_hc10_largest(length * squares) < 1000000000000.0 &&
+                                yaskawa_hc10_largest(second * squares) < 111111111111.1111;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3199,7 +3201,7 @@ typedef unsigned long long yaskawa_hc10_set;
  * for more than there are solutions, the last of it for regular ones. */
 typedef struct {
     int count;
-    yaskawa_hc10_set singular; /* where the arm is */
+    yaskawa_hc10_set singular, nearly_singular; /* where the arm is */
     int doubles; /* roots that met, or may have */
     double q[64][6], residual[64];
 } yaskawa_hc10_found;
@@ -3216,12 +3218,13 @@ static int yaskawa_hc10_alike(const double a[6], const double b[6], double most)
     return 1;
 }
 
-/* Add a solution unless it is known or none, and mark it where the arm is singular; its place, or
- * -1. */
-static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double residual, int
-    singular)
+/* Add a solution unless it is known or none, and mark it where the arm is singular, or nearly; its
+ * place, or -1. */
+static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double residual, double
+    pivot)
 {
-    const int room = singular ? 64 - 16 : 64;
+    const int singular = pivot < 1e-06, nearly = pivot < 0.0001;
+    const int room = nearly ? 64 - 16 : 64;
     if (!(residual <= 1e-10)) {
         return -1;
     }
@@ -3234,6 +3237,7 @@ static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double 
                 }
             }
             found->singular |= (yaskawa_hc10_set)singular << i;
+            found->nearly_singular |= (yaskawa_hc10_set)nearly << i;
             return i;
         }
     }
@@ -3241,6 +3245,7 @@ static int yaskawa_hc10_keep(yaskawa_hc10_found *found, double theta[6], double 
         return -1;
     }
     found->singular |= (yaskawa_hc10_set)singular << found->count;
+    found->nearly_singular |= (yaskawa_hc10_set)nearly << found->count;
     found->residual[found->count] = residual;
     for (int j = 0; j < 6; j++) {
         found->q[found->count][j] = theta[j];
@@ -3256,14 +3261,15 @@ static yaskawa_hc10_set yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskaw
                               int steps, int doubtful, yaskawa_hc10_found *found,
                               int place[YASKAWA_HC10_LANES])
 {
-    double residual[YASKAWA_HC10_LANES], theta[6][YASKAWA_HC10_LANES], pivot[YASKAWA_HC10_LANES] =
-        {0.0};
+    double residual[YASKAWA_HC10_LANES], theta[6][YASKAWA_HC10_LANES], pivot[YASKAWA_HC10_LANES];
     yaskawa_hc10_set met = 0;
     YASKAWA_HC10_STORE(residual, yaskawa_hc10_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
         yaskawa_hc10_lane J[6][7], x[6];
         (void)yaskawa_hc10_error(loop, c, s, J);
         YASKAWA_HC10_STORE(pivot, yaskawa_hc10_step(J, x));
+    } else {
+        YASKAWA_HC10_STORE(pivot, yaskawa_hc10_all(1.0));
     }
     for (int i = 0; i < 6; i++) {
         const double cosine = yaskawa_hc10_advance[0][i], sine = yaskawa_hc10_advance[1][i];
@@ -3276,7 +3282,7 @@ static yaskawa_hc10_set yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskaw
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        place[k] = yaskawa_hc10_keep(found, row, residual[k], doubtful && pivot[k] < 1e-06);
+        place[k] = yaskawa_hc10_keep(found, row, residual[k], pivot[k]);
         if (place[k] >= 0) {
             met |= (yaskawa_hc10_set)1 << place[k];
         }
@@ -3749,7 +3755,7 @@ static int yaskawa_hc10_from_nearby(const yaskawa_hc10_loop *loop, yaskawa_hc10_
         yaskawa_hc10_set met;
         yaskawa_hc10_then(nearby.link[5], yaskawa_hc10_nudge[n]);
         other.count = 0;
-        other.singular = 0;
+        other.singular = other.nearly_singular = 0;
         other.doubles = 0;
         complete = yaskawa_hc10_try(&nearby, &other);
         met = yaskawa_hc10_follow_back(loop, other.q, other.count, found, &lost);
@@ -3783,12 +3789,12 @@ static void yaskawa_hc10_from_anywhere(const yaskawa_hc10_loop *loop, yaskawa_hc
 }
 
 /* What comes first where there are more than there are rows: 0 for regular solutions, 1 for
- * singular ones, 2 for those that lie together with one of these and may be the same, which only
- * its last digits tell. */
+ * singular ones or nearly so, 2 for those that lie together with one of these and may be the same,
+ * which only its last digits tell. */
 static void yaskawa_hc10_rank(const yaskawa_hc10_found *found, int rank[64])
 {
     for (int i = 0; i < found->count; i++) {
-        rank[i] = (int)(found->singular >> i & 1);
+        rank[i] = (int)(found->nearly_singular >> i & 1);
         for (int j = 0; j < i && rank[i] == 1; j++) {
             if (rank[j] == 1 && yaskawa_hc10_alike(found->q[i], found->q[j], 0.001)) {
                 rank[i] = 2;
@@ -3830,7 +3836,7 @@ static int yaskawa_hc10_general(const double T[16], double q[16][6],
     int rank[64], order[64], certified, inexact = 0;
     yaskawa_hc10_close(T, &whole);
     found.count = 0;
-    found.singular = 0;
+    found.singular = found.nearly_singular = 0;
     found.doubles = 0;
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
@@ -4251,7 +4257,7 @@ static void stand(const double T[16], int row, double rows[16][6], const unsigne
         return;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
-        if (status[k] != YASKAWA_HC10_UNREACHABLE && past_ends(rows[k]) < beyond
+        if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
             return;
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
@@ -4268,7 +4274,7 @@ int yaskawa_hc10_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? YASKAWA_HC10_UNREACHABLE : YASKAWA_HC10_INVALID_POSE;
+        status[row] = valid ? NONE : YASKAWA_HC10_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -4279,7 +4285,7 @@ int yaskawa_hc10_ik(
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     for (int row = 0; row < 16; row++) {
-        if (status[row] == YASKAWA_HC10_UNREACHABLE)
+        if (status[row] == NONE)
             continue;
         stand(pose, row, q, status);
         for (int i = 0; i < 6; i++) {
@@ -4297,7 +4303,7 @@ int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q
 {
     double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
-    int result = -YASKAWA_HC10_UNREACHABLE;
+    int result = -NONE;
     int valid = yaskawa_hc10_ik(T, q_seed, all, status) >= 0;
     for (int i = 0; i < 6; i++) {
         found[i] = NAN;

@@ -20,7 +20,7 @@ half_way held here high hopeless i ik_carefully inner inside is_new is_open j jo
 keep_limits kept kind known known_as LANES last lead_inside leads least least_u left length
 limited_step look lose LOST lost low measure middle misfit_one misfit_wide miss missed_by most
 most_u move_inside moved moves n named nearest nearest_solution NEARLY nearly next no_highest
-no_lowest off off_pose other other_values others outer over overshoot own P p pace part past
+no_lowest NONE off off_pose other other_values others outer over overshoot own P p pace part past
 past_an_end past_ends place plane_miss pulled reached read_pose repeats residual rest result right
 rows s search seek seen served serves serving serving_digits serving_in_turn serving_value settle
 settled share shorten shortfall sideways slope solve_regular solved solves solves_between

@@ -95,3 +95,20 @@ def test_limits_that_are_alike_on_both_sides_hold_for_both_signs_at_once() -> No
     program = builder.finish("t", {"q1": builder.select(alike, angle, builder.neg(angle))}, [])
     compared = [e for e in expressions(program) if isinstance(e, Apply) and e.operator == "less"]
     assert len(compared) == 1
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "end", "way"),
+    [
+        (-0.0175, 3.7525, -0.0175, -1.0),
+        (0.0, 6.1, 0.0, -1.0),
+        (-3.7525, 0.0175, 0.0175, 1.0),
+    ],
+)
+def test_rounding_is_to_blame_where_a_turn_would_lead_past_the_other_end(
+    low: float, high: float, end: float, way: float
+) -> None:
+    limits = [Limits(low, high, turns=True)]
+    for off, grazed in ((1e-9, True), (0.9e-6, True), (1.1e-6, False), (0.1, False)):
+        assert asked(limits, [end + way * off]) == (True, grazed)
+    assert asked(limits, [end - way * 1e-9]) == (False, False)

@@ -40,6 +40,15 @@ def in_single(
     return rows, status
 
 
+def nearest_in_single(name: str, T: FloatArray, seed: FloatArray) -> tuple[int, FloatArray]:
+    """The nearest row by a robot's C in single precision, and its status or why there is none."""
+    solver = single_in_c(name)
+    q = np.empty(solver.dof, np.float32)
+    arrays = (T.astype(np.float32), seed.astype(np.float32), q)
+    pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)
+    return int(solver.library[f"{solver.name}_ik_nearest"](*pointers)), q.astype(float)
+
+
 @dataclass(frozen=True, slots=True)
 class Solver:
     """A robot's solver.

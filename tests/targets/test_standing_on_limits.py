@@ -22,6 +22,7 @@ from tests.targets.calling import (
     Solver,
     gap,
     in_single,
+    nearest_in_single,
 )
 from tests.targets.made import (
     apart,
@@ -129,6 +130,31 @@ def test_single_precision(name: str) -> None:
             assert len(held), (near, values.tolist(), status.tolist())
             assert inside(name, held, 3e-6)
             assert residual(name, held, T) < 5e-6
+
+
+def test_single_precision_where_a_joint_could_be_turned() -> None:
+    """With limits of two turns rounding turned such a joint, or the other wrist was nearer then."""
+    source = np.random.default_rng(5)
+    q = source.uniform(-2.5, 2.5, (100, 6))
+    q[:, 4] = source.choice([-1.0, 1.0], 100) * 10.0 ** source.uniform(-3.0, -1.5, 100)
+    q[:, 5] = source.choice(limits("ur5")[:, 5], 100)
+    q = q.astype(np.float32).astype(float)
+    for values, T in zip(q, poses_of("ur5", q), strict=True):
+        status, found = nearest_in_single("ur5", T, values)
+        assert status >= OK
+        assert np.abs(found - values).max() < 0.2, values.tolist()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_joint_that_is_beyond_its_end_is_turned(language: str) -> None:
+    """It is looked at with care, as rounding might have put it there, and keeps its limits."""
+    q = np.array([0.4, -1.1, 0.8, 0.7, 0.9, limits("ur5")[1, 5] + 3e-3])
+    seed = q - [0.0, 0.0, 0.0, 0.0, 0.0, 4e-3]
+    T = poses_of("ur5", q[None])[0]
+    status, found = Solver("ur5", language).nearest(T, seed)
+    assert status == OK
+    assert inside("ur5", found[None], SLACK)
+    assert residual("ur5", found[None], T) < 1e-12
 
 
 # A torch whose arm lies in a plane; turned to a right angle, many roots of its polynomial meet.

@@ -88,8 +88,24 @@ class Limiting:
                 long = builder.select(builder.apply("less", high, moved), turn, zero)
                 moved = builder.sub(moved, long)
         beyond = self._how_far(joint, moved, limits)
+        if moved != value:
+            beyond = self._nearer(beyond, self._before_turns(joint, moved, limits))
         self._beyond.append(beyond)
         return builder.select(self._positive(beyond), value, moved)
+
+    def _before_turns(self, joint: int, moved: Node, limits: Limits) -> Node:
+        """How far the value one turn before is beyond the end that it was moved from.
+
+        By so little that rounding may have put it there, it may stand on that end.
+        """
+        low, high = self._ends(joint, limits)
+        builder, turn = self._builder, whole_turn(self._builder)
+        if limits.high > math.pi:
+            return builder.sub(builder.add(low, turn), moved)
+        return builder.sub(builder.add(moved, turn), high)
+
+    def _nearer(self, beyond: Node, other: Node) -> Node:
+        return self._builder.select(self._builder.apply("less", other, beyond), other, beyond)
 
     def is_outside(self, joint: int, value: Node) -> Node | None:
         """Whether a value is outside, where no whole turns are added; None without limits."""

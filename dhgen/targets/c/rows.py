@@ -91,7 +91,7 @@ def status_lines(
     for first in range(0, count, WORD):
         none, outside = f"none{first // WORD + 1}", f"outside{first // WORD + 1}"
         lines += _word(none, first, rows, nones)
-        word = f"{none} * {prefix}_UNREACHABLE"
+        word = f"{none} * NONE"
         fine = f"~{none}"
         if outsides:
             lines += _word(outside, first, rows, outsides)
