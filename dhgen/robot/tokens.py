@@ -25,6 +25,10 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 _DEGREES = re.compile(rf"(?<![\w.])({_NUMBER}\ *)\ (?=deg\b)", re.ASCII)
+# What other languages read as a number.
+_NOT_DECIMAL = re.compile(
+    r"0(?:x[\da-f_]+|o[0-7_]+|b[01_]+)|[\d.e]+_[\d_e]*", re.ASCII | re.IGNORECASE
+)
 _LENGTHS: tuple[str, ...] = get_args(LengthUnit)
 _UNIT = re.compile(rf"({_NUMBER})\ *({'|'.join((*_LENGTHS, 'rad', 'degrees?'))})\b", re.ASCII)
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
@@ -72,9 +76,7 @@ def check_tokens(text: str, names: Container[str] = ()) -> None:
         if (unit := _UNIT.match(text, position)) and unit[2] not in names:
             raise CellError(_unit_message(*unit.groups()), Span(position, len(unit[0])))
         if glued:
-            hint = f"write '{number} deg'" if glued == "deg" else "write * between factors"
-            message = f"{quoted(number + glued)} is not a number; {hint}"
-            raise CellError(message, Span(position, len(number + glued)))
+            raise _glued(number, glued, position)
         if number:
             _check_number(number, position)
         position = match.end()
@@ -120,6 +122,17 @@ def _unit_message(number: str, unit: str) -> str:
     if unit == "rad":
         return f"{write} angles 'units: {{angle: rad}}', which is the default"
     return f"{write} lengths of the file 'units: {{length: {unit}}}'"
+
+
+def _glued(number: str, glued: str, position: int) -> CellError:
+    word = number + glued
+    if glued == "deg":
+        hint = f"write '{number} deg'"
+    elif _NOT_DECIMAL.fullmatch(word):
+        hint = "numbers are decimal, without underscores"
+    else:
+        hint = "write * between factors"
+    return CellError(f"{quoted(word)} is not a number; {hint}", Span(position, len(word)))
 
 
 def _stray(text: str, position: int) -> CellError:
