@@ -6,7 +6,10 @@ import argparse
 from importlib import metadata
 from pathlib import Path
 
+from dhgen.robot.source import quoted
+
 OUT = Path("generated")
+MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
 
 EPILOG = """\
 verbs:
@@ -92,10 +95,11 @@ def survey_parser() -> argparse.ArgumentParser:
     )
     made.add_argument(
         "--poses",
-        type=_positive,
+        type=_poses,
         default=200,
         metavar="N",
-        help="random poses per arm, and a quarter as many of each singular kind (default: 200)",
+        help="random poses per arm, and a quarter as many of each singular kind "
+        f"(default: 200, at most {MOST_POSES})",
     )
     return made
 
@@ -106,7 +110,9 @@ def _path(word: str) -> Path:
     return Path(word)
 
 
-def _positive(word: str) -> int:
-    if not word.isdecimal() or int(word) < 1:
-        raise argparse.ArgumentTypeError(f"must be a whole number above zero, not '{word}'")
+def _poses(word: str) -> int:
+    most = str(MOST_POSES)
+    if not word.isdecimal() or len(word) > len(most) or not 1 <= int(word) <= MOST_POSES:
+        wanted = f"must be a whole number from 1 to {most}"
+        raise argparse.ArgumentTypeError(f"{wanted}, not {quoted(word)}")
     return int(word)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.cli import main
+from dhgen.robot.source import quoted
 from tests.cli.commands import (
     FILES,
     PLANAR,
@@ -120,10 +121,11 @@ def test_a_mistake_on_the_command_line_is_exit_2(words: list[str], tmp_path: Pat
 
 
 def test_a_number_of_poses_that_is_none(capsys: pytest.CaptureFixture[str]) -> None:
-    for word in ("x", "0", "-3", "1.5"):
+    """Of a million millions the joint values alone would fill any memory."""
+    for word in ("x", "0", "-3", "1.5", "100001", "1000000000000", "9" * 5000):
         with pytest.raises(SystemExit, match="2"):
             main(["survey", str(PLANAR), "--poses", word])
-        wanted = f"--poses: must be a whole number above zero, not '{word}'\n"
+        wanted = f"--poses: must be a whole number from 1 to 100000, not {quoted(word)}\n"
         assert capsys.readouterr().err.endswith(wanted)
 
 
