@@ -11,7 +11,8 @@ the solving is done in C. It and its functions can be pickled, as multiprocessin
 were asked for. numba functions cannot call it: they need the module itself.
 
 Libraries are kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache folder, under the digest of
-their source, the compiler, its flags and the processor. Any number of processes may build at once.
+their source, the compiler, its flags and the processor, and that of their own bytes: one that is
+damaged is built again. Any number of processes may build at once.
 """
 
 from __future__ import annotations
@@ -263,15 +264,28 @@ def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
     # What the compiler knows of itself and of the processor, by these flags.
     texts.append(_run(compiler, *flags, "-dM", "-E", "-x", "c", os.devnull).encode())
     texts.append("\n".join((compiler, *flags)).encode())
-    digest = hashlib.sha256(b"\0".join(texts)).hexdigest()[:24]
-    folder = _folder()
-    library = folder / f"{source.stem}-{digest}.so"
-    if not os.access(library, os.R_OK):
-        with _room(folder) as place:
-            made = Path(place) / library.name
-            _run(compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(made), "-lm")
-            made.replace(library)  # at once: nobody sees half of it
-    return library
+    digest = _digest(b"\0".join(texts))
+    folder, start = _folder(), f"{source.stem}-{digest}-"
+    for kept in folder.glob(f"{start}*.so"):
+        if _is_whole(kept):
+            return kept
+    with _room(folder) as place:
+        made = Path(place) / "made.so"
+        _run(compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(made), "-lm")
+        library = folder / f"{start}{_digest(made.read_bytes())}.so"
+        return made.replace(library)  # at once: nobody sees half of it
+
+
+def _is_whole(library: Path) -> bool:
+    """Whether it is what was built; opening half of it would end the process."""
+    try:
+        return library.stem.endswith(_digest(library.read_bytes()))
+    except OSError:
+        return False
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:24]
 
 
 def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
