@@ -25,6 +25,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
 from dhgen.program.lowering.programs import robot_programs
+from dhgen.replace import naming
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
@@ -135,7 +136,8 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
     tell("verifying")
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         for name, text in compilation.files.items():
-            (Path(folder) / name).write_text(text, encoding="utf-8")
+            with naming(Path(folder) / name):
+                (Path(folder) / name).write_text(text, encoding="utf-8")
         report = verify(compilation.module, Path(folder))
         if compilation.single is None:
             return report

@@ -86,6 +86,7 @@ def write(options: argparse.Namespace) -> int:
 
 def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.compiler import verified  # noqa: PLC0415
+    from dhgen.replace import replace_files  # noqa: PLC0415
     from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
@@ -100,9 +101,9 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     solver = options.out / f"{module.name}.py"
     before = solver.read_bytes() if solver.exists() else b""
-    for name, text in compilation.files.items():
-        (options.out / name).write_text(text, encoding="utf-8", newline="\n")
-    keep_compiled(report.code, solver, rewritten=before != compilation.files[solver.name].encode())
+    contents = {name: text.encode() for name, text in compilation.files.items()}
+    replace_files(options.out, contents)
+    keep_compiled(report.code, solver, rewritten=before != contents[solver.name])
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "

@@ -15,6 +15,7 @@ from dhgen.compiler import Compilation, compile_loaded
 from dhgen.errors import DhgenError, RobotFileError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
+from dhgen.replace import naming
 from dhgen.robot_files import RobotFile
 from dhgen.survey.ask import ask_random, ask_singular
 from dhgen.survey.line import Answers, Line
@@ -98,7 +99,8 @@ def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         source = Path(folder) / f"{robot.name}.c"
         for each in (source.name, f"{robot.name}.h"):
-            (Path(folder) / each).write_text(compilation.files[each], encoding="utf-8")
+            with naming(Path(folder) / each):
+                (Path(folder) / each).write_text(compilation.files[each], encoding="utf-8")
         rows, free = module.solver.rows, module.chain.given
         c = compile_solver(source, Path(folder), robot.name, len(robot.joints), rows, free)
         if c is None:

@@ -7,11 +7,10 @@ out of it name that folder. Older numbas than 0.68 tell texts by their times, an
 
 from __future__ import annotations
 
-import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from dhgen.replace import replace_files
 from dhgen.verify.native import import_module
 
 config: Any
@@ -71,20 +70,7 @@ def _keep_function(code: Mapping[str, bytes], folder: Path, index: str) -> None:
     """One function's code; without an index numba takes none of it for anything."""
     (folder / index).unlink(missing_ok=True)
     parts = sorted(name for name in code if name.startswith(index[:-3]) and name != index)
-    for name in (*parts, index):
-        _replace(folder / name, code[name])
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """Writes a file that nobody finds half written."""
-    handle, name = tempfile.mkstemp(dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        Path(name).replace(path)
-    except OSError:
-        Path(name).unlink(missing_ok=True)
-        raise
+    replace_files(folder, {name: code[name] for name in (*parts, index)})
 
 
 def _cache_folder(module: ModuleType) -> Path | None:

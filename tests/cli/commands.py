@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import NoReturn
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 
@@ -69,3 +71,9 @@ def in_shell(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
         text=True,
         check=False,
     )
+
+
+def full_disk(path: Path, *_: object, **__: object) -> NoReturn:
+    """In place of Path.write_bytes: as Python, which names the files only that it can't open."""
+    path.touch()
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))

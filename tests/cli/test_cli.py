@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import re
 import shutil
 from pathlib import Path
 from typing import NoReturn
@@ -19,6 +21,7 @@ from tests.cli.commands import (
     UNSOLVABLE,
     WRONG,
     Run,
+    full_disk,
     names,
 )
 
@@ -213,3 +216,38 @@ def test_what_can_not_be_written_over_is_told_before_anything_is(
     told = "dhgen: can't write x/planar_rr.h: the file is read-only\n"
     assert (done.returncode, done.stderr) == (2, told)
     assert names(tmp_path / "x") == ["planar_rr.h"]
+
+
+def test_a_full_disk_leaves_all_files_as_they_were(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "x").mkdir()
+    (tmp_path / "x" / "planar_rr.py").write_text("of better times")
+    write_bytes = Path.write_bytes
+
+    def filling(path: Path, content: bytes) -> int:
+        return full_disk(path, content) if path.suffix == ".c" else write_bytes(path, content)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_bytes", filling)
+        done = run(PLANAR, "--out", "x", folder=tmp_path)
+    told = f"dhgen: {os.strerror(errno.ENOSPC)}: x/planar_rr.c\n"
+    assert (done.returncode, done.stderr) == (1, told)
+    assert [path.name for path in (tmp_path / "x").iterdir()] == ["planar_rr.py"]
+    assert (tmp_path / "x" / "planar_rr.py").read_text() == "of better times"
+    assert run(PLANAR, "--out", "x", folder=tmp_path).returncode == 0
+    assert names(tmp_path / "x") == FILES
+    written = (tmp_path / "x" / "planar_rr.c").stat()
+    (tmp_path / "own.c").touch()
+    assert written.st_mode == (tmp_path / "own.c").stat().st_mode
+
+
+def test_a_full_disk_behind_the_passing_folder_is_named(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_text", full_disk)
+        done = run(PLANAR, "--out", "x", folder=tmp_path)
+    assert done.returncode == 1
+    assert re.match(r"dhgen: .+: \S+/dhgen-\w+/planar_rr.py\n", done.stderr)
+    assert not (tmp_path / "x").exists()

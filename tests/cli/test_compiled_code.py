@@ -13,7 +13,7 @@ import numba
 
 from dhgen.verify.compiled import compiled_code, import_temporary, keep_compiled
 from dhgen.verify.native import import_module
-from tests.cli.commands import ROOT, copy
+from tests.cli.commands import ROOT, copy, full_disk
 
 if TYPE_CHECKING:
     import pytest
@@ -111,9 +111,6 @@ def test_an_index_is_gone_while_its_code_is_replaced(
     keep_compiled(code, module, rewritten=True)
     assert list(tmp_path.rglob("*.nbi"))
 
-    def full(path: Path, content: bytes) -> None:
-        raise OSError(28, "No space left on device", f"{path}: {len(content)} bytes")
-
-    monkeypatch.setattr("dhgen.verify.compiled._replace", full)
+    monkeypatch.setattr(Path, "write_bytes", full_disk)
     keep_compiled(code, module, rewritten=True)
     assert not list(tmp_path.rglob("*.nbi"))

@@ -1,0 +1,45 @@
+"""Files that are written whole or not at all."""
+
+from __future__ import annotations
+
+import tempfile
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+
+def replace_files(folder: Path, contents: Mapping[str, bytes]) -> None:
+    """Writes files to a folder; what is there stays unless all of the new ones have found room.
+
+    Args:
+        folder: Is there already.
+        contents: By their names, in the order in which they take their places.
+
+    Raises:
+        OSError: With the name of the file, as it was to be.
+    """
+    with _room(folder) as room:
+        for name, content in contents.items():
+            with naming(folder / name):
+                (Path(room) / name).write_bytes(content)
+        for name in contents:
+            with naming(folder / name):
+                (Path(room) / name).replace(folder / name)
+
+
+def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
+    """A passing folder in one, so that files only change their names."""
+    with naming(folder):
+        return tempfile.TemporaryDirectory(prefix=".dhgen-", dir=folder)
+
+
+@contextmanager
+def naming(path: Path) -> Iterator[None]:
+    """Lets errors say what they are about: Python's do so of files that can't be opened only."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
