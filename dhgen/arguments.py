@@ -20,7 +20,8 @@ verbs:
   dhgen survey PATH ...    test many arms: are all solutions found? (--poses N)
   dhgen --version          print the version
 
-exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line
+exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line,
+130 interrupted
 """
 
 

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import difflib
-import os
 import re
 import shlex
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -16,6 +14,7 @@ from dhgen.errors import DhgenError, about
 from dhgen.robot_files import ENDINGS, led_to
 from dhgen.targets.comments import plain_path
 from dhgen.tolerances import DOUBLE, SINGLE
+from dhgen.workers import side_by_side
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -61,8 +60,7 @@ def compare(files: RobotFiles, out: Path, options: Sequence[str] = ()) -> Compar
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    compiler = partial(compile_loaded, out=out)
-    compiled = _compile_all(files.loaded, compiler)
+    compiled = side_by_side(partial(_files_of, partial(compile_loaded, out=out)), files.loaded)
     for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
             refusals.append(made)
@@ -93,17 +91,6 @@ def _extra_text(path: Path, robots: tuple[Path, ...]) -> str:
         f"{path}: extra file: no robot file in {looked} generates it\n"
         f"  to fix: add its robot file to the command, or {shlex.join(['rm', str(path)])}"
     )
-
-
-def _compile_all(
-    files: tuple[RobotFile, ...], compiler: Callable[[RobotFile], Compilation]
-) -> list[dict[str, str] | DhgenError]:
-    workers = min(len(files), os.cpu_count() or 1)
-    files_of = partial(_files_of, compiler)
-    if workers <= 1:
-        return [files_of(file) for file in files]
-    with ProcessPoolExecutor(workers) as pool:
-        return list(pool.map(files_of, files))
 
 
 def _files_of(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.arguments import explain_parser, parser, survey_parser
 from dhgen.errors import CommandError, DhgenError
+from dhgen.interrupts import interrupts_repeated
 from dhgen.verbs import check, explain, survey, write
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ MEANT = {
 # Where nobody reads what a command says it is not known to have gone well: a derivation alone has
 # been read as far as was wanted.
 READER_GONE = 1
+INTERRUPTED = 130  # what shells say of a command that Ctrl-C has ended
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -37,11 +39,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     code = 0
     try:
-        code = _run(words)
+        with interrupts_repeated():
+            code = _run(words)
         sys.stdout.flush()
     except DhgenError as error:
         code = error.exit_code
         _tell(str(error))
+    except KeyboardInterrupt:
+        code = INTERRUPTED
+        _tell("dhgen: interrupted")
     except BrokenPipeError:  # the reader of our output has seen enough
         _lose_output()
         code = 0 if words[:1] == ["explain"] else max(code, READER_GONE)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 import time
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -25,6 +23,7 @@ from dhgen.survey.structure import arm_class, joint_letters
 from dhgen.survey.trial import Trial
 from dhgen.verify.demands import GENERAL_RESIDUAL, RESIDUAL
 from dhgen.verify.native import compile_solver
+from dhgen.workers import side_by_side
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -52,10 +51,9 @@ def survey(
     lines: list[Line] = []
     with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:
         files = robot_files(given, Path(folder))
-        with ProcessPoolExecutor(max(1, min(len(files), os.cpu_count() or 1))) as pool:
-            for line in pool.map(partial(survey_arm, poses=poses), files):
-                lines.append(_alone(line, lines))
-                tell(f"{len(lines)} of {len(files)}: {line.name}")
+        for line in side_by_side(partial(survey_arm, poses=poses), files):
+            lines.append(_alone(line, lines))
+            tell(f"{len(lines)} of {len(files)}: {line.name}")
     return tuple(lines)
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import pytest
 
@@ -169,3 +170,75 @@ def test_a_reader_who_has_seen_enough(
     )
     assert "Traceback" not in done.stdout + done.stderr
     assert (done.stdout.split()[-1] == "0") is passes
+
+
+# One worker that waits for work and one that has some; a call out of C, which forgets errors.
+AT_WORK = """
+import ctypes, sys, tempfile, time
+from dhgen import cli
+from dhgen.workers import side_by_side
+
+def work(seconds):
+    with tempfile.TemporaryDirectory():
+        print("at work", flush=True)
+        time.sleep(seconds)
+
+def work_twice(_):
+    return len(list(side_by_side(work, [0, 60])))
+
+def work_for_c(_):
+    ctypes.CFUNCTYPE(None)(lambda: work(60))()
+    for _ in range(600):
+        time.sleep(0.1)
+
+def fail_for_c(_):
+    ctypes.CFUNCTYPE(None)(lambda: work(60))()
+    raise RuntimeError("what was called has not done what it should")
+
+cli._run = {work}
+sys.exit(cli.main([]))
+"""
+
+
+@pytest.mark.parametrize(
+    ("work", "reaches"),
+    [
+        ("work_twice", "all"),
+        ("work_twice", "the first"),
+        ("work_for_c", "the first"),
+        ("fail_for_c", "the first"),
+    ],
+)
+def test_an_interrupt_ends_everything_without_a_word(
+    work: str, reaches: str, tmp_path: Path
+) -> None:
+    """Ctrl-C reaches all processes of a command, `kill -INT` one."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", AT_WORK.replace("{work}", work)],
+        env=os.environ | {"PYTHONPATH": str(ROOT), "TMPDIR": str(tmp_path)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    assert process.stdout is not None
+    started = 2 if work == "work_twice" else 1
+    assert [process.stdout.readline() for _ in range(started)] == ["at work\n"] * started
+    (os.killpg if reaches == "all" else os.kill)(process.pid, signal.SIGINT)
+    told = process.communicate(timeout=30)
+    assert (told[1], process.returncode) == ("dhgen: interrupted\n", 130)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("verb", ["write", "check", "explain", "survey"])
+def test_an_interrupt_is_one_line(
+    verb: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_: object) -> NoReturn:
+        print("a line")  # noqa: T201
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(f"dhgen.cli.{verb}", interrupted)
+    words = {"write": [], "check": ["--check"]}.get(verb, [verb])
+    assert main([*words, str(PLANAR)]) == 130
+    assert capsys.readouterr() == ("a line\n", "dhgen: interrupted\n")
