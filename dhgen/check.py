@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
+from dhgen.heads import SUFFIXES, is_generated, source_folder
 from dhgen.robot_files import ENDINGS, led_to
 from dhgen.targets.comments import plain_path
 from dhgen.tolerances import DOUBLE, SINGLE
@@ -24,11 +25,6 @@ if TYPE_CHECKING:
     from dhgen.robot_files import RobotFile, RobotFiles
 
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
-
-SUFFIXES = {".py", ".c", ".h", ".md"}
-HEAD = 1000  # characters of a file in which it says where it comes from
-_SOURCE = re.compile(r"generated from (?:([^/]+)/)?[^/]+\.ya?ml and templates/", re.IGNORECASE)
-_MADE = re.compile(r"generated from .*templates/.*\. Do not edit", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +77,7 @@ def compare(files: RobotFiles, out: Path, options: Sequence[str] = ()) -> Compar
 
 def _extra_text(path: Path, robots: tuple[Path, ...]) -> str:
     """What is said of a file that these robot files do not make."""
-    if not _MADE.search(_head(path)):
+    if not is_generated(path):
         return (
             f"{path}: not written by dhgen\n"
             "  to fix: move it elsewhere: all .py, .c, .h and .md files here must be generated"
@@ -146,20 +142,8 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
         if path.suffix in SUFFIXES
         and path.name not in expected
         and (path.stem in known or path.stem not in neighbours)
-        and _source_folder(path) in {None, *told}
+        and source_folder(path) in {None, *told}
     )
-
-
-def _source_folder(path: Path) -> str | None:
-    """The folder of the robot file that a generated file names, if it does; None without any."""
-    found = _SOURCE.search(_head(path))
-    return found.group(1) or "" if found else None
-
-
-def _head(path: Path) -> str:
-    """Where a generated file says where it comes from, in one line."""
-    head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
-    return " ".join(word for word in head.split() if word != "*")
 
 
 def _folder_of(source: str) -> str:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.arguments import OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
+from dhgen.heads import SUFFIXES, robot_of
 from dhgen.method import Method
 
 if TYPE_CHECKING:
@@ -90,6 +91,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
+    _refuse_taken(file, options.out)
     compilation = _compile(file, out=options.out)
     module = compilation.module
     if options.numerical and module.method is not Method.NUMERICAL:
@@ -190,6 +192,22 @@ def _refuse_mute() -> None:
     """Stops where standard output was closed, for commands that do nothing but print."""
     if sys.__stdout__ is None:
         raise CommandError("dhgen: standard output is closed: there is nothing to print to")
+
+
+def _refuse_taken(file: RobotFile, out: Path) -> None:
+    """Stops before the work, where files of another robot have the names of this one's.
+
+    A robot is who it is by its name: its file may have been moved.
+    """
+    for stem in file.stems:
+        paths = (out / f"{stem}{suffix}" for suffix in SUFFIXES)
+        owners = (robot_of(path) for path in paths if path.is_file())
+        other = next((owner for owner in owners if owner not in {None, file.robot.name}), None)
+        if other is not None:
+            raise CommandError(
+                f"{file.path}: {out / stem}.* are files of the robot '{other}': rename one of the "
+                "robots, write to another folder (--out), or remove them if they are left over"
+            )
 
 
 def _refuse_occupied(paths: Sequence[Path]) -> None:

@@ -111,6 +111,35 @@ def test_single_precision_has_a_name_of_its_own_that_another_robot_may_have(tmp_
     assert "a.yaml also generates files named 'arm_f32'" in str(files.refusals[0])
 
 
+@pytest.mark.parametrize(("first", "second"), [("arm", "arm_f32"), ("arm_f32", "arm")])
+def test_what_an_earlier_run_wrote_for_another_robot_stays(
+    first: str, second: str, run: Run, tmp_path: Path
+) -> None:
+    planar = PLANAR.read_text()
+    (tmp_path / "arm.yaml").write_text(planar.replace("planar_rr", "arm") + "float32: true\n")
+    (tmp_path / "arm_f32.yaml").write_text(planar.replace("planar_rr", "arm_f32"))
+    assert run(f"{first}.yaml", "--out", "x", folder=tmp_path).returncode == 0
+    before = {name: (tmp_path / "x" / name).read_bytes() for name in names(tmp_path / "x")}
+    done = run(f"{second}.yaml", "--out", "x", folder=tmp_path)
+    told = (
+        f"{second}.yaml: x/arm_f32.* are files of the robot '{first}': rename one of the robots, "
+        "write to another folder (--out), or remove them if they are left over\n"
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
+    after = {name: (tmp_path / "x" / name).read_bytes() for name in names(tmp_path / "x")}
+    assert after == before
+
+
+def test_a_robot_is_the_same_whatever_its_file_is_called(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "arm.yaml").write_text(PLANAR.read_text() + "float32: true\n")
+    assert run("arm.yaml", folder=tmp_path).returncode == 0
+    (tmp_path / "arms").mkdir()
+    (tmp_path / "arm.yaml").rename(tmp_path / "arms" / "planar.yaml")
+    assert run("arms/planar.yaml", folder=tmp_path).returncode == 0
+    header = (tmp_path / "generated" / "planar_rr_f32.h").read_text()
+    assert "generated from arms/planar.yaml and" in header
+
+
 def test_names_that_differ_in_capitals_only(tmp_path: Path) -> None:
     """Some file systems take them for one name, and so do the guards of the headers."""
     for stem in ("armA", "arma"):

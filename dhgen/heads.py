@@ -1,0 +1,38 @@
+"""What generated files say of themselves, in their first lines."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+SUFFIXES = (".py", ".c", ".h", ".md")
+HEAD = 1000  # characters of a file in which it says where it comes from
+_SOURCE = re.compile(r"generated from (?:([^/]+)/)?[^/]+\.ya?ml and templates/", re.IGNORECASE)
+_MADE = re.compile(r"generated from .*templates/.*\. Do not edit", re.IGNORECASE)
+_ROBOT = re.compile(r"The formulas and where they come from: (\w+)\.md", re.ASCII)
+
+
+def is_generated(path: Path) -> bool:
+    """Whether a file says that it is."""
+    return _MADE.search(_head(path)) is not None
+
+
+def source_folder(path: Path) -> str | None:
+    """The folder of the robot file that a generated file names, if it does; None without any."""
+    found = _SOURCE.search(_head(path))
+    return found.group(1) or "" if found else None
+
+
+def robot_of(path: Path) -> str | None:
+    """The name of the robot that a solver is for, in any precision; None of other files."""
+    found = _ROBOT.search(_head(path))
+    return found.group(1) if found else None
+
+
+def _head(path: Path) -> str:
+    """Where a generated file says where it comes from, in one line."""
+    head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
+    return " ".join(word for word in head.split() if word != "*")
