@@ -70,10 +70,11 @@ def _run(words: list[str]) -> int:
 
 
 def _tell(message: str) -> None:
-    """Writes to stderr; who does not listen gets the exit code all the same."""
+    """Writes to stderr; who does not listen, there or to stdout, gets the exit code alone."""
     try:
         print(message, file=sys.stderr, flush=True)
-    except BrokenPipeError:
+        sys.stdout.flush()
+    except OSError:
         _lose_output()
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import signal
 import subprocess
 import sys
-from typing import TYPE_CHECKING, NoReturn
+from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
@@ -23,9 +25,6 @@ from tests.cli.commands import (
     in_shell,
     names,
 )
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 @pytest.mark.parametrize("words", [[""], ["explain", ""], ["survey", ""], ["--out", "", "x"]])
@@ -174,13 +173,13 @@ def test_a_reader_who_has_seen_enough(
 
 # One worker that waits for work and one that has some; a call out of C, which forgets errors.
 AT_WORK = """
-import ctypes, sys, tempfile, time
+import ctypes, os, sys, tempfile, time
 from dhgen import cli
 from dhgen.workers import side_by_side
 
 def work(seconds):
     with tempfile.TemporaryDirectory():
-        print("at work", flush=True)
+        os.write(1, b"at work\\n")  # at once: others write, too
         time.sleep(seconds)
 
 def work_twice(_):
@@ -228,6 +227,50 @@ def test_an_interrupt_ends_everything_without_a_word(
     told = process.communicate(timeout=30)
     assert (told[1], process.returncode) == ("dhgen: interrupted\n", 130)
     assert list(tmp_path.iterdir()) == []
+
+
+SAID = """
+import sys, time
+from dhgen import cli
+
+def say(_):
+    print("what nobody will read")
+    print("said", file=sys.stderr, flush=True)
+    time.sleep(60)
+
+cli._run = say
+sys.exit(cli.main([]))
+"""
+
+
+def test_an_interrupt_that_ends_the_reader_too() -> None:
+    """As of `dhgen x.yaml | head`: what is left to be written has nowhere to go."""
+    with subprocess.Popen(
+        [sys.executable, "-c", SAID],
+        env=os.environ | {"PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": ""},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        process.stdout.close()
+        assert process.stderr.readline() == "said\n"
+        process.send_signal(signal.SIGINT)
+        assert process.stderr.read() == "dhgen: interrupted\n"
+    assert process.returncode == 130
+
+
+def test_a_full_disk_behind_what_is_said(tmp_path: Path) -> None:
+    full = Path("/dev/full")
+    if not full.exists():
+        pytest.skip("no device that is full")
+    (tmp_path / "wrong.yaml").write_text(WRONG)
+    told = f"dhgen: {os.strerror(errno.ENOSPC)}: output\n"
+    done = in_shell(f"survey {PLANAR} --poses 1 >{full}", tmp_path)
+    assert (done.returncode, done.stderr) == (1, told)
+    done = in_shell(f"explain wrong.yaml 2>{full}", tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
 
 
 @pytest.mark.parametrize("verb", ["write", "check", "explain", "survey"])
