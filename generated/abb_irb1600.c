@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = ABB_IRB1600_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = ABB_IRB1600_OK, NONE = ABB_IRB1600_UNREACHABLE, FREE = ABB_IRB1600_FREE_JOINT,
+    OUT = ABB_IRB1600_OUT_OF_LIMITS, INVALID = ABB_IRB1600_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -248,7 +252,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & ABB_IRB1600_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.4865, /* joint offset 1 [m] */
     a1 = 0.15, /* link length 1 [m] */
@@ -734,7 +738,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? ABB_IRB1600_FREE_JOINT : ABB_IRB1600_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -871,7 +875,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = ABB_IRB1600_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -890,12 +894,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : ABB_IRB1600_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -ABB_IRB1600_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
@@ -905,9 +909,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = ABB_IRB1600_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != ABB_IRB1600_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -931,9 +935,9 @@ int abb_irb1600_ik_nearest(const double T[16], const double q_seed[6], double q[
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == ABB_IRB1600_OUT_OF_LIMITS && result < 0)
-            result = -ABB_IRB1600_OUT_OF_LIMITS;
-        if (status[row] != ABB_IRB1600_OK && status[row] != ABB_IRB1600_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -947,7 +951,7 @@ int abb_irb1600_ik_nearest(const double T[16], const double q_seed[6], double q[
         }
     }
     take(found, q);
-    return valid ? result : -ABB_IRB1600_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void abb_irb1600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

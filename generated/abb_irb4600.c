@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = ABB_IRB4600_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = ABB_IRB4600_OK, NONE = ABB_IRB4600_UNREACHABLE, FREE = ABB_IRB4600_FREE_JOINT,
+    OUT = ABB_IRB4600_OUT_OF_LIMITS, INVALID = ABB_IRB4600_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -248,7 +252,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & ABB_IRB4600_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     a1 = 0.175, /* x of axis 2 [m] */
     d1 = 0.495, /* z of axis 2 [m] */
@@ -602,7 +606,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * ABB_IRB4600_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -749,7 +753,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? ABB_IRB4600_FREE_JOINT : ABB_IRB4600_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -1039,22 +1043,25 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
+static int stand(const double T[16], int row, int far, double rows[8][6], const unsigned char
+    status[8])
 {
     double x[6], half[6], to[6], *q = rows[row];
     const double beyond = past_ends(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!lead_inside(T, NAN, 1.5, x))
-        return;
+    if (!lead_inside(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
@@ -1088,7 +1095,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = ABB_IRB4600_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06 || past_ends(q[place]) > 0.0)
         take(x, q[place]);
 }
@@ -1107,31 +1114,34 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : ABB_IRB4600_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -ABB_IRB4600_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++)
-        if (status[row] == ABB_IRB4600_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
+        const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = ABB_IRB4600_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != ABB_IRB4600_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1155,15 +1165,15 @@ int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[
     }
     int past = 0; /* joints beyond an end, by rounding: fast code turned them */
     for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == ABB_IRB4600_OK; i++)
+        for (int i = 0; i < 6 && status[row] == OK; i++)
             past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == ABB_IRB4600_OUT_OF_LIMITS && result < 0)
-            result = -ABB_IRB4600_OUT_OF_LIMITS;
-        if (status[row] != ABB_IRB4600_OK && status[row] != ABB_IRB4600_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1177,7 +1187,7 @@ int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[
         }
     }
     take(found, q);
-    return valid ? result : -ABB_IRB4600_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void abb_irb4600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = ADEPT_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = ADEPT_OK, NONE = ADEPT_UNREACHABLE, FREE = ADEPT_FREE_JOINT,
+    OUT = ADEPT_OUT_OF_LIMITS, INVALID = ADEPT_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -258,7 +262,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & ADEPT_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 1075.0, /* joint offset 1 [mm] */
     l1 = 600.0, /* link length 1 [mm] */
@@ -503,7 +507,7 @@ static void solve(
     const int free1_ = free12 || free1;
     const int row = 0;
     q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-    status[row] = (free1_ || free12) ? ADEPT_FREE_JOINT : ADEPT_OK;
+    status[row] = (free1_ || free12) ? FREE : OK;
 }
 
 static void take(const double from[3], double to[3])
@@ -639,7 +643,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = ADEPT_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -658,12 +662,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? NONE : ADEPT_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -ADEPT_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 1; row++) {
@@ -673,9 +677,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = ADEPT_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != ADEPT_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -698,9 +702,9 @@ int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
     }
     for (int row = 0; row < 1 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == ADEPT_OUT_OF_LIMITS && result < 0)
-            result = -ADEPT_OUT_OF_LIMITS;
-        if (status[row] != ADEPT_OK && status[row] != ADEPT_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -714,7 +718,7 @@ int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
         }
     }
     take(found, q);
-    return valid ? result : -ADEPT_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void adept_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = ADEPT_COBRA600_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = ADEPT_COBRA600_OK, NONE = ADEPT_COBRA600_UNREACHABLE, FREE = ADEPT_COBRA600_FREE_JOINT,
+    OUT = ADEPT_COBRA600_OUT_OF_LIMITS, INVALID = ADEPT_COBRA600_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -240,7 +244,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & ADEPT_COBRA600_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.387, /* joint offset 1 [m] */
     a1 = 0.325, /* link length 1 [m] */
@@ -530,8 +534,7 @@ static void solve(
         const int free1_ = free12m4 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4;
-        status[row] = (free1_ || free12m4 || free12m4) ? ADEPT_COBRA600_FREE_JOINT :
-            ADEPT_COBRA600_OK;
+        status[row] = (free1_ || free12m4 || free12m4) ? FREE : OK;
     }
 }
 
@@ -668,7 +671,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = ADEPT_COBRA600_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -687,12 +690,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : ADEPT_COBRA600_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -ADEPT_COBRA600_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -702,9 +705,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = ADEPT_COBRA600_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != ADEPT_COBRA600_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -728,9 +731,9 @@ int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == ADEPT_COBRA600_OUT_OF_LIMITS && result < 0)
-            result = -ADEPT_COBRA600_OUT_OF_LIMITS;
-        if (status[row] != ADEPT_COBRA600_OK && status[row] != ADEPT_COBRA600_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -744,7 +747,7 @@ int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double
         }
     }
     take(found, q);
-    return valid ? result : -ADEPT_COBRA600_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void adept_cobra600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = ARM_6R_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = ARM_6R_OK, NONE = ARM_6R_UNREACHABLE, FREE = ARM_6R_FREE_JOINT,
+    OUT = ARM_6R_OUT_OF_LIMITS, INVALID = ARM_6R_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -231,7 +235,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & ARM_6R_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.4, /* joint offset 1 [m] */
     a2 = 0.4, /* link length 2 [m] */
@@ -661,7 +665,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? ARM_6R_FREE_JOINT : ARM_6R_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -798,7 +802,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = ARM_6R_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -817,12 +821,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : ARM_6R_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -ARM_6R_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
@@ -832,9 +836,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = ARM_6R_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != ARM_6R_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -857,9 +861,9 @@ int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == ARM_6R_OUT_OF_LIMITS && result < 0)
-            result = -ARM_6R_OUT_OF_LIMITS;
-        if (status[row] != ARM_6R_OK && status[row] != ARM_6R_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -873,7 +877,7 @@ int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         }
     }
     take(found, q);
-    return valid ? result : -ARM_6R_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void arm_6r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = BARTELL_RPRPR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = BARTELL_RPRPR_OK, NONE = BARTELL_RPRPR_UNREACHABLE, FREE = BARTELL_RPRPR_FREE_JOINT,
+    OUT = BARTELL_RPRPR_OUT_OF_LIMITS, INVALID = BARTELL_RPRPR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -229,7 +233,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & BARTELL_RPRPR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 2.0, /* joint offset 1 [m] */
     second_weight = 0.5, /* lengths count in arm sizes [m^-1] */
@@ -538,7 +542,7 @@ static void solve(
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2; q[row][2] = q3; q[row][3] = r4; q[row][4] = q5;
-        status[row] = (free1 || free3 || free5) ? BARTELL_RPRPR_FREE_JOINT : BARTELL_RPRPR_OK;
+        status[row] = (free1 || free3 || free5) ? FREE : OK;
     }
 }
 
@@ -675,7 +679,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = BARTELL_RPRPR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -694,12 +698,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : BARTELL_RPRPR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -BARTELL_RPRPR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -709,9 +713,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = BARTELL_RPRPR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != BARTELL_RPRPR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -735,9 +739,9 @@ int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double 
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == BARTELL_RPRPR_OUT_OF_LIMITS && result < 0)
-            result = -BARTELL_RPRPR_OUT_OF_LIMITS;
-        if (status[row] != BARTELL_RPRPR_OK && status[row] != BARTELL_RPRPR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 5; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -751,7 +755,7 @@ int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double 
         }
     }
     take(found, q);
-    return valid ? result : -BARTELL_RPRPR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

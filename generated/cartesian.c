@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = CARTESIAN_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = CARTESIAN_OK, NONE = CARTESIAN_UNREACHABLE, FREE = CARTESIAN_FREE_JOINT,
+    OUT = CARTESIAN_OUT_OF_LIMITS, INVALID = CARTESIAN_INVALID_POSE
+};
 
 
 #ifdef __GNUC__
@@ -215,7 +219,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & CARTESIAN_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double per_size = 0.8333333333333334;
 
 /* Entries of a pose by their names. */
@@ -299,7 +303,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(T14));
     const unsigned long long none1 = (bits_four(all_four(T34) != all_four(T34)) * 0x1ull & 0x1ull);
     const unsigned long long outside1 = (bits_four(where_four(outside)) * 0x1ull & 0x1ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * CARTESIAN_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
     __builtin_memcpy(status + 0, &kind1, 1);
     return __builtin_popcountll(0x1ull & ~(none1 | outside1));
 }
@@ -352,7 +356,7 @@ static void solve(
 
     const int row = 0;
     q[row][0] = T34; q[row][1] = T24; q[row][2] = T14;
-    status[row] = CARTESIAN_OK;
+    status[row] = OK;
 }
 
 static void take(const double from[3], double to[3])
@@ -372,12 +376,12 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? NONE : CARTESIAN_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -CARTESIAN_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 1; row++) {
         if (status[row] == NONE)
@@ -385,9 +389,9 @@ APART int ik_carefully(
         for (int i = 0; i < 3; i++) {
             double *value = &q[row][i];
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = CARTESIAN_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != CARTESIAN_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -410,9 +414,9 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
     }
     for (int row = 0; row < 1 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == CARTESIAN_OUT_OF_LIMITS && result < 0)
-            result = -CARTESIAN_OUT_OF_LIMITS;
-        if (status[row] != CARTESIAN_OK && status[row] != CARTESIAN_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             const double moved = all[row][i] - q_seed[i];
@@ -425,7 +429,7 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         }
     }
     take(found, q);
-    return valid ? result : -CARTESIAN_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

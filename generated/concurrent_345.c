@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = CONCURRENT_345_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = CONCURRENT_345_OK, NONE = CONCURRENT_345_UNREACHABLE, FREE = CONCURRENT_345_FREE_JOINT,
+    OUT = CONCURRENT_345_OUT_OF_LIMITS, INVALID = CONCURRENT_345_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -796,8 +800,8 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1 || free3 || free4 || free6) ? CONCURRENT_345_FREE_JOINT :
-                (x6_close[i1] || near1 || near3 || near4) ? CLOSE : CONCURRENT_345_OK;
+            status[row] = (free1 || free3 || free4 || free6) ? FREE : (x6_close[i1] || near1 ||
+                near3 || near4) ? CLOSE : OK;
         }
     }
 }
@@ -877,7 +881,7 @@ static void both_sides(
         take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
-            status[row] = CONCURRENT_345_OK;
+            status[row] = OK;
         any += doubtful[row];
         if (status[row] == NONE || doubtful[row])
             continue;
@@ -926,7 +930,7 @@ static void both_sides(
         if (place < 0)
             break;
         take(known[next], q[place]);
-        status[place] = CONCURRENT_345_OK;
+        status[place] = OK;
     }
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 6 && status[row] == NONE; i++)
@@ -998,7 +1002,7 @@ static void seek(
     double found[6] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == CONCURRENT_345_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
@@ -1030,7 +1034,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? CONCURRENT_345_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1162,7 +1166,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = CONCURRENT_345_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1177,12 +1181,12 @@ int concurrent_345_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : CONCURRENT_345_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -CONCURRENT_345_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
@@ -1199,9 +1203,9 @@ int concurrent_345_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = CONCURRENT_345_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != CONCURRENT_345_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1218,9 +1222,9 @@ int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == CONCURRENT_345_OUT_OF_LIMITS && result < 0)
-            result = -CONCURRENT_345_OUT_OF_LIMITS;
-        if (status[row] != CONCURRENT_345_OK && status[row] != CONCURRENT_345_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1234,7 +1238,7 @@ int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double
         }
     }
     take(found, q);
-    return valid ? result : -CONCURRENT_345_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void concurrent_345_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

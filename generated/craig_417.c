@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = CRAIG_417_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = CRAIG_417_OK, NONE = CRAIG_417_UNREACHABLE, FREE = CRAIG_417_FREE_JOINT,
+    OUT = CRAIG_417_OUT_OF_LIMITS, INVALID = CRAIG_417_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -238,7 +242,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & CRAIG_417_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     sqrt2 = 1.4142135623730951, /* square root of 2 */
     d4 = 1.0, /* joint offset 4 [m] */
@@ -624,7 +628,7 @@ static void solve(
         const int free3_ = free34 || free3;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free1 || free2 || free3_ || free34) ? CRAIG_417_FREE_JOINT : CRAIG_417_OK;
+        status[row] = (free1 || free2 || free3_ || free34) ? FREE : OK;
     }
 }
 
@@ -759,7 +763,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = CRAIG_417_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -778,12 +782,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : CRAIG_417_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -CRAIG_417_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -793,9 +797,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = CRAIG_417_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != CRAIG_417_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -818,9 +822,9 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == CRAIG_417_OUT_OF_LIMITS && result < 0)
-            result = -CRAIG_417_OUT_OF_LIMITS;
-        if (status[row] != CRAIG_417_OK && status[row] != CRAIG_417_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -834,7 +838,7 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
         }
     }
     take(found, q);
-    return valid ? result : -CRAIG_417_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

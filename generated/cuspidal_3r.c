@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = CUSPIDAL_3R_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = CUSPIDAL_3R_OK, NONE = CUSPIDAL_3R_UNREACHABLE, FREE = CUSPIDAL_3R_FREE_JOINT,
+    OUT = CUSPIDAL_3R_OUT_OF_LIMITS, INVALID = CUSPIDAL_3R_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -534,8 +538,7 @@ static void solve(
         const double q2 = atan2(s2, c2);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1 || free2) ? CUSPIDAL_3R_FREE_JOINT : (x1_close[i1] || near2) ? CLOSE :
-            CUSPIDAL_3R_OK;
+        status[row] = (free1 || free2) ? FREE : (x1_close[i1] || near2) ? CLOSE : OK;
     }
 }
 
@@ -614,7 +617,7 @@ static void both_sides(
         take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
-            status[row] = CUSPIDAL_3R_OK;
+            status[row] = OK;
         any += doubtful[row];
         if (status[row] == NONE || doubtful[row])
             continue;
@@ -663,7 +666,7 @@ static void both_sides(
         if (place < 0)
             break;
         take(known[next], q[place]);
-        status[place] = CUSPIDAL_3R_OK;
+        status[place] = OK;
     }
     for (int row = 0; row < 4; row++)
         for (int i = 0; i < 3 && status[row] == NONE; i++)
@@ -729,7 +732,7 @@ static void seek(
     double found[3] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == CUSPIDAL_3R_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
@@ -761,7 +764,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 4; row++) {
-        status[row] = row == begun ? CUSPIDAL_3R_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 3; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -888,7 +891,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = CUSPIDAL_3R_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -903,12 +906,12 @@ int cuspidal_3r_ik(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : CUSPIDAL_3R_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -CUSPIDAL_3R_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 4 - 1; row >= 0; row--)
@@ -925,9 +928,9 @@ int cuspidal_3r_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = CUSPIDAL_3R_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != CUSPIDAL_3R_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -944,9 +947,9 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == CUSPIDAL_3R_OUT_OF_LIMITS && result < 0)
-            result = -CUSPIDAL_3R_OUT_OF_LIMITS;
-        if (status[row] != CUSPIDAL_3R_OK && status[row] != CUSPIDAL_3R_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -960,7 +963,7 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
         }
     }
     take(found, q);
-    return valid ? result : -CUSPIDAL_3R_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

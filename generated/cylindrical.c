@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = CYLINDRICAL_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = CYLINDRICAL_OK, NONE = CYLINDRICAL_UNREACHABLE, FREE = CYLINDRICAL_FREE_JOINT,
+    OUT = CYLINDRICAL_OUT_OF_LIMITS, INVALID = CYLINDRICAL_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -241,7 +245,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & CYLINDRICAL_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
@@ -455,7 +459,7 @@ static void solve(
         return; /* the arm can't take this pose */
     const int row = 0;
     q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
-    status[row] = (free1) ? CYLINDRICAL_FREE_JOINT : CYLINDRICAL_OK;
+    status[row] = (free1) ? FREE : OK;
 }
 
 static void take(const double from[3], double to[3])
@@ -591,7 +595,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = CYLINDRICAL_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -610,12 +614,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? NONE : CYLINDRICAL_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -CYLINDRICAL_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 1; row++) {
@@ -625,9 +629,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = CYLINDRICAL_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != CYLINDRICAL_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -651,9 +655,9 @@ int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[
     }
     for (int row = 0; row < 1 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == CYLINDRICAL_OUT_OF_LIMITS && result < 0)
-            result = -CYLINDRICAL_OUT_OF_LIMITS;
-        if (status[row] != CYLINDRICAL_OK && status[row] != CYLINDRICAL_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -667,7 +671,7 @@ int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[
         }
     }
     take(found, q);
-    return valid ? result : -CYLINDRICAL_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void cylindrical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,12 @@
 
 #include <math.h>
 
-enum { NONE = CYLINDRICAL_WRIST_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = CYLINDRICAL_WRIST_OK, NONE = CYLINDRICAL_WRIST_UNREACHABLE, FREE =
+        CYLINDRICAL_WRIST_FREE_JOINT,
+    OUT = CYLINDRICAL_WRIST_OUT_OF_LIMITS, INVALID = CYLINDRICAL_WRIST_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -234,7 +239,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & CYLINDRICAL_WRIST_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
     d6 = 0.1, /* joint offset 6 [m] */
@@ -530,7 +535,7 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = r2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1 || free4) ? CYLINDRICAL_WRIST_FREE_JOINT : CYLINDRICAL_WRIST_OK;
+            status[row] = (free1 || free4) ? FREE : OK;
         }
     }
 }
@@ -668,7 +673,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = CYLINDRICAL_WRIST_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -687,12 +692,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : CYLINDRICAL_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -CYLINDRICAL_WRIST_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
@@ -702,9 +707,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = CYLINDRICAL_WRIST_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != CYLINDRICAL_WRIST_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -728,9 +733,9 @@ int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == CYLINDRICAL_WRIST_OUT_OF_LIMITS && result < 0)
-            result = -CYLINDRICAL_WRIST_OUT_OF_LIMITS;
-        if (status[row] != CYLINDRICAL_WRIST_OK && status[row] != CYLINDRICAL_WRIST_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -744,7 +749,7 @@ int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
         }
     }
     take(found, q);
-    return valid ? result : -CYLINDRICAL_WRIST_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void cylindrical_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = FRANKA_PANDA_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = FRANKA_PANDA_OK, NONE = FRANKA_PANDA_UNREACHABLE, FREE = FRANKA_PANDA_FREE_JOINT,
+    OUT = FRANKA_PANDA_OUT_OF_LIMITS, INVALID = FRANKA_PANDA_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -257,7 +261,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & FRANKA_PANDA_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.333, /* joint offset 1 [m] */
     d3 = 0.316, /* joint offset 3 [m] */
@@ -609,8 +613,7 @@ HELPER int solve_regular(
         0x100010001000100ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
-        FRANKA_PANDA_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -790,7 +793,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6; q[row][6] = free_joints[0];
-                status[row] = (free3 || free5 || free6) ? FRANKA_PANDA_FREE_JOINT : FRANKA_PANDA_OK;
+                status[row] = (free3 || free5 || free6) ? FREE : OK;
             }
         }
     }
@@ -1028,22 +1031,25 @@ static int settle(const double T[16], double enough, double most, double q[7])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[8][7], const unsigned char status[8])
+static int stand(const double T[16], int row, int far, double rows[8][7], const unsigned char
+    status[8])
 {
     double x[7], half[7], to[7], *q = rows[row];
     const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!settle(T, NAN, 1.5, x))
-        return;
+    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
@@ -1098,7 +1104,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = FRANKA_PANDA_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
@@ -1118,29 +1124,32 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : FRANKA_PANDA_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -FRANKA_PANDA_INVALID_POSE;
+        return -INVALID;
     solve(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++)
-        if (status[row] == FRANKA_PANDA_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, free_joints, seed, row, q, status);
     tell_once(pose, q, status);
     stay(pose, free_joints, seed, q, status);
-    for (int row = 0; row < 8; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
+        const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = FRANKA_PANDA_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != FRANKA_PANDA_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1166,9 +1175,9 @@ int franka_panda_ik_nearest(
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == FRANKA_PANDA_OUT_OF_LIMITS && result < 0)
-            result = -FRANKA_PANDA_OUT_OF_LIMITS;
-        if (status[row] != FRANKA_PANDA_OK && status[row] != FRANKA_PANDA_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 7; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1182,7 +1191,7 @@ int franka_panda_ik_nearest(
         }
     }
     take(found, q);
-    return valid ? result : -FRANKA_PANDA_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void franka_panda_ik_batch(

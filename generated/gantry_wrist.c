@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = GANTRY_WRIST_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = GANTRY_WRIST_OK, NONE = GANTRY_WRIST_UNREACHABLE, FREE = GANTRY_WRIST_FREE_JOINT,
+    OUT = GANTRY_WRIST_OUT_OF_LIMITS, INVALID = GANTRY_WRIST_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -233,7 +237,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & GANTRY_WRIST_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d4 = 0.1, /* joint offset 4 [m] */
     d6 = 0.12, /* joint offset 6 [m] */
@@ -485,7 +489,7 @@ static void solve(
         const int row = i1;
         q[row][0] = wz; q[row][1] = wy; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (free4) ? GANTRY_WRIST_FREE_JOINT : GANTRY_WRIST_OK;
+        status[row] = (free4) ? FREE : OK;
     }
 }
 
@@ -622,7 +626,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = GANTRY_WRIST_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -641,12 +645,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : GANTRY_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -GANTRY_WRIST_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -656,9 +660,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = GANTRY_WRIST_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != GANTRY_WRIST_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -682,9 +686,9 @@ int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == GANTRY_WRIST_OUT_OF_LIMITS && result < 0)
-            result = -GANTRY_WRIST_OUT_OF_LIMITS;
-        if (status[row] != GANTRY_WRIST_OK && status[row] != GANTRY_WRIST_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -698,7 +702,7 @@ int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -GANTRY_WRIST_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void gantry_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = GENERAL_6R_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = GENERAL_6R_OK, NONE = GENERAL_6R_UNREACHABLE, FREE = GENERAL_6R_FREE_JOINT,
+    OUT = GENERAL_6R_OUT_OF_LIMITS, INVALID = GENERAL_6R_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3855,7 +3859,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? GENERAL_6R_FREE_JOINT : GENERAL_6R_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3887,12 +3891,12 @@ int general_6r_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : GENERAL_6R_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -GENERAL_6R_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
@@ -3901,9 +3905,9 @@ int general_6r_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = GENERAL_6R_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != GENERAL_6R_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3920,9 +3924,9 @@ int general_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == GENERAL_6R_OUT_OF_LIMITS && result < 0)
-            result = -GENERAL_6R_OUT_OF_LIMITS;
-        if (status[row] != GENERAL_6R_OK && status[row] != GENERAL_6R_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3936,7 +3940,7 @@ int general_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6
         }
     }
     take(found, q);
-    return valid ? result : -GENERAL_6R_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void general_6r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

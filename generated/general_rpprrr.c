@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = GENERAL_RPPRRR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = GENERAL_RPPRRR_OK, NONE = GENERAL_RPPRRR_UNREACHABLE, FREE = GENERAL_RPPRRR_FREE_JOINT,
+    OUT = GENERAL_RPPRRR_OUT_OF_LIMITS, INVALID = GENERAL_RPPRRR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3570,7 +3574,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? GENERAL_RPPRRR_FREE_JOINT : GENERAL_RPPRRR_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3699,22 +3703,25 @@ static int settle(const double T[16], double enough, double most, double q[6])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[8][6], const unsigned char status[8])
+static int stand(const double T[16], int row, int far, double rows[8][6], const unsigned char
+    status[8])
 {
     double x[6], half[6], to[6], *q = rows[row];
     const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!settle(T, NAN, 1.5, x))
-        return;
+    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 int general_rpprrr_ik(
@@ -3727,24 +3734,27 @@ int general_rpprrr_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : GENERAL_RPPRRR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -GENERAL_RPPRRR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
+        const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = GENERAL_RPPRRR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != GENERAL_RPPRRR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3761,9 +3771,9 @@ int general_rpprrr_ik_nearest(const double T[16], const double q_seed[6], double
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == GENERAL_RPPRRR_OUT_OF_LIMITS && result < 0)
-            result = -GENERAL_RPPRRR_OUT_OF_LIMITS;
-        if (status[row] != GENERAL_RPPRRR_OK && status[row] != GENERAL_RPPRRR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3777,7 +3787,7 @@ int general_rpprrr_ik_nearest(const double T[16], const double q_seed[6], double
         }
     }
     take(found, q);
-    return valid ? result : -GENERAL_RPPRRR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void general_rpprrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = IGUS_REBEL_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = IGUS_REBEL_OK, NONE = IGUS_REBEL_UNREACHABLE, FREE = IGUS_REBEL_FREE_JOINT,
+    OUT = IGUS_REBEL_OUT_OF_LIMITS, INVALID = IGUS_REBEL_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -248,7 +252,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & IGUS_REBEL_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.1, /* joint offset 1 [m] */
     a1 = 0.149, /* link length 1 [m] */
@@ -709,7 +713,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? IGUS_REBEL_FREE_JOINT : IGUS_REBEL_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -846,7 +850,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = IGUS_REBEL_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -865,12 +869,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : IGUS_REBEL_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -IGUS_REBEL_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
@@ -880,9 +884,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = IGUS_REBEL_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != IGUS_REBEL_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -906,9 +910,9 @@ int igus_rebel_ik_nearest(const double T[16], const double q_seed[6], double q[6
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == IGUS_REBEL_OUT_OF_LIMITS && result < 0)
-            result = -IGUS_REBEL_OUT_OF_LIMITS;
-        if (status[row] != IGUS_REBEL_OK && status[row] != IGUS_REBEL_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -922,7 +926,7 @@ int igus_rebel_ik_nearest(const double T[16], const double q_seed[6], double q[6
         }
     }
     take(found, q);
-    return valid ? result : -IGUS_REBEL_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void igus_rebel_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = KATANA_400_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = KATANA_400_OK, NONE = KATANA_400_UNREACHABLE, FREE = KATANA_400_FREE_JOINT,
+    OUT = KATANA_400_OUT_OF_LIMITS, INVALID = KATANA_400_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -247,7 +251,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & KATANA_400_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.2015, /* joint offset 1 [m] */
     a2 = 0.19, /* link length 2 [m] */
@@ -717,8 +721,7 @@ static void solve(
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234 || free5) ? KATANA_400_FREE_JOINT :
-                KATANA_400_OK;
+            status[row] = (free1 || free2_ || free234 || free234 || free5) ? FREE : OK;
         }
     }
 }
@@ -1001,7 +1004,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = KATANA_400_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1020,12 +1023,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : KATANA_400_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -KATANA_400_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 4; row++)
         if (status[row] >= LOST)
@@ -1038,9 +1041,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = KATANA_400_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != KATANA_400_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1064,9 +1067,9 @@ int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == KATANA_400_OUT_OF_LIMITS && result < 0)
-            result = -KATANA_400_OUT_OF_LIMITS;
-        if (status[row] != KATANA_400_OK && status[row] != KATANA_400_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 5; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1080,7 +1083,7 @@ int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5
         }
     }
     take(found, q);
-    return valid ? result : -KATANA_400_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void katana_400_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

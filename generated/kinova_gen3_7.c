@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = KINOVA_GEN3_7_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = KINOVA_GEN3_7_OK, NONE = KINOVA_GEN3_7_UNREACHABLE, FREE = KINOVA_GEN3_7_FREE_JOINT,
+    OUT = KINOVA_GEN3_7_OUT_OF_LIMITS, INVALID = KINOVA_GEN3_7_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3853,7 +3857,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6; q[row][6] = q7;
-        status[row] = (chosen) ? KINOVA_GEN3_7_FREE_JOINT : KINOVA_GEN3_7_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3980,22 +3984,25 @@ static int settle(const double T[16], double enough, double most, double q[7])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[16][7], const unsigned char status[16])
+static int stand(const double T[16], int row, int far, double rows[16][7], const unsigned char
+    status[16])
 {
     double x[7], half[7], to[7], *q = rows[row];
     const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!settle(T, NAN, 1.5, x))
-        return;
+    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 16; k++)
         if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 int kinova_gen3_7_ik(
@@ -4009,24 +4016,27 @@ int kinova_gen3_7_ik(
     for (int i = 0; i < 7; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : KINOVA_GEN3_7_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -KINOVA_GEN3_7_INVALID_POSE;
+        return -INVALID;
     solve(pose, free_joints, seed, q, status);
-    for (int row = 0; row < 16; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 16 || (n < 2 * 16 && count == 0); n++) {
+        const int row = n % 16, far = n >= 16;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = KINOVA_GEN3_7_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != KINOVA_GEN3_7_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -4044,9 +4054,9 @@ int kinova_gen3_7_ik_nearest(
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == KINOVA_GEN3_7_OUT_OF_LIMITS && result < 0)
-            result = -KINOVA_GEN3_7_OUT_OF_LIMITS;
-        if (status[row] != KINOVA_GEN3_7_OK && status[row] != KINOVA_GEN3_7_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 7; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -4060,7 +4070,7 @@ int kinova_gen3_7_ik_nearest(
         }
     }
     take(found, q);
-    return valid ? result : -KINOVA_GEN3_7_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void kinova_gen3_7_ik_batch(

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = KINOVA_JACO2_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = KINOVA_JACO2_OK, NONE = KINOVA_JACO2_UNREACHABLE, FREE = KINOVA_JACO2_FREE_JOINT,
+    OUT = KINOVA_JACO2_OUT_OF_LIMITS, INVALID = KINOVA_JACO2_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3869,7 +3873,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? KINOVA_JACO2_FREE_JOINT : KINOVA_JACO2_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3901,12 +3905,12 @@ int kinova_jaco2_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : KINOVA_JACO2_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -KINOVA_JACO2_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
@@ -3915,9 +3919,9 @@ int kinova_jaco2_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = KINOVA_JACO2_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != KINOVA_JACO2_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3934,9 +3938,9 @@ int kinova_jaco2_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == KINOVA_JACO2_OUT_OF_LIMITS && result < 0)
-            result = -KINOVA_JACO2_OUT_OF_LIMITS;
-        if (status[row] != KINOVA_JACO2_OK && status[row] != KINOVA_JACO2_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3950,7 +3954,7 @@ int kinova_jaco2_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -KINOVA_JACO2_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void kinova_jaco2_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

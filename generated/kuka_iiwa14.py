@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 7f3a0717a4649f35"
+_KEY = "kuka_iiwa14 8382b98074dd5ab4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1067,27 +1067,30 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
-def _stand(pose, row, rows, status):
-    """Puts a row's joints just beyond their limits on them, unless that is another solution.
+def _stand(pose, row, far, rows, status):
+    """Puts a row's joints just beyond their limits on them, unless that is another solution; those
+    that are far beyond them, too, if that is asked for. Returns if it did.
 
     Half way to the same there is one, and what is nearer to another row that is less far beyond is
     that one's.
     """
     q = rows[row]
     beyond = _beyond_limits(q)
-    if not 0.0 < beyond < 0.01:
-        return
+    if not (0.0 < beyond and (far or beyond < 0.01)):
+        return False
     x, half, to = q.copy(), np.empty(7), np.empty(7)
-    if not _settle(pose, math.nan, 1.5, x):
-        return
+    if not _settle(pose, math.nan, math.inf if far else 1.5, x):
+        return False
     off = _half_way(q, x, half)
     for k in range(len(rows)):
         if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
             if _half_way(rows[k], x, to) < off:
-                return
-    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
-        for i in range(7):
-            q[i] = x[i]
+                return False
+    if off >= 0.001 and not _settle(pose, 1e-12, 0.25 * off, half):
+        return False
+    for i in range(7):
+        q[i] = x[i]
+    return True
 
 
 @_inner
@@ -1178,10 +1181,12 @@ def _whole(pose, q_free, seed, q, status):
     _tell_once(pose, q, status)
     _stay(pose, q_free, seed, q, status)
     count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
+    for n in range(2 * 8):
+        row, far = n % 8, n >= 8  # far where no row is inside all limits
+        if status[row] == UNREACHABLE or (far and count > 0):
             continue
-        _stand(pose, row, q, status)
+        if _stand(pose, row, far, q, status) and far:
+            status[row] = FREE_JOINT
         for i in range(7):
             q[row, i] = _turned(i, q[row, i], 0.0 if _PACE[i] > 0.0 else q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:

@@ -9,7 +9,12 @@
 
 #include <math.h>
 
-enum { NONE = KUKA_IIWA14_ARM_ANGLE_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = KUKA_IIWA14_ARM_ANGLE_OK, NONE = KUKA_IIWA14_ARM_ANGLE_UNREACHABLE, FREE =
+        KUKA_IIWA14_ARM_ANGLE_FREE_JOINT,
+    OUT = KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS, INVALID = KUKA_IIWA14_ARM_ANGLE_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -252,7 +257,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
     d3 = 0.42, /* joint offset 3 [m] */
@@ -700,8 +705,7 @@ HELPER int solve_regular(
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) *
-        KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
     __builtin_memcpy(status + 0, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
@@ -888,8 +892,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6; q[row][6] = q7;
-                status[row] = (free1 || free5) ? KUKA_IIWA14_ARM_ANGLE_FREE_JOINT :
-                    KUKA_IIWA14_ARM_ANGLE_OK;
+                status[row] = (free1 || free5) ? FREE : OK;
             }
         }
     }
@@ -1037,15 +1040,15 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+        return -INVALID;
     solve(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++)
-        if (status[row] == KUKA_IIWA14_ARM_ANGLE_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, free_joints, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == NONE)
@@ -1054,9 +1057,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1082,10 +1085,9 @@ int kuka_iiwa14_arm_angle_ik_nearest(
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS && result < 0)
-            result = -KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
-        if (status[row] != KUKA_IIWA14_ARM_ANGLE_OK && status[row] !=
-            KUKA_IIWA14_ARM_ANGLE_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 7; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1099,7 +1101,7 @@ int kuka_iiwa14_arm_angle_ik_nearest(
         }
     }
     take(found, q);
-    return valid ? result : -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void kuka_iiwa14_arm_angle_ik_batch(

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = KUKA_KR40PA_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = KUKA_KR40PA_OK, NONE = KUKA_KR40PA_UNREACHABLE, FREE = KUKA_KR40PA_FREE_JOINT,
+    OUT = KUKA_KR40PA_OUT_OF_LIMITS, INVALID = KUKA_KR40PA_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -238,7 +242,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & KUKA_KR40PA_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
@@ -879,8 +883,7 @@ static void solve(
         const int free2_ = free234 || free2;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free1 || free2_ || free234 || free234) ? KUKA_KR40PA_FREE_JOINT :
-            KUKA_KR40PA_OK;
+        status[row] = (free1 || free2_ || free234 || free234) ? FREE : OK;
     }
 }
 
@@ -1077,7 +1080,7 @@ static void seek(
     double found[4] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 2 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == KUKA_KR40PA_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         double here[4], ahead;
@@ -1113,7 +1116,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? KUKA_KR40PA_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 4; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1245,7 +1248,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = KUKA_KR40PA_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1264,12 +1267,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : KUKA_KR40PA_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -KUKA_KR40PA_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
@@ -1287,9 +1290,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = KUKA_KR40PA_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != KUKA_KR40PA_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1313,9 +1316,9 @@ int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == KUKA_KR40PA_OUT_OF_LIMITS && result < 0)
-            result = -KUKA_KR40PA_OUT_OF_LIMITS;
-        if (status[row] != KUKA_KR40PA_OK && status[row] != KUKA_KR40PA_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1329,7 +1332,7 @@ int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[
         }
     }
     take(found, q);
-    return valid ? result : -KUKA_KR40PA_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void kuka_kr40pa_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

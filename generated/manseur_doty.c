@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = MANSEUR_DOTY_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = MANSEUR_DOTY_OK, NONE = MANSEUR_DOTY_UNREACHABLE, FREE = MANSEUR_DOTY_FREE_JOINT,
+    OUT = MANSEUR_DOTY_OUT_OF_LIMITS, INVALID = MANSEUR_DOTY_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3804,7 +3808,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? MANSEUR_DOTY_FREE_JOINT : MANSEUR_DOTY_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3836,12 +3840,12 @@ int manseur_doty_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : MANSEUR_DOTY_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -MANSEUR_DOTY_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
@@ -3850,9 +3854,9 @@ int manseur_doty_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = MANSEUR_DOTY_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != MANSEUR_DOTY_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3869,9 +3873,9 @@ int manseur_doty_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == MANSEUR_DOTY_OUT_OF_LIMITS && result < 0)
-            result = -MANSEUR_DOTY_OUT_OF_LIMITS;
-        if (status[row] != MANSEUR_DOTY_OK && status[row] != MANSEUR_DOTY_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3885,7 +3889,7 @@ int manseur_doty_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -MANSEUR_DOTY_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void manseur_doty_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

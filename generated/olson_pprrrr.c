@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = OLSON_PPRRRR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = OLSON_PPRRRR_OK, NONE = OLSON_PPRRRR_UNREACHABLE, FREE = OLSON_PPRRRR_FREE_JOINT,
+    OUT = OLSON_PPRRRR_OUT_OF_LIMITS, INVALID = OLSON_PPRRRR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -251,7 +255,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OLSON_PPRRRR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d3 = 1.0, /* joint offset 3 [m] */
     a4 = 4.0, /* link length 5 [m] */
@@ -632,7 +636,7 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = r1; q[row][1] = r2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free3 || free5) ? OLSON_PPRRRR_FREE_JOINT : OLSON_PPRRRR_OK;
+            status[row] = (free3 || free5) ? FREE : OK;
         }
     }
 }
@@ -897,7 +901,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = OLSON_PPRRRR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -916,12 +920,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : OLSON_PPRRRR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -OLSON_PPRRRR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 4; row++)
         if (status[row] >= LOST)
@@ -934,9 +938,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OLSON_PPRRRR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != OLSON_PPRRRR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -960,9 +964,9 @@ int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == OLSON_PPRRRR_OUT_OF_LIMITS && result < 0)
-            result = -OLSON_PPRRRR_OUT_OF_LIMITS;
-        if (status[row] != OLSON_PPRRRR_OK && status[row] != OLSON_PPRRRR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -976,7 +980,7 @@ int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -OLSON_PPRRRR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void olson_pprrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = PARALLEL_123_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PARALLEL_123_OK, NONE = PARALLEL_123_UNREACHABLE, FREE = PARALLEL_123_FREE_JOINT,
+    OUT = PARALLEL_123_OUT_OF_LIMITS, INVALID = PARALLEL_123_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -781,8 +785,8 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1_ || free123 || free123 || free6) ? PARALLEL_123_FREE_JOINT :
-                (x6_close[i1] || near6 || near123 || near1) ? CLOSE : PARALLEL_123_OK;
+            status[row] = (free1_ || free123 || free123 || free6) ? FREE : (x6_close[i1] || near6 ||
+                near123 || near1) ? CLOSE : OK;
         }
     }
 }
@@ -988,7 +992,7 @@ static void both_sides(
         take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
-            status[row] = PARALLEL_123_OK;
+            status[row] = OK;
         any += doubtful[row];
         if (status[row] == NONE || doubtful[row])
             continue;
@@ -1037,7 +1041,7 @@ static void both_sides(
         if (place < 0)
             break;
         take(known[next], q[place]);
-        status[place] = PARALLEL_123_OK;
+        status[place] = OK;
     }
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 6 && status[row] == NONE; i++)
@@ -1109,7 +1113,7 @@ static void seek(
     double found[6] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == PARALLEL_123_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
@@ -1141,7 +1145,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? PARALLEL_123_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1295,7 +1299,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PARALLEL_123_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1310,12 +1314,12 @@ int parallel_123_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : PARALLEL_123_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PARALLEL_123_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
@@ -1336,9 +1340,9 @@ int parallel_123_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PARALLEL_123_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PARALLEL_123_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1355,9 +1359,9 @@ int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PARALLEL_123_OUT_OF_LIMITS && result < 0)
-            result = -PARALLEL_123_OUT_OF_LIMITS;
-        if (status[row] != PARALLEL_123_OK && status[row] != PARALLEL_123_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1371,7 +1375,7 @@ int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -PARALLEL_123_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void parallel_123_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

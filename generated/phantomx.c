@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = PHANTOMX_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PHANTOMX_OK, NONE = PHANTOMX_UNREACHABLE, FREE = PHANTOMX_FREE_JOINT,
+    OUT = PHANTOMX_OUT_OF_LIMITS, INVALID = PHANTOMX_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -238,7 +242,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PHANTOMX_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
@@ -884,8 +888,7 @@ static void solve(
         const int free2_ = free2m3m4 || free2;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free1 || free2_ || free2m3m4 || free2m3m4) ? PHANTOMX_FREE_JOINT :
-            PHANTOMX_OK;
+        status[row] = (free1 || free2_ || free2m3m4 || free2m3m4) ? FREE : OK;
     }
 }
 
@@ -1082,7 +1085,7 @@ static void seek(
     double found[4] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 2 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == PHANTOMX_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         double here[4], ahead;
@@ -1118,7 +1121,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? PHANTOMX_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 4; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1250,7 +1253,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PHANTOMX_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1269,12 +1272,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : PHANTOMX_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PHANTOMX_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
@@ -1292,9 +1295,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PHANTOMX_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PHANTOMX_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1317,9 +1320,9 @@ int phantomx_ik_nearest(const double T[16], const double q_seed[4], double q[4])
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PHANTOMX_OUT_OF_LIMITS && result < 0)
-            result = -PHANTOMX_OUT_OF_LIMITS;
-        if (status[row] != PHANTOMX_OK && status[row] != PHANTOMX_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1333,7 +1336,7 @@ int phantomx_ik_nearest(const double T[16], const double q_seed[4], double q[4])
         }
     }
     take(found, q);
-    return valid ? result : -PHANTOMX_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void phantomx_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = PLANAR_RP_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PLANAR_RP_OK, NONE = PLANAR_RP_UNREACHABLE, FREE = PLANAR_RP_FREE_JOINT,
+    OUT = PLANAR_RP_OUT_OF_LIMITS, INVALID = PLANAR_RP_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -227,7 +231,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PLANAR_RP_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
@@ -360,7 +364,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * PLANAR_RP_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
@@ -428,7 +432,7 @@ static void solve(
         const double q1 = wrap(atan2(s1, c1) - offset1);
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2;
-        status[row] = (free1) ? PLANAR_RP_FREE_JOINT : PLANAR_RP_OK;
+        status[row] = (free1) ? FREE : OK;
     }
 }
 
@@ -659,22 +663,25 @@ static int settle(const double T[16], double enough, double most, double q[2])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[2][2], const unsigned char status[2])
+static int stand(const double T[16], int row, int far, double rows[2][2], const unsigned char
+    status[2])
 {
     double x[2], half[2], to[2], *q = rows[row];
     const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!settle(T, NAN, 1.5, x))
-        return;
+    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
@@ -705,7 +712,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PLANAR_RP_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
@@ -721,28 +728,31 @@ APART int ik_carefully(
     for (int i = 0; i < 2; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : PLANAR_RP_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 2; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PLANAR_RP_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 2; row++)
-        if (status[row] == PLANAR_RP_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
     stay(pose, seed, q, status);
-    for (int row = 0; row < 2; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 2 || (n < 2 * 2 && count == 0); n++) {
+        const int row = n % 2, far = n >= 2;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PLANAR_RP_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PLANAR_RP_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -765,9 +775,9 @@ int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PLANAR_RP_OUT_OF_LIMITS && result < 0)
-            result = -PLANAR_RP_OUT_OF_LIMITS;
-        if (status[row] != PLANAR_RP_OK && status[row] != PLANAR_RP_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 2; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -781,7 +791,7 @@ int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]
         }
     }
     take(found, q);
-    return valid ? result : -PLANAR_RP_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void planar_rp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = PLANAR_RR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PLANAR_RR_OK, NONE = PLANAR_RR_UNREACHABLE, FREE = PLANAR_RR_FREE_JOINT,
+    OUT = PLANAR_RR_OUT_OF_LIMITS, INVALID = PLANAR_RR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -205,7 +209,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PLANAR_RR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     a1 = 0.4, /* link length 1 [m] */
     a2 = 0.3, /* link length 2 [m] */
@@ -400,7 +404,7 @@ static void solve(
         const double q1 = atan2(s1, c1);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2;
-        status[row] = (free1) ? PLANAR_RR_FREE_JOINT : PLANAR_RR_OK;
+        status[row] = (free1) ? FREE : OK;
     }
 }
 
@@ -530,7 +534,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PLANAR_RR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -546,12 +550,12 @@ APART int ik_carefully(
     for (int i = 0; i < 2; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : PLANAR_RR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 2; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PLANAR_RR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -561,9 +565,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PLANAR_RR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PLANAR_RR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -586,9 +590,9 @@ int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PLANAR_RR_OUT_OF_LIMITS && result < 0)
-            result = -PLANAR_RR_OUT_OF_LIMITS;
-        if (status[row] != PLANAR_RR_OK && status[row] != PLANAR_RR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 2; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -602,7 +606,7 @@ int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
         }
     }
     take(found, q);
-    return valid ? result : -PLANAR_RR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void planar_rr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

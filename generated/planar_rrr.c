@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = PLANAR_RRR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PLANAR_RRR_OK, NONE = PLANAR_RRR_UNREACHABLE, FREE = PLANAR_RRR_FREE_JOINT,
+    OUT = PLANAR_RRR_OUT_OF_LIMITS, INVALID = PLANAR_RRR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -258,7 +262,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PLANAR_RRR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     a1 = 0.4, /* link length 1 [m] */
     a2 = 0.3, /* link length 2 [m] */
@@ -584,7 +588,7 @@ static void solve(
         const int free1_ = free123 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1_ || free123 || free123) ? PLANAR_RRR_FREE_JOINT : PLANAR_RRR_OK;
+        status[row] = (free1_ || free123 || free123) ? FREE : OK;
     }
 }
 
@@ -866,7 +870,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PLANAR_RRR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -885,12 +889,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : PLANAR_RRR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PLANAR_RRR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 2; row++)
         if (status[row] >= LOST)
@@ -903,9 +907,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PLANAR_RRR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PLANAR_RRR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -929,9 +933,9 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PLANAR_RRR_OUT_OF_LIMITS && result < 0)
-            result = -PLANAR_RRR_OUT_OF_LIMITS;
-        if (status[row] != PLANAR_RRR_OK && status[row] != PLANAR_RRR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -945,7 +949,7 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
         }
     }
     take(found, q);
-    return valid ? result : -PLANAR_RRR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void planar_rrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = PLANAR_RRRR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PLANAR_RRRR_OK, NONE = PLANAR_RRRR_UNREACHABLE, FREE = PLANAR_RRRR_FREE_JOINT,
+    OUT = PLANAR_RRRR_OUT_OF_LIMITS, INVALID = PLANAR_RRRR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -355,7 +359,7 @@ static void solve(
         if (!found) continue; /* out of reach */
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (chosen) ? PLANAR_RRRR_FREE_JOINT : PLANAR_RRRR_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -477,22 +481,25 @@ static int settle(const double T[16], double enough, double most, double q[4])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[1][4], const unsigned char status[1])
+static int stand(const double T[16], int row, int far, double rows[1][4], const unsigned char
+    status[1])
 {
     double x[4], half[4], to[4], *q = rows[row];
     const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!settle(T, NAN, 1.5, x))
-        return;
+    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 1; k++)
         if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 int planar_rrrr_ik(
@@ -505,24 +512,27 @@ int planar_rrrr_ik(
     for (int i = 0; i < 4; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 1; row++) {
-        status[row] = valid ? NONE : PLANAR_RRRR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PLANAR_RRRR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
-    for (int row = 0; row < 1; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 1 || (n < 2 * 1 && count == 0); n++) {
+        const int row = n % 1, far = n >= 1;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PLANAR_RRRR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PLANAR_RRRR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -539,9 +549,9 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
     }
     for (int row = 0; row < 1 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PLANAR_RRRR_OUT_OF_LIMITS && result < 0)
-            result = -PLANAR_RRRR_OUT_OF_LIMITS;
-        if (status[row] != PLANAR_RRRR_OK && status[row] != PLANAR_RRRR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -555,7 +565,7 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
         }
     }
     take(found, q);
-    return valid ? result : -PLANAR_RRRR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

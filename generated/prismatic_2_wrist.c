@@ -8,7 +8,12 @@
 
 #include <math.h>
 
-enum { NONE = PRISMATIC_2_WRIST_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PRISMATIC_2_WRIST_OK, NONE = PRISMATIC_2_WRIST_UNREACHABLE, FREE =
+        PRISMATIC_2_WRIST_FREE_JOINT,
+    OUT = PRISMATIC_2_WRIST_OUT_OF_LIMITS, INVALID = PRISMATIC_2_WRIST_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -234,7 +239,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     a1 = 0.1, /* link length 1 [m] */
     cat2 = 0.9800665778412416, /* cosine of the angle of joint 2 */
@@ -711,8 +716,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = -(v13 + v14); q[row][2] = q3; q[row][3] = q4;
                 q[row][4] = q5; q[row][5] = q6;
-                status[row] = (free1 || free4) ? PRISMATIC_2_WRIST_FREE_JOINT :
-                    PRISMATIC_2_WRIST_OK;
+                status[row] = (free1 || free4) ? FREE : OK;
             }
         }
     }
@@ -873,7 +877,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PRISMATIC_2_WRIST_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -892,12 +896,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : PRISMATIC_2_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PRISMATIC_2_WRIST_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
@@ -908,9 +912,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PRISMATIC_2_WRIST_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PRISMATIC_2_WRIST_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -934,9 +938,9 @@ int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PRISMATIC_2_WRIST_OUT_OF_LIMITS && result < 0)
-            result = -PRISMATIC_2_WRIST_OUT_OF_LIMITS;
-        if (status[row] != PRISMATIC_2_WRIST_OK && status[row] != PRISMATIC_2_WRIST_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -950,7 +954,7 @@ int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
         }
     }
     take(found, q);
-    return valid ? result : -PRISMATIC_2_WRIST_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void prismatic_2_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

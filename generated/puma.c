@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = PUMA_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PUMA_OK, NONE = PUMA_UNREACHABLE, FREE = PUMA_FREE_JOINT,
+    OUT = PUMA_OUT_OF_LIMITS, INVALID = PUMA_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -231,7 +235,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PUMA_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     L2 = 0.4318, /* z of axis 3 [m] */
     D3 = 0.15005, /* x of axis 4 [m] */
@@ -675,7 +679,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? PUMA_FREE_JOINT : PUMA_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -835,7 +839,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PUMA_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -854,12 +858,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : PUMA_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PUMA_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
@@ -870,9 +874,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PUMA_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PUMA_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -895,9 +899,9 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PUMA_OUT_OF_LIMITS && result < 0)
-            result = -PUMA_OUT_OF_LIMITS;
-        if (status[row] != PUMA_OK && status[row] != PUMA_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -911,7 +915,7 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         }
     }
     take(found, q);
-    return valid ? result : -PUMA_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void puma_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,12 @@
 
 #include <math.h>
 
-enum { NONE = PUMA560_CALIBRATED_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PUMA560_CALIBRATED_OK, NONE = PUMA560_CALIBRATED_UNREACHABLE, FREE =
+        PUMA560_CALIBRATED_FREE_JOINT,
+    OUT = PUMA560_CALIBRATED_OUT_OF_LIMITS, INVALID = PUMA560_CALIBRATED_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3833,7 +3838,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? PUMA560_CALIBRATED_FREE_JOINT : PUMA560_CALIBRATED_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3865,12 +3870,12 @@ int puma560_calibrated_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : PUMA560_CALIBRATED_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PUMA560_CALIBRATED_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
@@ -3879,9 +3884,9 @@ int puma560_calibrated_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PUMA560_CALIBRATED_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PUMA560_CALIBRATED_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3898,9 +3903,9 @@ int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], do
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PUMA560_CALIBRATED_OUT_OF_LIMITS && result < 0)
-            result = -PUMA560_CALIBRATED_OUT_OF_LIMITS;
-        if (status[row] != PUMA560_CALIBRATED_OK && status[row] != PUMA560_CALIBRATED_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3914,7 +3919,7 @@ int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], do
         }
     }
     take(found, q);
-    return valid ? result : -PUMA560_CALIBRATED_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void puma560_calibrated_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

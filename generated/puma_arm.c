@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = PUMA_ARM_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = PUMA_ARM_OK, NONE = PUMA_ARM_UNREACHABLE, FREE = PUMA_ARM_FREE_JOINT,
+    OUT = PUMA_ARM_OUT_OF_LIMITS, INVALID = PUMA_ARM_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -221,7 +225,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & PUMA_ARM_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.67183, /* joint offset 1 [m] */
     a2 = 0.4318, /* link length 2 [m] */
@@ -488,7 +492,7 @@ static void solve(
             const double q2 = atan2(s2, c2);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-            status[row] = (free1 || free2) ? PUMA_ARM_FREE_JOINT : PUMA_ARM_OK;
+            status[row] = (free1 || free2) ? FREE : OK;
         }
     }
 }
@@ -642,7 +646,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = PUMA_ARM_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -658,12 +662,12 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : PUMA_ARM_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -PUMA_ARM_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
@@ -674,9 +678,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = PUMA_ARM_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != PUMA_ARM_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -699,9 +703,9 @@ int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == PUMA_ARM_OUT_OF_LIMITS && result < 0)
-            result = -PUMA_ARM_OUT_OF_LIMITS;
-        if (status[row] != PUMA_ARM_OK && status[row] != PUMA_ARM_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -715,7 +719,7 @@ int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])
         }
     }
     take(found, q);
-    return valid ? result : -PUMA_ARM_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void puma_arm_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = RAIL_5DOF_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = RAIL_5DOF_OK, NONE = RAIL_5DOF_UNREACHABLE, FREE = RAIL_5DOF_FREE_JOINT,
+    OUT = RAIL_5DOF_OUT_OF_LIMITS, INVALID = RAIL_5DOF_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -229,7 +233,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & RAIL_5DOF_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
@@ -826,7 +830,7 @@ static void solve(
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = wz; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-        status[row] = (free2 || free3 || free4 || free5) ? RAIL_5DOF_FREE_JOINT : RAIL_5DOF_OK;
+        status[row] = (free2 || free3 || free4 || free5) ? FREE : OK;
     }
 }
 
@@ -898,7 +902,7 @@ static void seek(
     double found[5] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 2 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == RAIL_5DOF_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         double here[5], ahead;
@@ -934,7 +938,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? RAIL_5DOF_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1068,7 +1072,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = RAIL_5DOF_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1087,12 +1091,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : RAIL_5DOF_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -RAIL_5DOF_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
@@ -1107,9 +1111,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = RAIL_5DOF_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != RAIL_5DOF_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1132,9 +1136,9 @@ int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == RAIL_5DOF_OUT_OF_LIMITS && result < 0)
-            result = -RAIL_5DOF_OUT_OF_LIMITS;
-        if (status[row] != RAIL_5DOF_OK && status[row] != RAIL_5DOF_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 5; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1148,7 +1152,7 @@ int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]
         }
     }
     take(found, q);
-    return valid ? result : -RAIL_5DOF_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

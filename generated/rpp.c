@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = RPP_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = RPP_OK, NONE = RPP_UNREACHABLE, FREE = RPP_FREE_JOINT,
+    OUT = RPP_OUT_OF_LIMITS, INVALID = RPP_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -212,7 +216,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & RPP_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     free_limit1 = 5e-13, /* a length that fixes no angle [m] */
@@ -387,7 +391,7 @@ static void solve(
         const double r2 = w2 * e1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
-        status[row] = (free1) ? RPP_FREE_JOINT : RPP_OK;
+        status[row] = (free1) ? FREE : OK;
     }
 }
 
@@ -519,7 +523,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = RPP_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -535,12 +539,12 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : RPP_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -RPP_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -550,9 +554,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = RPP_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != RPP_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -575,9 +579,9 @@ int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == RPP_OUT_OF_LIMITS && result < 0)
-            result = -RPP_OUT_OF_LIMITS;
-        if (status[row] != RPP_OK && status[row] != RPP_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -591,7 +595,7 @@ int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
         }
     }
     take(found, q);
-    return valid ? result : -RPP_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void rpp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

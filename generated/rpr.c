@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = RPR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = RPR_OK, NONE = RPR_UNREACHABLE, FREE = RPR_FREE_JOINT,
+    OUT = RPR_OUT_OF_LIMITS, INVALID = RPR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -212,7 +216,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & RPR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     a3 = 0.3, /* link length 3 [m] */
@@ -431,7 +435,7 @@ static void solve(
             const double r2 = root1 + v3;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = r2; q[row][2] = q3;
-            status[row] = (free1) ? RPR_FREE_JOINT : RPR_OK;
+            status[row] = (free1) ? FREE : OK;
         }
     }
 }
@@ -564,7 +568,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = RPR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -580,12 +584,12 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : RPR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -RPR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
@@ -595,9 +599,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = RPR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != RPR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -620,9 +624,9 @@ int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == RPR_OUT_OF_LIMITS && result < 0)
-            result = -RPR_OUT_OF_LIMITS;
-        if (status[row] != RPR_OK && status[row] != RPR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -636,7 +640,7 @@ int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
         }
     }
     take(found, q);
-    return valid ? result : -RPR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = RRPRRR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = RRPRRR_OK, NONE = RRPRRR_UNREACHABLE, FREE = RRPRRR_FREE_JOINT,
+    OUT = RRPRRR_OUT_OF_LIMITS, INVALID = RRPRRR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -232,7 +236,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & RRPRRR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -579,7 +583,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? RRPRRR_FREE_JOINT : RRPRRR_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -718,7 +722,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = RRPRRR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -737,12 +741,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : RRPRRR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -RRPRRR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
@@ -752,9 +756,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = RRPRRR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != RRPRRR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -777,9 +781,9 @@ int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == RRPRRR_OUT_OF_LIMITS && result < 0)
-            result = -RRPRRR_OUT_OF_LIMITS;
-        if (status[row] != RRPRRR_OK && status[row] != RRPRRR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -793,7 +797,7 @@ int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         }
     }
     take(found, q);
-    return valid ? result : -RRPRRR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void rrprrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

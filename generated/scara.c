@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = SCARA_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SCARA_OK, NONE = SCARA_UNREACHABLE, FREE = SCARA_FREE_JOINT,
+    OUT = SCARA_OUT_OF_LIMITS, INVALID = SCARA_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -247,7 +251,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SCARA_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     L1 = 0.4, /* link length 1 [m] */
     L2 = 0.3, /* link length 2 [m] */
@@ -466,7 +470,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
     const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * SCARA_OUT_OF_LIMITS;
+    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
     __builtin_memcpy(status + 0, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
@@ -581,7 +585,7 @@ static void solve(
         const int free1_ = free124 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
-        status[row] = (free1_ || free124 || free124) ? SCARA_FREE_JOINT : SCARA_OK;
+        status[row] = (free1_ || free124 || free124) ? FREE : OK;
     }
 }
 
@@ -873,22 +877,25 @@ static int lead_inside(const double T[16], double enough, double most, double q[
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[2][4], const unsigned char status[2])
+static int stand(const double T[16], int row, int far, double rows[2][4], const unsigned char
+    status[2])
 {
     double x[4], half[4], to[4], *q = rows[row];
     const double beyond = past_ends(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!lead_inside(T, NAN, 1.5, x))
-        return;
+    if (!lead_inside(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
@@ -922,7 +929,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SCARA_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06 || past_ends(q[place]) > 0.0)
         take(x, q[place]);
 }
@@ -941,31 +948,34 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : SCARA_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SCARA_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 2; row++)
-        if (status[row] == SCARA_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 2; row++)
         for (int i = 0; i < 4; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
-    for (int row = 0; row < 2; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 2 || (n < 2 * 2 && count == 0); n++) {
+        const int row = n % 2, far = n >= 2;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SCARA_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SCARA_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -988,15 +998,15 @@ int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
     }
     int past = 0; /* joints beyond an end, by rounding: fast code turned them */
     for (int row = 0; row < 2 && valid; row++)
-        for (int i = 0; i < 4 && status[row] == SCARA_OK; i++)
+        for (int i = 0; i < 4 && status[row] == OK; i++)
             past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SCARA_OUT_OF_LIMITS && result < 0)
-            result = -SCARA_OUT_OF_LIMITS;
-        if (status[row] != SCARA_OK && status[row] != SCARA_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1010,7 +1020,7 @@ int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
         }
     }
     take(found, q);
-    return valid ? result : -SCARA_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void scara_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = SCARA_F32_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SCARA_F32_OK, NONE = SCARA_F32_UNREACHABLE, FREE = SCARA_F32_FREE_JOINT,
+    OUT = SCARA_F32_OUT_OF_LIMITS, INVALID = SCARA_F32_INVALID_POSE
+};
 
 static const float turn = 6.2831855f;
 #define half_turn (0.5f * turn)
@@ -139,7 +143,7 @@ TURNS(wide)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SCARA_F32_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const float
     L1 = 0.4f, /* link length 1 [m] */
     L2 = 0.3f, /* link length 2 [m] */
@@ -395,7 +399,7 @@ static void solve(
         const int free1_ = free124 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
-        status[row] = (free1_ || free124 || free124) ? SCARA_F32_FREE_JOINT : SCARA_F32_OK;
+        status[row] = (free1_ || free124 || free124) ? FREE : OK;
     }
 }
 
@@ -687,22 +691,25 @@ static int lead_inside(const float T[16], float enough, float most, float q[4])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const float T[16], int row, float rows[2][4], const unsigned char status[2])
+static int stand(const float T[16], int row, int far, float rows[2][4], const unsigned char
+    status[2])
 {
     float x[4], half[4], to[4], *q = rows[row];
     const float beyond = past_ends(q);
-    if (!(0.0f < beyond && beyond < 0.01f))
-        return;
+    if (!(0.0f < beyond && (far || beyond < 0.01f)))
+        return 0;
     take(q, x);
-    if (!lead_inside(T, NAN, 1.5f, x))
-        return;
+    if (!lead_inside(T, NAN, far ? HUGE_VALF : 1.5f, x))
+        return 0;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 2; k++)
         if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.03f && !settle(T, 5e-05f, 0.25f * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
@@ -736,7 +743,7 @@ static void stay(
         least = fminf(least, between);
     }
     if (least >= 0.0f)
-        status[place] = SCARA_F32_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 0.003f || past_ends(q[place]) > 0.0f)
         take(x, q[place]);
 }
@@ -755,31 +762,34 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : SCARA_F32_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SCARA_F32_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 2; row++)
-        if (status[row] == SCARA_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0f)
             keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 2; row++)
         for (int i = 0; i < 4; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
-    for (int row = 0; row < 2; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 2 || (n < 2 * 2 && count == 0); n++) {
+        const int row = n % 2, far = n >= 2;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 4; i++) {
             float *value = &q[row][i];
             *value = turned(i, *value, 0.0f);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SCARA_F32_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SCARA_F32_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -802,15 +812,15 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
     }
     int past = 0; /* joints beyond an end, by rounding: fast code turned them */
     for (int row = 0; row < 2 && valid; row++)
-        for (int i = 0; i < 4 && status[row] == SCARA_F32_OK; i++)
+        for (int i = 0; i < 4 && status[row] == OK; i++)
             past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 2 && valid; row++) {
         float distance = 0.0f;
-        if (status[row] == SCARA_F32_OUT_OF_LIMITS && result < 0)
-            result = -SCARA_F32_OUT_OF_LIMITS;
-        if (status[row] != SCARA_F32_OK && status[row] != SCARA_F32_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -824,7 +834,7 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
         }
     }
     take(found, q);
-    return valid ? result : -SCARA_F32_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)

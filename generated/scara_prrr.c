@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = SCARA_PRRR_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SCARA_PRRR_OK, NONE = SCARA_PRRR_UNREACHABLE, FREE = SCARA_PRRR_FREE_JOINT,
+    OUT = SCARA_PRRR_OUT_OF_LIMITS, INVALID = SCARA_PRRR_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -239,7 +243,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SCARA_PRRR_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     a2 = 0.3, /* link length 2 [m] */
     a3 = 0.25, /* link length 3 [m] */
@@ -518,7 +522,7 @@ static void solve(
         const int free2_ = free234 || free2;
         const int row = i1;
         q[row][0] = T34; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free2_ || free234 || free234) ? SCARA_PRRR_FREE_JOINT : SCARA_PRRR_OK;
+        status[row] = (free2_ || free234 || free234) ? FREE : OK;
     }
 }
 
@@ -655,7 +659,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SCARA_PRRR_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -674,12 +678,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : SCARA_PRRR_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 4; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SCARA_PRRR_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -689,9 +693,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SCARA_PRRR_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SCARA_PRRR_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -715,9 +719,9 @@ int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SCARA_PRRR_OUT_OF_LIMITS && result < 0)
-            result = -SCARA_PRRR_OUT_OF_LIMITS;
-        if (status[row] != SCARA_PRRR_OK && status[row] != SCARA_PRRR_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -731,7 +735,7 @@ int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4
         }
     }
     take(found, q);
-    return valid ? result : -SCARA_PRRR_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void scara_prrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = SCARA_WRIST_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SCARA_WRIST_OK, NONE = SCARA_WRIST_UNREACHABLE, FREE = SCARA_WRIST_FREE_JOINT,
+    OUT = SCARA_WRIST_OUT_OF_LIMITS, INVALID = SCARA_WRIST_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -251,7 +255,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SCARA_WRIST_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     a1 = 0.4, /* link length 1 [m] */
@@ -583,7 +587,7 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1 || free12m4) ? SCARA_WRIST_FREE_JOINT : SCARA_WRIST_OK;
+            status[row] = (free1 || free12m4) ? FREE : OK;
         }
     }
 }
@@ -721,7 +725,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SCARA_WRIST_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -740,12 +744,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : SCARA_WRIST_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SCARA_WRIST_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
@@ -755,9 +759,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SCARA_WRIST_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SCARA_WRIST_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -781,9 +785,9 @@ int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SCARA_WRIST_OUT_OF_LIMITS && result < 0)
-            result = -SCARA_WRIST_OUT_OF_LIMITS;
-        if (status[row] != SCARA_WRIST_OK && status[row] != SCARA_WRIST_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -797,7 +801,7 @@ int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[
         }
     }
     take(found, q);
-    return valid ? result : -SCARA_WRIST_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void scara_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

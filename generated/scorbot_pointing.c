@@ -8,7 +8,12 @@
 
 #include <math.h>
 
-enum { NONE = SCORBOT_POINTING_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SCORBOT_POINTING_OK, NONE = SCORBOT_POINTING_UNREACHABLE, FREE =
+        SCORBOT_POINTING_FREE_JOINT,
+    OUT = SCORBOT_POINTING_OUT_OF_LIMITS, INVALID = SCORBOT_POINTING_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -223,7 +228,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SCORBOT_POINTING_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
@@ -934,8 +939,7 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
             q[row][4] = free_joints[0];
-            status[row] = (free1 || free2_ || free234 || free234) ? SCORBOT_POINTING_FREE_JOINT :
-                SCORBOT_POINTING_OK;
+            status[row] = (free1 || free2_ || free234 || free234) ? FREE : OK;
         }
     }
 }
@@ -1136,7 +1140,7 @@ static void seek(
     double found[5] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == SCORBOT_POINTING_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         double here[5], ahead;
@@ -1173,7 +1177,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 4; row++) {
-        status[row] = row == begun ? SCORBOT_POINTING_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1314,7 +1318,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SCORBOT_POINTING_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1334,12 +1338,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : SCORBOT_POINTING_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SCORBOT_POINTING_INVALID_POSE;
+        return -INVALID;
     solve(pose, free_joints, seed, q, status);
     int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 4 - 1; row >= 0; row--)
@@ -1357,9 +1361,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, pace[i] > 0.0 ? 0.0 : *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SCORBOT_POINTING_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SCORBOT_POINTING_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1385,9 +1389,9 @@ int scorbot_pointing_ik_nearest(
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SCORBOT_POINTING_OUT_OF_LIMITS && result < 0)
-            result = -SCORBOT_POINTING_OUT_OF_LIMITS;
-        if (status[row] != SCORBOT_POINTING_OK && status[row] != SCORBOT_POINTING_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 5; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1401,7 +1405,7 @@ int scorbot_pointing_ik_nearest(
         }
     }
     take(found, q);
-    return valid ? result : -SCORBOT_POINTING_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void scorbot_pointing_ik_batch(

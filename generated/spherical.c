@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = SPHERICAL_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SPHERICAL_OK, NONE = SPHERICAL_UNREACHABLE, FREE = SPHERICAL_FREE_JOINT,
+    OUT = SPHERICAL_OUT_OF_LIMITS, INVALID = SPHERICAL_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -213,7 +217,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SPHERICAL_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     free_limit1 = 5e-13, /* a length that fixes no angle [m] */
@@ -423,7 +427,7 @@ static void solve(
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-            status[row] = (free1 || free2) ? SPHERICAL_FREE_JOINT : SPHERICAL_OK;
+            status[row] = (free1 || free2) ? FREE : OK;
         }
     }
 }
@@ -556,7 +560,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SPHERICAL_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -572,12 +576,12 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : SPHERICAL_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SPHERICAL_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
@@ -587,9 +591,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SPHERICAL_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SPHERICAL_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -612,9 +616,9 @@ int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3]
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SPHERICAL_OUT_OF_LIMITS && result < 0)
-            result = -SPHERICAL_OUT_OF_LIMITS;
-        if (status[row] != SPHERICAL_OK && status[row] != SPHERICAL_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -628,7 +632,7 @@ int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         }
     }
     take(found, q);
-    return valid ? result : -SPHERICAL_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void spherical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

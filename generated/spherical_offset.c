@@ -8,7 +8,12 @@
 
 #include <math.h>
 
-enum { NONE = SPHERICAL_OFFSET_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SPHERICAL_OFFSET_OK, NONE = SPHERICAL_OFFSET_UNREACHABLE, FREE =
+        SPHERICAL_OFFSET_FREE_JOINT,
+    OUT = SPHERICAL_OFFSET_OUT_OF_LIMITS, INVALID = SPHERICAL_OFFSET_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -214,7 +219,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SPHERICAL_OFFSET_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d2 = 0.15, /* joint offset 2 [m] */
     free_limit_squared2 = 2.2499999999999997e-26, /* square of a length that fixes no angle [m^2] */
@@ -435,7 +440,7 @@ static void solve(
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-            status[row] = (free1 || free2) ? SPHERICAL_OFFSET_FREE_JOINT : SPHERICAL_OFFSET_OK;
+            status[row] = (free1 || free2) ? FREE : OK;
         }
     }
 }
@@ -568,7 +573,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SPHERICAL_OFFSET_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -584,12 +589,12 @@ APART int ik_carefully(
     for (int i = 0; i < 3; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : SPHERICAL_OFFSET_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SPHERICAL_OFFSET_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
@@ -599,9 +604,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SPHERICAL_OFFSET_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SPHERICAL_OFFSET_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -625,9 +630,9 @@ int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], doub
     }
     for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SPHERICAL_OFFSET_OUT_OF_LIMITS && result < 0)
-            result = -SPHERICAL_OFFSET_OUT_OF_LIMITS;
-        if (status[row] != SPHERICAL_OFFSET_OK && status[row] != SPHERICAL_OFFSET_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -641,7 +646,7 @@ int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], doub
         }
     }
     take(found, q);
-    return valid ? result : -SPHERICAL_OFFSET_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void spherical_offset_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

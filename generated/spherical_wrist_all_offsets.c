@@ -9,7 +9,13 @@
 
 #include <math.h>
 
-enum { NONE = SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SPHERICAL_WRIST_ALL_OFFSETS_OK, NONE = SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE, FREE =
+        SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT,
+    OUT = SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS, INVALID =
+        SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -243,7 +249,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     a1 = 0.12, /* link length 1 [m] */
@@ -709,8 +715,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT :
-                    SPHERICAL_WRIST_ALL_OFFSETS_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -870,7 +875,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -889,12 +894,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
@@ -905,9 +910,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -931,10 +936,9 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS && result < 0)
-            result = -SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
-        if (status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OK && status[row] !=
-            SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -948,7 +952,7 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
         }
     }
     take(found, q);
-    return valid ? result : -SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void spherical_wrist_all_offsets_ik_batch(

@@ -9,7 +9,13 @@
 
 #include <math.h>
 
-enum { NONE = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = SPHERICAL_WRIST_GENERAL_ARM_OK, NONE = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE, FREE =
+        SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT,
+    OUT = SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS, INVALID =
+        SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -757,9 +763,8 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1 || free2 || free4 || free5) ?
-                SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : (x1_close[i1] || near2 || near4 || near5) ?
-                CLOSE : SPHERICAL_WRIST_GENERAL_ARM_OK;
+            status[row] = (free1 || free2 || free4 || free5) ? FREE : (x1_close[i1] || near2 ||
+                near4 || near5) ? CLOSE : OK;
         }
     }
 }
@@ -839,7 +844,7 @@ static void both_sides(
         take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
-            status[row] = SPHERICAL_WRIST_GENERAL_ARM_OK;
+            status[row] = OK;
         any += doubtful[row];
         if (status[row] == NONE || doubtful[row])
             continue;
@@ -888,7 +893,7 @@ static void both_sides(
         if (place < 0)
             break;
         take(known[next], q[place]);
-        status[place] = SPHERICAL_WRIST_GENERAL_ARM_OK;
+        status[place] = OK;
     }
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 6 && status[row] == NONE; i++)
@@ -960,7 +965,7 @@ static void seek(
     double found[6] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         before = fault < before ? fault : before;
@@ -992,7 +997,7 @@ static void seek(
     if (least == before)
         return;
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 6; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1124,7 +1129,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -1139,12 +1144,12 @@ int spherical_wrist_general_arm_ik(
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
@@ -1161,9 +1166,9 @@ int spherical_wrist_general_arm_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1180,10 +1185,9 @@ int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_se
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS && result < 0)
-            result = -SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
-        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_OK && status[row] !=
-            SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1197,7 +1201,7 @@ int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_se
         }
     }
     take(found, q);
-    return valid ? result : -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void spherical_wrist_general_arm_ik_batch(

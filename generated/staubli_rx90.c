@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = STAUBLI_RX90_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = STAUBLI_RX90_OK, NONE = STAUBLI_RX90_UNREACHABLE, FREE = STAUBLI_RX90_FREE_JOINT,
+    OUT = STAUBLI_RX90_OUT_OF_LIMITS, INVALID = STAUBLI_RX90_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -232,7 +236,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & STAUBLI_RX90_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     a2 = 0.45, /* link length 3 [m] */
     d4 = 0.45, /* joint offset 4 [m] */
@@ -659,7 +663,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? STAUBLI_RX90_FREE_JOINT : STAUBLI_RX90_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -796,7 +800,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = STAUBLI_RX90_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -815,12 +819,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : STAUBLI_RX90_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -STAUBLI_RX90_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
@@ -830,9 +834,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = STAUBLI_RX90_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != STAUBLI_RX90_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -856,9 +860,9 @@ int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == STAUBLI_RX90_OUT_OF_LIMITS && result < 0)
-            result = -STAUBLI_RX90_OUT_OF_LIMITS;
-        if (status[row] != STAUBLI_RX90_OK && status[row] != STAUBLI_RX90_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -872,7 +876,7 @@ int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -STAUBLI_RX90_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void staubli_rx90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

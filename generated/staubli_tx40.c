@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = STAUBLI_TX40_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = STAUBLI_TX40_OK, NONE = STAUBLI_TX40_UNREACHABLE, FREE = STAUBLI_TX40_FREE_JOINT,
+    OUT = STAUBLI_TX40_OUT_OF_LIMITS, INVALID = STAUBLI_TX40_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -247,7 +251,7 @@ TURNS(four)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & STAUBLI_TX40_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.32, /* joint offset 1 [m] */
     a2 = 0.225, /* link length 2 [m] */
@@ -734,7 +738,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? STAUBLI_TX40_FREE_JOINT : STAUBLI_TX40_OK;
+                status[row] = (free1 || free2 || free4) ? FREE : OK;
             }
         }
     }
@@ -894,7 +898,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = STAUBLI_TX40_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -913,12 +917,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : STAUBLI_TX40_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -STAUBLI_TX40_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
@@ -929,9 +933,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = STAUBLI_TX40_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != STAUBLI_TX40_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -955,9 +959,9 @@ int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == STAUBLI_TX40_OUT_OF_LIMITS && result < 0)
-            result = -STAUBLI_TX40_OUT_OF_LIMITS;
-        if (status[row] != STAUBLI_TX40_OK && status[row] != STAUBLI_TX40_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -971,7 +975,7 @@ int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q
         }
     }
     take(found, q);
-    return valid ? result : -STAUBLI_TX40_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void staubli_tx40_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

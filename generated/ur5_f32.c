@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = UR5_F32_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = UR5_F32_OK, NONE = UR5_F32_UNREACHABLE, FREE = UR5_F32_FREE_JOINT,
+    OUT = UR5_F32_OUT_OF_LIMITS, INVALID = UR5_F32_INVALID_POSE
+};
 
 static const float turn = 6.2831855f;
 #define half_turn (0.5f * turn)
@@ -131,7 +135,7 @@ TURNS(wide)
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & UR5_F32_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const float
     d1 = 0.089159f, /* joint offset 1 [m] */
     a2 = -0.425f, /* link length 2 [m] */
@@ -537,7 +541,7 @@ static void solve(
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free6) ? UR5_F32_FREE_JOINT : UR5_F32_OK;
+                status[row] = (free1 || free2 || free6) ? FREE : OK;
             }
         }
     }
@@ -911,22 +915,25 @@ static int lead_inside(const float T[16], float enough, float most, float q[6])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const float T[16], int row, float rows[8][6], const unsigned char status[8])
+static int stand(const float T[16], int row, int far, float rows[8][6], const unsigned char
+    status[8])
 {
     float x[6], half[6], to[6], *q = rows[row];
     const float beyond = past_ends(q);
-    if (!(0.0f < beyond && beyond < 0.01f))
-        return;
+    if (!(0.0f < beyond && (far || beyond < 0.01f)))
+        return 0;
     take(q, x);
-    if (!lead_inside(T, NAN, 1.5f, x))
-        return;
+    if (!lead_inside(T, NAN, far ? HUGE_VALF : 1.5f, x))
+        return 0;
     const float off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != NONE && past_ends(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.03f && !settle(T, 5e-05f, 0.25f * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
@@ -983,7 +990,7 @@ static void stay(
         least = fminf(least, between);
     }
     if (least >= 0.0f)
-        status[place] = UR5_F32_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 0.003f || past_ends(q[place]) > 0.0f)
         take(x, q[place]);
 }
@@ -1002,35 +1009,38 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : UR5_F32_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -UR5_F32_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++)
-        if (status[row] == UR5_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0f)
             keep_limits(pose, seed, row, q, status);
     tell_once(pose, q, status);
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
+        const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
             *value = turned(i, *value, 0.0f);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = UR5_F32_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != UR5_F32_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1053,15 +1063,15 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
     }
     int past = 0; /* joints beyond an end, by rounding: fast code turned them */
     for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == UR5_F32_OK; i++)
+        for (int i = 0; i < 6 && status[row] == OK; i++)
             past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {
         float distance = 0.0f;
-        if (status[row] == UR5_F32_OUT_OF_LIMITS && result < 0)
-            result = -UR5_F32_OUT_OF_LIMITS;
-        if (status[row] != UR5_F32_OK && status[row] != UR5_F32_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1075,7 +1085,7 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         }
     }
     take(found, q);
-    return valid ? result : -UR5_F32_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)

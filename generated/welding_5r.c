@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = WELDING_5R_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = WELDING_5R_OK, NONE = WELDING_5R_UNREACHABLE, FREE = WELDING_5R_FREE_JOINT,
+    OUT = WELDING_5R_OUT_OF_LIMITS, INVALID = WELDING_5R_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -710,8 +714,8 @@ static void solve(
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234) ? WELDING_5R_FREE_JOINT :
-                (x1_close[i1] || near1 || near234 || near2) ? CLOSE : WELDING_5R_OK;
+            status[row] = (free1 || free2_ || free234 || free234) ? FREE : (x1_close[i1] || near1 ||
+                near234 || near2) ? CLOSE : OK;
         }
     }
 }
@@ -961,7 +965,7 @@ static void both_sides(
         take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
-            status[row] = WELDING_5R_OK;
+            status[row] = OK;
         any += doubtful[row];
         if (status[row] == NONE || doubtful[row])
             continue;
@@ -1010,7 +1014,7 @@ static void both_sides(
         if (place < 0)
             break;
         take(known[next], q[place]);
-        status[place] = WELDING_5R_OK;
+        status[place] = OK;
     }
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 5 && status[row] == NONE; i++)
@@ -1083,7 +1087,7 @@ static void seek(
     double found[5] = { 0.0 };
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == WELDING_5R_FREE_JOINT;
+        int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
         fault += beyond_limits(q[row]) > 0.0;
@@ -1122,7 +1126,7 @@ static void seek(
         return;
     }
     for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? WELDING_5R_FREE_JOINT : NONE;
+        status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 5; i++)
             q[row][i] = row == begun ? found[i] : (double)NAN;
     }
@@ -1254,22 +1258,25 @@ static int settle(const double T[16], double enough, double most, double q[5])
 
 /* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
  * nearer to another row, which is less far beyond. */
-static void stand(const double T[16], int row, double rows[8][5], const unsigned char status[8])
+static int stand(const double T[16], int row, int far, double rows[8][5], const unsigned char
+    status[8])
 {
     double x[5], half[5], to[5], *q = rows[row];
     const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && beyond < 0.01))
-        return;
+    if (!(0.0 < beyond && (far || beyond < 0.01)))
+        return 0;
     take(q, x);
-    if (!settle(T, NAN, 1.5, x))
-        return;
+    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
+        return 0;
     const double off = half_way(q, x, half);
     for (int k = 0; k < 8; k++)
         if (status[k] != NONE && beyond_limits(rows[k]) < beyond
             && half_way(rows[k], x, to) < off)
-            return;
-    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
-        take(x, q);
+            return 0;
+    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
+        return 0;
+    take(x, q);
+    return 1;
 }
 
 /* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
@@ -1322,7 +1329,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = WELDING_5R_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
         take(x, q[place]);
 }
@@ -1337,12 +1344,12 @@ int welding_5r_ik(
     for (int i = 0; i < 5; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : WELDING_5R_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 5; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -WELDING_5R_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, 0.0, q, status);
     int begun = -1; /* the first row that was not simply out of reach */
     for (int row = 8 - 1; row >= 0; row--)
@@ -1351,7 +1358,7 @@ int welding_5r_ik(
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++)
-        if (status[row] == WELDING_5R_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
@@ -1359,17 +1366,20 @@ int welding_5r_ik(
         seek(pose, seed, begun, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
+    /* farther where no row is inside all limits */
+    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
+        const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)
             continue;
-        stand(pose, row, q, status);
+        if (stand(pose, row, far, q, status) && far)
+            status[row] = FREE;
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = WELDING_5R_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != WELDING_5R_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -1386,9 +1396,9 @@ int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5
     }
     for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == WELDING_5R_OUT_OF_LIMITS && result < 0)
-            result = -WELDING_5R_OUT_OF_LIMITS;
-        if (status[row] != WELDING_5R_OK && status[row] != WELDING_5R_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 5; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -1402,7 +1412,7 @@ int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5
         }
     }
     take(found, q);
-    return valid ? result : -WELDING_5R_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { NONE = WRIST_CARDAN_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = WRIST_CARDAN_OK, NONE = WRIST_CARDAN_UNREACHABLE, FREE = WRIST_CARDAN_FREE_JOINT,
+    OUT = WRIST_CARDAN_OUT_OF_LIMITS, INVALID = WRIST_CARDAN_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -238,7 +242,7 @@ HELPER void transpose(wide x[LANES])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & WRIST_CARDAN_OUT_OF_LIMITS))
+        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     m1 = 9.999999999999999e-09; /* doubt_limit^2 */
@@ -443,7 +447,7 @@ static void solve(
         const double q3 = atan2(s3, c3);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1) ? WRIST_CARDAN_FREE_JOINT : WRIST_CARDAN_OK;
+        status[row] = (free1) ? FREE : OK;
     }
 }
 
@@ -578,7 +582,7 @@ static void stay(
         least = fmin(least, between);
     }
     if (least >= 0.0)
-        status[place] = WRIST_CARDAN_FREE_JOINT;
+        status[place] = FREE;
     if (nearest > 1e-06)
         take(x, q[place]);
 }
@@ -597,12 +601,12 @@ APART int ik_carefully(
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : WRIST_CARDAN_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 3; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -WRIST_CARDAN_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
@@ -612,9 +616,9 @@ APART int ik_carefully(
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = WRIST_CARDAN_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != WRIST_CARDAN_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -638,9 +642,9 @@ int wrist_cardan_ik_nearest(const double T[16], const double q_seed[3], double q
     }
     for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == WRIST_CARDAN_OUT_OF_LIMITS && result < 0)
-            result = -WRIST_CARDAN_OUT_OF_LIMITS;
-        if (status[row] != WRIST_CARDAN_OK && status[row] != WRIST_CARDAN_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -654,7 +658,7 @@ int wrist_cardan_ik_nearest(const double T[16], const double q_seed[3], double q
         }
     }
     take(found, q);
-    return valid ? result : -WRIST_CARDAN_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void wrist_cardan_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

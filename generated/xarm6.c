@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = XARM6_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = XARM6_OK, NONE = XARM6_UNREACHABLE, FREE = XARM6_FREE_JOINT,
+    OUT = XARM6_OUT_OF_LIMITS, INVALID = XARM6_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3887,7 +3891,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? XARM6_FREE_JOINT : XARM6_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3918,12 +3922,12 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
     for (int i = 0; i < 6; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : XARM6_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -XARM6_INVALID_POSE;
+        return -INVALID;
     solve(pose, seed, q, status);
     for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
@@ -3932,9 +3936,9 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = XARM6_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != XARM6_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3951,9 +3955,9 @@ int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == XARM6_OUT_OF_LIMITS && result < 0)
-            result = -XARM6_OUT_OF_LIMITS;
-        if (status[row] != XARM6_OK && status[row] != XARM6_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3967,7 +3971,7 @@ int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         }
     }
     take(found, q);
-    return valid ? result : -XARM6_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void xarm6_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -7,7 +7,11 @@
 
 #include <math.h>
 
-enum { NONE = XARM7_UNREACHABLE }; /* no solution */
+/* What rows hold. */
+enum {
+    OK = XARM7_OK, NONE = XARM7_UNREACHABLE, FREE = XARM7_FREE_JOINT,
+    OUT = XARM7_OUT_OF_LIMITS, INVALID = XARM7_INVALID_POSE
+};
 
 static const double turn = 6.283185307179586;
 #define half_turn (0.5 * turn)
@@ -3666,7 +3670,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6; q[row][6] = q7;
-        status[row] = (chosen) ? XARM7_FREE_JOINT : XARM7_OK;
+        status[row] = (chosen) ? FREE : OK;
     }
 }
 
@@ -3699,12 +3703,12 @@ int xarm7_ik(
     for (int i = 0; i < 7; i++)
         valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : XARM7_INVALID_POSE;
+        status[row] = valid ? NONE : INVALID;
         for (int i = 0; i < 7; i++)
             q[row][i] = NAN;
     }
     if (!valid)
-        return -XARM7_INVALID_POSE;
+        return -INVALID;
     solve(pose, free_joints, seed, q, status);
     for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
@@ -3713,9 +3717,9 @@ int xarm7_ik(
             double *value = &q[row][i];
             *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = XARM7_OUT_OF_LIMITS;
+                status[row] = OUT;
         }
-        count += status[row] != XARM7_OUT_OF_LIMITS;
+        count += status[row] != OUT;
     }
     return count;
 }
@@ -3733,9 +3737,9 @@ int xarm7_ik_nearest(
     }
     for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
-        if (status[row] == XARM7_OUT_OF_LIMITS && result < 0)
-            result = -XARM7_OUT_OF_LIMITS;
-        if (status[row] != XARM7_OK && status[row] != XARM7_FREE_JOINT)
+        if (status[row] == OUT && result < 0)
+            result = -OUT;
+        if (status[row] != OK && status[row] != FREE)
             continue;
         for (int i = 0; i < 7; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
@@ -3749,7 +3753,7 @@ int xarm7_ik_nearest(
         }
     }
     take(found, q);
-    return valid ? result : -XARM7_INVALID_POSE;
+    return valid ? result : -INVALID;
 }
 
 void xarm7_ik_batch(

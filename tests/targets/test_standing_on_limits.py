@@ -32,6 +32,7 @@ from tests.targets.made import (
     residual,
     robot,
     robot_path,
+    solving,
     without_numba,
 )
 
@@ -155,6 +156,35 @@ def test_a_joint_that_is_beyond_its_end_is_turned(language: str) -> None:
     assert status == OK
     assert inside("ur5", found[None], SLACK)
     assert residual("ur5", found[None], T) < 1e-12
+
+
+# An elbow beside stretched, and a straight wrist whose joints are far from 0 by their limits.
+STRAIGHT = [
+    "theta: q, d: 0.4, alpha: pi/2, limits: [-170 deg, 170 deg]",
+    "theta: q, a: 0.4, limits: [-170 deg, 170 deg]",
+    "theta: q, alpha: pi/2, limits: [-170 deg, 170 deg]",
+    "theta: q, d: 0.4, alpha: -pi/2, limits: [20 deg, 150 deg]",
+    "theta: q, alpha: pi/2, limits: [-120 deg, 120 deg]",
+    "theta: q, d: 0.1, limits: [20 deg, 150 deg]",
+]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_of_a_continuum_that_rounding_hides_a_row_is_inside_all_limits(language: str) -> None:
+    """The wrist came out bent by as much as the elbow: nothing was free, and no row was inside."""
+    compiled = made_up("straight", STRAIGHT, "")
+    solve = solving(compiled, language)
+    low, high = np.array([joint.limits for joint in compiled.robot.joints], dtype=float).T
+    source = np.random.default_rng(1)
+    for elbow in (1e-4, 1e-5, 1e-8):
+        q = source.uniform(low, high, (5, 6))
+        q[:, 2], q[:, 4] = np.pi / 2 + elbow, 0.0
+        for T in np.asarray(forward(compiled.robot, q), dtype=float):
+            rows, status = solve(T, np.zeros(6))
+            held = rows[np.isin(status, (OK, FREE_JOINT))]
+            assert len(held), elbow
+            assert ((low - SLACK <= held) & (held <= high + SLACK)).all()
+            assert np.abs(forward(compiled.robot, held) - T).max() < 1e-11
 
 
 # A torch whose arm lies in a plane; turned to a right angle, many roots of its polynomial meet.

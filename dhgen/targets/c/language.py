@@ -136,10 +136,9 @@ class C:
         lines = [f"const int row = {row_text(program, len(program.axes))};"]
         lines += packed(pieces, "", width=WIDTH - 4 * (len(program.axes) + 1))
         flags = " || ".join(name for _, name in program.free)
-        prefix = program.name.upper()
         close = " || ".join(close_texts(program))
-        solved = f"({close}) ? CLOSE : {prefix}_OK" if close else f"{prefix}_OK"
-        solved = f"({flags}) ? {prefix}_FREE_JOINT : {solved}" if flags else solved
+        solved = f"({close}) ? CLOSE : OK" if close else "OK"
+        solved = f"({flags}) ? FREE : {solved}" if flags else solved
         return [*lines, f"status[row] = {solved};"]
 
     def broken(self, line: str, indent: str) -> list[str]:

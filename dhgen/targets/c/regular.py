@@ -254,7 +254,7 @@ def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -
         lines += stores(text, group, row)
     nones = [_is_nan(text, group[0]) for group in flat.groups]
     outsides = [text.mask(outside) for outside in flat.outside]
-    lines += status_lines(module.name.upper(), module.solver.rows, rows, nones, outsides)
+    lines += status_lines(module.solver.rows, rows, nones, outsides)
     head = "HELPER int solve_regular"
     return LaneFunction(_prototype(module, head, "one"), lines, f"{len(flat.lanes)} signs")
 

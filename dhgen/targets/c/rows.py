@@ -72,7 +72,7 @@ def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> li
 
 
 def status_lines(
-    prefix: str, count: int, rows: list[list[int]], nones: list[str], outsides: list[str]
+    count: int, rows: list[list[int]], nones: list[str], outsides: list[str]
 ) -> list[str]:
     """Statements that write the statuses and return how many rows are OK.
 
@@ -80,7 +80,6 @@ def status_lines(
     its byte, among others, which are masked off.
 
     Args:
-        prefix: Of the names of statuses.
         count: How many rows there are.
         rows: For each group the row of each lane; lanes may stand for the same row.
         nones: For each group the mask of lanes without a solution.
@@ -95,7 +94,7 @@ def status_lines(
         fine = f"~{none}"
         if outsides:
             lines += _word(outside, first, rows, outsides)
-            word = f"{word} + ({outside} & ~{none}) * {prefix}_OUT_OF_LIMITS"
+            word = f"{word} + ({outside} & ~{none}) * OUT"
             fine = f"~({none} | {outside})"
         status = f"kind{first // WORD + 1}"
         lines += wrapped(f"{INDENT}const unsigned long long {status} = {word};", INDENT)
