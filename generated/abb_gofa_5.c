@@ -2891,8 +2891,8 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 1000000000000.0 &&
-                                abb_gofa_5_largest(second * squares) < 111111111111.1111;
+    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 25000000000000.004 &&
+                                abb_gofa_5_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p a697e17c6fd84cb7"
+_KEY = "general_5r1p 9564a47af9228432"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1728,7 +1728,7 @@ def _general_5r1p_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 1000000000000.0 and second * squares < 111111111111.1111
+    regular = length * squares < 25000000000000.004 and second * squares < 1000000000000.0
     if not double:
         return 1, regular
     square = 0.0

@@ -3071,8 +3071,8 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 1000000000000.0 &&
-                                kinova_gen3_lite_largest(second * squares) < 111111111111.1111;
+    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 25000000000000.004 &&
+                                kinova_gen3_lite_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 01cffcba9f224fa5"
+_KEY = "kinova_jaco2 025423c80f35276c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1580,7 +1580,7 @@ def _kinova_jaco2_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 1000000000000.0 and second * squares < 111111111111.1111
+    regular = length * squares < 25000000000000.004 and second * squares < 1000000000000.0
     if not double:
         return 1, regular
     square = 0.0

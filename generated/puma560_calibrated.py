@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560_calibrated b52ecea4b9996464"
+_KEY = "puma560_calibrated 08254859a1177f1e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1671,7 +1671,7 @@ def _puma560_calibrated_null_vectors(factors, at, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
-    regular = length * squares < 1000000000000.0 and second * squares < 111111111111.1111
+    regular = length * squares < 25000000000000.004 and second * squares < 1000000000000.0
     if not double:
         return 1, regular
     square = 0.0

@@ -2790,8 +2790,8 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = xarm7_largest(length * squares) < 1000000000000.0 &&
-                                xarm7_largest(second * squares) < 111111111111.1111;
+    out->regular[out->groups] = xarm7_largest(length * squares) < 25000000000000.004 &&
+                                xarm7_largest(second * squares) < 1000000000000.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {

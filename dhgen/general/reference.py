@@ -60,8 +60,8 @@ STARTS = 60
 # A matrix is not singular when its smallest singular value is this part of all, and the one before
 # that part: where two are small, so many roots crowd that the determinant, sampled, does not tell
 # whether they are real.
-REGULAR = 1e-6
-ALONE = 3e-6
+REGULAR = 2e-7
+ALONE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
