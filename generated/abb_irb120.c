@@ -775,7 +775,7 @@ static void take(const double from[6], double to[6])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     double seed[6], start, q[8][6];
@@ -974,8 +974,7 @@ static double past_ends(const double values[6])
     return sum;
 }
 
-/* A joint value moved by whole turns inside its limits, or to an end that it is just beyond: the
- * seed's. */
+/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -1051,10 +1050,10 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[8][6], const unsigned char
-    status[8])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[8][6], const unsigned char status[8])
 {
     double x[6], half[6], to[6], *q = rows[row];
     const double beyond = past_ends(q);
@@ -1138,7 +1137,7 @@ APART int ik_carefully(
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
     stay(pose, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
         const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)
@@ -1173,7 +1172,7 @@ int abb_irb120_ik_nearest(const double T[16], const double q_seed[6], double q[6
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end, by rounding: fast code turned them */
+    int past = 0; /* joints beyond an end: fast code turned them */
     for (int row = 0; row < 8 && valid; row++)
         for (int i = 0; i < 6 && status[row] == OK; i++)
             past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;

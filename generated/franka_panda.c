@@ -805,7 +805,7 @@ static void take(const double from[7], double to[7])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     const double *free_joints;
@@ -1029,10 +1029,10 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[8][7], const unsigned char
-    status[8])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[8][7], const unsigned char status[8])
 {
     double x[7], half[7], to[7], *q = rows[row];
     const double beyond = beyond_limits(q);
@@ -1136,7 +1136,7 @@ APART int ik_carefully(
             keep_limits(pose, free_joints, seed, row, q, status);
     tell_once(pose, q, status);
     stay(pose, free_joints, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
         const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)

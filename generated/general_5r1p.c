@@ -4146,10 +4146,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[16][6], const unsigned char
-    status[16])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[16][6], const unsigned char status[16])
 {
     double x[6], half[6], to[6], *q = rows[row];
     const double beyond = beyond_limits(q);
@@ -4186,7 +4186,7 @@ int general_5r1p_ik(
     if (!valid)
         return -INVALID;
     solve(pose, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 16 || (n < 2 * 16 && count == 0); n++) {
         const int row = n % 16, far = n >= 16;
         if (status[row] == NONE)

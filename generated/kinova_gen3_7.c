@@ -3982,10 +3982,10 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[16][7], const unsigned char
-    status[16])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[16][7], const unsigned char status[16])
 {
     double x[7], half[7], to[7], *q = rows[row];
     const double beyond = beyond_limits(q);
@@ -4023,7 +4023,7 @@ int kinova_gen3_7_ik(
     if (!valid)
         return -INVALID;
     solve(pose, free_joints, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 16 || (n < 2 * 16 && count == 0); n++) {
         const int row = n % 16, far = n >= 16;
         if (status[row] == NONE)

@@ -904,7 +904,7 @@ static void take(const double from[7], double to[7])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     const double *free_joints;

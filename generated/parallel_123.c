@@ -797,7 +797,7 @@ static void take(const double from[6], double to[6])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     double seed[6], start, q[8][6];
@@ -845,7 +845,7 @@ static double summit(struct search *s, double low, double high)
         else
             low += third;
     }
-    /* beside a place where the branches meet, this one has no solution of its own */
+    /* where branches meet this one has no solution of its own */
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     attempt(s, low);

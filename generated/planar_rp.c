@@ -442,7 +442,7 @@ static void take(const double from[2], double to[2])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     double seed[2], start, q[2][2];
@@ -661,10 +661,10 @@ static int settle(const double T[16], double enough, double most, double q[2])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[2][2], const unsigned char
-    status[2])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[2][2], const unsigned char status[2])
 {
     double x[2], half[2], to[2], *q = rows[row];
     const double beyond = beyond_limits(q);
@@ -739,7 +739,7 @@ APART int ik_carefully(
         if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
     stay(pose, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 2 || (n < 2 * 2 && count == 0); n++) {
         const int row = n % 2, far = n >= 2;
         if (status[row] == NONE)

@@ -598,7 +598,7 @@ static void take(const double from[3], double to[3])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     double seed[3], start, q[2][3];
@@ -650,7 +650,7 @@ static double summit(struct search *s, double low, double high)
         else
             low += third;
     }
-    /* beside a place where the branches meet, this one has no solution of its own */
+    /* where branches meet this one has no solution of its own */
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     attempt(s, low);

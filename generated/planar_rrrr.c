@@ -479,10 +479,10 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[1][4], const unsigned char
-    status[1])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[1][4], const unsigned char status[1])
 {
     double x[4], half[4], to[4], *q = rows[row];
     const double beyond = beyond_limits(q);
@@ -519,7 +519,7 @@ int planar_rrrr_ik(
     if (!valid)
         return -INVALID;
     solve(pose, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 1 || (n < 2 * 1 && count == 0); n++) {
         const int row = n % 1, far = n >= 1;
         if (status[row] == NONE)

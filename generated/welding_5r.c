@@ -726,7 +726,7 @@ static void take(const double from[5], double to[5])
         to[i] = from[i];
 }
 
-/* A row for which another value of a free joint is looked for, and what solving again needs. */
+/* A row that another value of a free joint may serve, and what solving again needs. */
 struct search {
     const double *T;
     double seed[5], start, q[8][5];
@@ -777,7 +777,7 @@ static double summit(struct search *s, double low, double high)
         else
             low += third;
     }
-    /* beside a place where the branches meet, this one has no solution of its own */
+    /* where branches meet this one has no solution of its own */
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     attempt(s, low);
@@ -1256,10 +1256,10 @@ static int settle(const double T[16], double enough, double most, double q[5])
     return settled;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[8][5], const unsigned char
-    status[8])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[8][5], const unsigned char status[8])
 {
     double x[5], half[5], to[5], *q = rows[row];
     const double beyond = beyond_limits(q);
@@ -1366,7 +1366,7 @@ int welding_5r_ik(
         seek(pose, seed, begun, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
         const int row = n % 8, far = n >= 8;
         if (status[row] == NONE)

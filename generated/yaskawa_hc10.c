@@ -4171,8 +4171,7 @@ static double past_ends(const double values[6])
     return sum;
 }
 
-/* A joint value moved by whole turns inside its limits, or to an end that it is just beyond: the
- * seed's. */
+/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
 static double at_an_end(int joint, double value, double seed)
 {
     const double near = value + turn * floor((seed - value) / turn + 0.5);
@@ -4248,10 +4247,10 @@ static int lead_inside(const double T[16], double enough, double most, double q[
     return 0;
 }
 
-/* Puts a row's joints just beyond their limits on them, unless half way is no solution, or that is
- * nearer to another row, which is less far beyond. */
-static int stand(const double T[16], int row, int far, double rows[16][6], const unsigned char
-    status[16])
+/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
+ * too, and no row that is less far beyond is nearer. */
+static int stand(
+    const double T[16], int row, int far, double rows[16][6], const unsigned char status[16])
 {
     double x[6], half[6], to[6], *q = rows[row];
     const double beyond = past_ends(q);
@@ -4291,7 +4290,7 @@ int yaskawa_hc10_ik(
     for (int row = 0; row < 16; row++)
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-    /* farther where no row is inside all limits */
+    /* far where no row is inside */
     for (int n = 0; n < 16 || (n < 2 * 16 && count == 0); n++) {
         const int row = n % 16, far = n >= 16;
         if (status[row] == NONE)

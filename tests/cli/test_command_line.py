@@ -173,7 +173,7 @@ def test_a_reader_who_has_seen_enough(
 
 # One worker that waits for work and one that has some; a call out of C, which forgets errors.
 AT_WORK = """
-import ctypes, os, sys, tempfile, time
+import ctypes, os, signal, sys, tempfile, time
 from dhgen import cli
 from dhgen.workers import side_by_side
 
@@ -194,6 +194,7 @@ def fail_for_c(_):
     ctypes.CFUNCTYPE(None)(lambda: work(60))()
     raise RuntimeError("what was called has not done what it should")
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what is in the background ignores it
 cli._run = {work}
 sys.exit(cli.main([]))
 """
@@ -230,7 +231,7 @@ def test_an_interrupt_ends_everything_without_a_word(
 
 
 SAID = """
-import sys, time
+import signal, sys, time
 from dhgen import cli
 
 def say(_):
@@ -238,6 +239,7 @@ def say(_):
     print("said", file=sys.stderr, flush=True)
     time.sleep(60)
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what is in the background ignores it
 cli._run = say
 sys.exit(cli.main([]))
 """

@@ -127,7 +127,7 @@ SANITIZED = [(name, "scalar") for name in EVERY] + [(name, "lanes") for name in 
 @pytest.mark.parametrize(("name", "form"), SANITIZED)
 def test_sanitizers_find_nothing(name: str, form: str) -> None:
     module = made(name).module
-    sizes = {"ROWS": module.solver.rows, "DOF": module.chain.dof, "FREE": module.chain.given}
+    sizes = {"ROWS": module.solver.rows, "DOF": module.chain.dof, "GIVEN_COUNT": module.chain.given}
     text = DRIVER.read_text().replace('"NAME.h"', f'"{name}.h"')
     (folder() / f"{name}_driver.c").write_text(text)
     poses(name).tofile(folder() / f"{name}.poses")
