@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda e25de9111a70fdda"
+_KEY = "franka_panda 051dfe19d1a61c5a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1812,7 +1812,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 534c7f5c7b6b6b2d"
+_KEY = "general_4r2p 4f44279018c119dc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2582,7 +2582,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 8382b98074dd5ab4"
+_KEY = "kuka_iiwa14 849778a32c2d9e12"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1843,7 +1843,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

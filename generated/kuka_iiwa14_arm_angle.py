@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 125525efa2e4809f"
+_KEY = "kuka_iiwa14_arm_angle 1660ec080e433a8f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1524,7 +1524,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 

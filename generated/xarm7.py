@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 39d8da9e7d869c85"
+_KEY = "xarm7 6a82e1d1fbfe16a5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2502,7 +2502,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "the solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
     raise Unreachable(why + where)
 
 
