@@ -243,13 +243,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -482,12 +482,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v50 = v46 - only_wide(high(3) < v46, turn), v51 = v47 - only_wide(high(3) < v47, turn),
         v52 = v48 - only_wide(high(3) < v48, turn), v53 = v49 - only_wide(high(3) < v49, turn),
         v54 = beyond(v50, 3), v55 = beyond(v51, 3), v56 = beyond(v52, 3), v57 = beyond(v53, 3),
-        v58 = turn + v50 - high(3), v59 = turn + v51 - high(3), v60 = turn + v52 - high(3),
-        v61 = turn + v53 - high(3), v62 = pick_wide(v58 < v54, v58, v54),
-        v63 = pick_wide(v59 < v55, v59, v55), v64 = pick_wide(v60 < v56, v60, v56),
-        v65 = pick_wide(v61 < v57, v61, v57), q3_ppp = pick_wide(0.0 < v62, v46, v50),
-        q3_pmp = pick_wide(0.0 < v63, v47, v51), q3_mpp = pick_wide(0.0 < v64, v48, v52),
-        q3_mmp = pick_wide(0.0 < v65, v49, v53), q1_ppp = angle1 + (w3_p - w3_p),
+        v58 = v46 - high(3), v59 = v47 - high(3), v60 = v48 - high(3), v61 = v49 - high(3),
+        v62 = pick_wide(v58 < v54, v58, v54), v63 = pick_wide(v59 < v55, v59, v55),
+        v64 = pick_wide(v60 < v56, v60, v56), v65 = pick_wide(v61 < v57, v61, v57),
+        q3_ppp = pick_wide(0.0 < v62, v46, v50), q3_pmp = pick_wide(0.0 < v63, v47, v51),
+        q3_mpp = pick_wide(0.0 < v64, v48, v52), q3_mmp = pick_wide(0.0 < v65, v49, v53),
+        q1_ppp = angle1 + (w3_p - w3_p),
         q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m),
         v66 = maximum_wide(v62, beyond(angle4, 2)), v67 = maximum_wide(v63, beyond(angle5, 2)),
         v68 = maximum_wide(v64, beyond(angle6, 2)), v69 = maximum_wide(v65, beyond(angle7, 2)),
@@ -588,9 +588,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
         q6_m = angle6 - signed_four(half_turn, v26), v27 = raised_four(q3_),
-        v28 = v27 - only_four(high(3) < v27, turn), v29 = beyond_four(v28, 3),
-        v30 = turn + v28 - high(3), v31 = pick_four(v30 < v29, v30, v29),
-        q3_p = pick_four(0.0 < v31, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3),
+        v28 = v27 - only_four(high(3) < v27, turn), v29 = beyond_four(v28, 3), v30 = v27 - high(3),
+        v31 = pick_four(v30 < v29, v30, v29), q3_p = pick_four(0.0 < v31, v27, v28),
+        q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3),
         v32 = maximum_four(v31, beyond_four(angle3, 2)),
         excess_p = maximum_four(v32, beyond_four(angle5, 5)),
         excess_m = maximum_four(v32, maximum_four(low(5) + angle5, -(high(5) + angle5)));
@@ -1162,10 +1162,12 @@ int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

@@ -250,7 +250,7 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
@@ -258,7 +258,7 @@ TURNS(four)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -494,13 +494,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v62 = exceeds(q1__m, 1), v63 = v57 - only_wide(high(3) < v57, turn),
         v64 = v58 - only_wide(high(3) < v58, turn), v65 = v59 - only_wide(high(3) < v59, turn),
         v66 = v60 - only_wide(high(3) < v60, turn), v67 = beyond(v63, 3), v68 = beyond(v64, 3),
-        v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = turn + v63 - high(3),
-        v72 = turn + v64 - high(3), v73 = turn + v65 - high(3), v74 = turn + v66 - high(3),
-        v75 = pick_wide(v71 < v67, v71, v67), v76 = pick_wide(v72 < v68, v72, v68),
-        v77 = pick_wide(v73 < v69, v73, v69), v78 = pick_wide(v74 < v70, v74, v70),
-        q3_ppp = pick_wide(0.0 < v75, v57, v63), q3_pmp = pick_wide(0.0 < v76, v58, v64),
-        q3_mpp = pick_wide(0.0 < v77, v59, v65), q3_mmp = pick_wide(0.0 < v78, v60, v66),
-        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m),
+        v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = v57 - high(3), v72 = v58 - high(3),
+        v73 = v59 - high(3), v74 = v60 - high(3), v75 = pick_wide(v71 < v67, v71, v67),
+        v76 = pick_wide(v72 < v68, v72, v68), v77 = pick_wide(v73 < v69, v73, v69),
+        v78 = pick_wide(v74 < v70, v74, v70), q3_ppp = pick_wide(0.0 < v75, v57, v63),
+        q3_pmp = pick_wide(0.0 < v76, v58, v64), q3_mpp = pick_wide(0.0 < v77, v59, v65),
+        q3_mmp = pick_wide(0.0 < v78, v60, v66), q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = q1__m + (w3_m - w3_m),
         v79 = maximum_wide(v75, maximum_wide(v61, beyond(q2_ppp, 2))),
         v80 = maximum_wide(v76, maximum_wide(v61, beyond(q2_pmp, 2))),
         v81 = maximum_wide(v77, maximum_wide(v62, beyond(q2_mpp, 2))),
@@ -602,10 +602,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q2_p = lowered_four(v27), v28 = angle6 - offset5, v29 = offset5 + angle6,
         q5_p = raised_four(v28), q5_m = only_four(-v29 <= -half_turn, turn) - v29,
         v30 = raised_four(q3_), v31 = exceeds_four(q1_, 1),
-        v32 = v30 - only_four(high(3) < v30, turn), v33 = beyond_four(v32, 3),
-        v34 = turn + v32 - high(3), v35 = pick_four(v34 < v33, v34, v33),
-        q3_p = pick_four(0.0 < v35, v30, v32), q1_p = q1_ + (w3 - w3),
-        v36 = maximum_four(v35, maximum_four(v31, beyond_four(q2_p, 2))),
+        v32 = v30 - only_four(high(3) < v30, turn), v33 = beyond_four(v32, 3), v34 = v30 - high(3),
+        v35 = pick_four(v34 < v33, v34, v33), q3_p = pick_four(0.0 < v35, v30, v32),
+        q1_p = q1_ + (w3 - w3), v36 = maximum_four(v35, maximum_four(v31, beyond_four(q2_p, 2))),
         excess_p = maximum_four(v36, exceeds_four(q5_p, 5)),
         excess_m = maximum_four(v36, exceeds_four(q5_m, 5));
     const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
@@ -1181,10 +1180,12 @@ int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 8f344d59571f0cfe"
+_KEY = "abb_irb6640 2811143f76187ad1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1355,10 +1355,10 @@ def _regular(pose, q, status):
     v68 = max(low3 - v64, v64 - high3)
     v69 = max(low3 - v65, v65 - high3)
     v70 = max(low3 - v66, v66 - high3)
-    v71 = turn + v63 - high3
-    v72 = turn + v64 - high3
-    v73 = turn + v65 - high3
-    v74 = turn + v66 - high3
+    v71 = v57 - high3
+    v72 = v58 - high3
+    v73 = v59 - high3
+    v74 = v60 - high3
     v75 = v71 if v71 < v67 else v67
     v76 = v72 if v72 < v68 else v68
     v77 = v73 if v73 < v69 else v69
@@ -1618,20 +1618,6 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
-@_jit
-def _solve_past_an_end(T, seed, rows, status):
-    """Solves again with care where fast code has turned a joint that is just beyond an end, next to
-    the seed: by rounding, perhaps."""
-    past = False
-    for row in range(8):
-        if status[row] == OK:
-            for i in range(6):
-                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
-    if past:
-        _, pose = _read(T)
-        _whole(pose, seed, rows, status)
-
-
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1653,11 +1639,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    if limits:
-        T = _contiguous(_numbers(T, (4, 4), "T"))
-        _solve_past_an_end(T, seed, rows, status)
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
@@ -1958,10 +1941,10 @@ def _in_tiles(T, q, status):
             v68 = max(low3 - v64, v64 - high3)
             v69 = max(low3 - v65, v65 - high3)
             v70 = max(low3 - v66, v66 - high3)
-            v71 = turn + v63 - high3
-            v72 = turn + v64 - high3
-            v73 = turn + v65 - high3
-            v74 = turn + v66 - high3
+            v71 = v57 - high3
+            v72 = v58 - high3
+            v73 = v59 - high3
+            v74 = v60 - high3
             v75 = v71 if v71 < v67 else v67
             v76 = v72 if v72 < v68 else v68
             v77 = v73 if v73 < v69 else v69

@@ -216,7 +216,7 @@ HELPER void transpose(wide x[LANES])
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))

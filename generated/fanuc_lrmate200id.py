@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id b1469217a24c94ec"
+_KEY = "fanuc_lrmate200id 2c3fdd9381636e14"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -197,7 +197,6 @@ m7 = 1.4764213309828118  # a coefficient of c2m3
 m8 = 0.006717717055971795  # a coefficient of c2m3
 m9 = 0.0007018510356985458  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
-m11 = 5.061454829783555  # low3 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1357,10 +1356,10 @@ def _regular(pose, q, status):
     v70 = max(low3 - v66, v66 - high3)
     v71 = max(low3 - v67, v67 - high3)
     v72 = max(low3 - v68, v68 - high3)
-    v73 = m11 - v65
-    v74 = m11 - v66
-    v75 = m11 - v67
-    v76 = m11 - v68
+    v73 = low3 - v59
+    v74 = low3 - v60
+    v75 = low3 - v61
+    v76 = low3 - v62
     v77 = v73 if v73 < v69 else v69
     v78 = v74 if v74 < v70 else v70
     v79 = v75 if v75 < v71 else v71
@@ -1620,20 +1619,6 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
-@_jit
-def _solve_past_an_end(T, seed, rows, status):
-    """Solves again with care where fast code has turned a joint that is just beyond an end, next to
-    the seed: by rounding, perhaps."""
-    past = False
-    for row in range(8):
-        if status[row] == OK:
-            for i in range(6):
-                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
-    if past:
-        _, pose = _read(T)
-        _whole(pose, seed, rows, status)
-
-
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1655,11 +1640,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    if limits:
-        T = _contiguous(_numbers(T, (4, 4), "T"))
-        _solve_past_an_end(T, seed, rows, status)
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
@@ -1960,10 +1942,10 @@ def _in_tiles(T, q, status):
             v70 = max(low3 - v66, v66 - high3)
             v71 = max(low3 - v67, v67 - high3)
             v72 = max(low3 - v68, v68 - high3)
-            v73 = m11 - v65
-            v74 = m11 - v66
-            v75 = m11 - v67
-            v76 = m11 - v68
+            v73 = low3 - v59
+            v74 = low3 - v60
+            v75 = low3 - v61
+            v76 = low3 - v62
             v77 = v73 if v73 < v69 else v69
             v78 = v74 if v74 < v70 else v70
             v79 = v75 if v75 < v71 else v71

@@ -251,7 +251,7 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
@@ -259,7 +259,7 @@ TURNS(four)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -289,8 +289,7 @@ static const double
     m1 = 8.678915999999997e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 4.011803222351191e-10,
-    m10 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m11 = 3.490685306179586; /* low3 + turn */
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m4 = 0.5747126436781609, m5 = 0.1748597701149426, m6 = 0.0801013234623373,
 m7 = 0.47872320375138055, m8 = 0.14565440708058014, m9 = 0.024371308271356914;
@@ -497,8 +496,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v64 = exceeds(q1__m, 1), v65 = v59 + only_wide(v59 < low(3), turn),
         v66 = v60 + only_wide(v60 < low(3), turn), v67 = v61 + only_wide(v61 < low(3), turn),
         v68 = v62 + only_wide(v62 < low(3), turn), v69 = beyond(v65, 3), v70 = beyond(v66, 3),
-        v71 = beyond(v67, 3), v72 = beyond(v68, 3), v73 = m11 - v65, v74 = m11 - v66,
-        v75 = m11 - v67, v76 = m11 - v68, v77 = pick_wide(v73 < v69, v73, v69),
+        v71 = beyond(v67, 3), v72 = beyond(v68, 3), v73 = low(3) - v59, v74 = low(3) - v60,
+        v75 = low(3) - v61, v76 = low(3) - v62, v77 = pick_wide(v73 < v69, v73, v69),
         v78 = pick_wide(v74 < v70, v74, v70), v79 = pick_wide(v75 < v71, v75, v71),
         v80 = pick_wide(v76 < v72, v76, v72), q3_ppp = pick_wide(0.0 < v77, v59, v65),
         q3_pmp = pick_wide(0.0 < v78, v60, v66), q3_mpp = pick_wide(0.0 < v79, v61, v67),
@@ -605,7 +604,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q2_p = lowered_four(v27), v28 = angle6 - offset5, v29 = offset5 + angle6,
         q5_p = raised_four(v28), q5_m = only_four(-v29 <= -half_turn, turn) - v29,
         v30 = lowered_four(q3_), v31 = exceeds_four(q1_, 1),
-        v32 = v30 + only_four(v30 < low(3), turn), v33 = beyond_four(v32, 3), v34 = m11 - v32,
+        v32 = v30 + only_four(v30 < low(3), turn), v33 = beyond_four(v32, 3), v34 = low(3) - v30,
         v35 = pick_four(v34 < v33, v34, v33), q3_p = pick_four(0.0 < v35, v30, v32),
         q1_p = q1_ + (w3 - w3), v36 = maximum_four(v35, maximum_four(v31, beyond_four(q2_p, 2))),
         excess_p = maximum_four(v36, exceeds_four(q5_p, 5)),
@@ -1184,10 +1183,12 @@ int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

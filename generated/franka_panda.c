@@ -250,7 +250,7 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
@@ -258,7 +258,7 @@ TURNS(four)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -289,8 +289,7 @@ static const double
     m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
     m8 = 0.5, /* 1 / 2 */
     m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
-    m11 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m12 = 6.265685306179586; /* low6 + turn */
+    m11 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m2 = 1.754896834873102, m3 = 3.4805529861209807, m4 = 1.2446337324912609,
 m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
@@ -538,7 +537,7 @@ HELPER wide_mask solve_wide(
 
             /* joint values */
             const wide v64 = angle3 + only_wide(angle3 < low(6), turn), v65 = beyond(v64, 6),
-                v66 = m12 - v64, v67 = pick_wide(v66 < v65, v66, v65),
+                v66 = low(6) - angle3, v67 = pick_wide(v66 < v65, v66, v65),
                 q6_p = pick_wide(0.0 < v67, angle3, v64),
                 v69 = maximum_wide(v67, maximum_wide(exceeds(q5_p, 5), maximum_wide(v63,
                     exceeds(angle5, 2)))),
@@ -592,9 +591,9 @@ HELPER int solve_regular(
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v16 * v17,
         q3_m = angle4 - signed_four(half_turn, -v37), q1_m = angle6 - signed_four(half_turn, s1),
         v62 = raised_four(q4_), v63 = beyond_four(v62, 4),
-        v64 = angle3 + only_four(angle3 < low(6), turn), v65 = beyond_four(v64, 6), v66 = m12 - v64,
-        v67 = pick_four(v66 < v65, v66, v65), q6_p = pick_four(0.0 < v67, angle3, v64),
-        q4_p = v11 + v62,
+        v64 = angle3 + only_four(angle3 < low(6), turn), v65 = beyond_four(v64, 6),
+        v66 = low(6) - angle3, v67 = pick_four(v66 < v65, v66, v65),
+        q6_p = pick_four(0.0 < v67, angle3, v64), q4_p = v11 + v62,
         v69 = maximum_four(v67, maximum_four(exceeds_four(q5_p, 5), maximum_four(v63,
             exceeds_four(angle5, 2)))),
         excess_p = maximum_four(exceeds_four(angle4, 3), maximum_four(v69, exceeds_four(angle6,

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 051dfe19d1a61c5a"
+_KEY = "franka_panda f9dfee04655ce974"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -201,7 +201,6 @@ m7 = 1.393e-11  # 1000 * merge_slack1 [m]
 m9 = 0.384  # a coefficient of Y1_6
 m10 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m11 = 9.999999999999999e-09  # doubt_limit^2
-m12 = 6.265685306179586  # low6 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1506,10 +1505,10 @@ def _regular(pose, q_free, q, status):
     v126 = max(low6 - v122, v122 - high6)
     v127 = max(low6 - v123, v123 - high6)
     v128 = max(low6 - v124, v124 - high6)
-    v129 = m12 - v121
-    v130 = m12 - v122
-    v131 = m12 - v123
-    v132 = m12 - v124
+    v129 = low6 - angle4
+    v130 = low6 - angle5
+    v131 = low6 - angle6
+    v132 = low6 - angle7
     v133 = v129 if v129 < v125 else v125
     v134 = v130 if v130 < v126 else v126
     v135 = v131 if v131 < v127 else v127
@@ -1806,8 +1805,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
@@ -2253,10 +2252,10 @@ def _in_tiles(T, q_free, q, status):
             v126 = max(low6 - v122, v122 - high6)
             v127 = max(low6 - v123, v123 - high6)
             v128 = max(low6 - v124, v124 - high6)
-            v129 = m12 - v121
-            v130 = m12 - v122
-            v131 = m12 - v123
-            v132 = m12 - v124
+            v129 = low6 - angle4
+            v130 = low6 - angle5
+            v131 = low6 - angle6
+            v132 = low6 - angle7
             v133 = v129 if v129 < v125 else v125
             v134 = v130 if v130 < v126 else v126
             v135 = v131 if v131 < v127 else v127

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 4f44279018c119dc"
+_KEY = "general_4r2p 581472bc9a410661"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2014,7 +2014,7 @@ def general_4r2p_general(T, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (8, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on, singular ones behind all others.
+            1e-09 in the order of q2, and so on, those where the arm is singular or nearly so behind all others.
         residual: (8,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2383,12 +2383,10 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     count = 0
-    for n in range(2 * 8):
-        row, far = n % 8, n >= 8  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
+    for row in range(8):
+        if status[row] == UNREACHABLE:
             continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
+        _stand(pose, row, False, q, status)
         for i in range(6):
             q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
@@ -2576,8 +2574,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -3563,11 +3563,12 @@ static int general_5r_before(const general_5r_found *found, const int *rank, int
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
- * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
- * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
- * identically there may be a continuum, which poses close by do not have), or because roots met or
- * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones and nearly singular ones last.
+ * residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 - count
+ * when it is not certain that these are all: for want of a certificate of its own (where every
+ * polynomial vanishes identically there may be a continuum, which poses close by do not have), or
+ * because roots met or the arm is singular at a solution, or nearly, so that steps did not make it
+ * exact. */
 static int general_5r_general(const double T[16], double q[16][6],
                          double residual[16])
 {
@@ -4059,13 +4060,10 @@ int general_5r_ik(
     for (int row = 0; row < 16; row++)
         for (int i = 0; i < 5; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-    /* far where no row is inside */
-    for (int n = 0; n < 16 || (n < 2 * 16 && count == 0); n++) {
-        const int row = n % 16, far = n >= 16;
+    for (int row = 0; row < 16; row++) {
         if (status[row] == NONE)
             continue;
-        if (stand(pose, row, far, q, status) && far)
-            status[row] = FREE;
+        (void)stand(pose, row, 0, q, status);
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing eaea1bc7a468c804"
+_KEY = "general_5r_pointing 14cb35484a01a49e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2212,7 +2212,7 @@ def general_5r_pointing_general(T, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on, singular ones behind all others.
+            1e-09 in the order of q2, and so on, those where the arm is singular or nearly so behind all others.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2613,12 +2613,10 @@ def _whole(pose, seed, q, status):
             for i in range(5):
                 q[row, i] = _at_an_end(i, q[row, i], seed[i])
     count = 0
-    for n in range(2 * 16):
-        row, far = n % 16, n >= 16  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
+    for row in range(16):
+        if status[row] == UNREACHABLE:
             continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
+        _stand(pose, row, False, q, status)
         for i in range(5):
             q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
@@ -2804,8 +2802,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or its z axis not of length one to six digits")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -250,13 +250,13 @@ TURNS(four)
 #endif
 
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -1197,10 +1197,12 @@ int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], doubl
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

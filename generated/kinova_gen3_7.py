@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 8b742d99813aac75"
+_KEY = "kinova_gen3_7 b726f1d74d79ceb3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2197,7 +2197,7 @@ def kinova_gen3_7_general(T, q_free, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on, singular ones behind all others.
+            1e-09 in the order of q2, and so on, those where the arm is singular or nearly so behind all others.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2569,12 +2569,10 @@ def _whole(pose, q_free, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, q_free, seed, q, status)
     count = 0
-    for n in range(2 * 16):
-        row, far = n % 16, n >= 16  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
+    for row in range(16):
+        if status[row] == UNREACHABLE:
             continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
+        _stand(pose, row, False, q, status)
         for i in range(7):
             q[row, i] = _turned(i, q[row, i], 0.0 if _PACE[i] > 0.0 else q[row, i])
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
@@ -2768,8 +2766,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

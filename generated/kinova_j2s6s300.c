@@ -251,13 +251,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -292,10 +292,7 @@ static const double
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 9.401396550145706e-12,
     m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m8 = 7.1034900546169215, /* low2 + turn */
-    m9 = 6.614797864058509, /* low3 + turn */
-    m10 = 6.806784081777885; /* low5 + turn */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 1.2195121951219514, m4 = 0.08700963109756096;
 
@@ -512,14 +509,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v71 = q2__pm + only_wide(q2__pm < low(2), turn),
         v72 = q2__mp + only_wide(q2__mp < low(2), turn),
         v73 = q2__mm + only_wide(q2__mm < low(2), turn), v74 = beyond(v70, 2), v75 = beyond(v71, 2),
-        v76 = beyond(v72, 2), v77 = beyond(v73, 2), v78 = m8 - v70, v79 = m8 - v71, v80 = m8 - v72,
-        v81 = m8 - v73, v82 = pick_wide(v78 < v74, v78, v74), v83 = pick_wide(v79 < v75, v79, v75),
-        v84 = pick_wide(v80 < v76, v80, v76), v85 = pick_wide(v81 < v77, v81, v77),
-        q2_ppp = pick_wide(0.0 < v82, q2__pp, v70), q2_pmp = pick_wide(0.0 < v83, q2__pm, v71),
-        q2_mpp = pick_wide(0.0 < v84, q2__mp, v72), q2_mmp = pick_wide(0.0 < v85, q2__mm, v73),
-        v86 = q3__p + only_wide(q3__p < low(3), turn),
+        v76 = beyond(v72, 2), v77 = beyond(v73, 2), v78 = low(2) - q2__pp, v79 = low(2) - q2__pm,
+        v80 = low(2) - q2__mp, v81 = low(2) - q2__mm, v82 = pick_wide(v78 < v74, v78, v74),
+        v83 = pick_wide(v79 < v75, v79, v75), v84 = pick_wide(v80 < v76, v80, v76),
+        v85 = pick_wide(v81 < v77, v81, v77), q2_ppp = pick_wide(0.0 < v82, q2__pp, v70),
+        q2_pmp = pick_wide(0.0 < v83, q2__pm, v71), q2_mpp = pick_wide(0.0 < v84, q2__mp, v72),
+        q2_mmp = pick_wide(0.0 < v85, q2__mm, v73), v86 = q3__p + only_wide(q3__p < low(3), turn),
         v87 = q3__m + only_wide(q3__m < low(3), turn), v88 = beyond(v86, 3), v89 = beyond(v87, 3),
-        v90 = m9 - v86, v91 = m9 - v87, v92 = pick_wide(v90 < v88, v90, v88),
+        v90 = low(3) - q3__p, v91 = low(3) - q3__m, v92 = pick_wide(v90 < v88, v90, v88),
         v93 = pick_wide(v91 < v89, v91, v89), v94 = angle5 + only_wide(angle5 < low(5), turn),
         v95 = only_wide(-angle5 < low(5), turn) - angle5,
         v96 = angle6 + only_wide(angle6 < low(5), turn),
@@ -529,9 +526,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v100 = angle8 + only_wide(angle8 < low(5), turn),
         v101 = only_wide(-angle8 < low(5), turn) - angle8, v102 = beyond(v94, 5),
         v103 = beyond(v95, 5), v104 = beyond(v96, 5), v105 = beyond(v97, 5), v106 = beyond(v98, 5),
-        v107 = beyond(v99, 5), v108 = beyond(v100, 5), v109 = beyond(v101, 5), v110 = m10 - v94,
-        v111 = m10 - v95, v112 = m10 - v96, v113 = m10 - v97, v114 = m10 - v98, v115 = m10 - v99,
-        v116 = m10 - v100, v117 = m10 - v101, v118 = pick_wide(v110 < v102, v110, v102),
+        v107 = beyond(v99, 5), v108 = beyond(v100, 5), v109 = beyond(v101, 5),
+        v110 = low(5) - angle5, v111 = low(5) + angle5, v112 = low(5) - angle6,
+        v113 = low(5) + angle6, v114 = low(5) - angle7, v115 = low(5) + angle7,
+        v116 = low(5) - angle8, v117 = low(5) + angle8, v118 = pick_wide(v110 < v102, v110, v102),
         v119 = pick_wide(v111 < v103, v111, v103), v120 = pick_wide(v112 < v104, v112, v104),
         v121 = pick_wide(v113 < v105, v113, v105), v122 = pick_wide(v114 < v106, v114, v106),
         v123 = pick_wide(v115 < v107, v115, v107), v124 = pick_wide(v116 < v108, v116, v108),
@@ -638,12 +636,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q3_ = raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6, q6_p = lowered_four(v37),
         q6_m = lowered_four(v38), v39 = q2_ + only_four(q2_ < low(2), turn),
-        v40 = beyond_four(v39, 2), v41 = m8 - v39, v42 = pick_four(v41 < v40, v41, v40),
+        v40 = beyond_four(v39, 2), v41 = low(2) - q2_, v42 = pick_four(v41 < v40, v41, v40),
         q2_p = pick_four(0.0 < v42, q2_, v39), v43 = q3_ + only_four(q3_ < low(3), turn),
-        v44 = beyond_four(v43, 3), v45 = m9 - v43, v46 = pick_four(v45 < v44, v45, v44),
+        v44 = beyond_four(v43, 3), v45 = low(3) - q3_, v46 = pick_four(v45 < v44, v45, v44),
         v47 = angle2 + only_four(angle2 < low(5), turn),
         v48 = only_four(-angle2 < low(5), turn) - angle2, v49 = beyond_four(v47, 5),
-        v50 = beyond_four(v48, 5), v51 = m10 - v47, v52 = m10 - v48,
+        v50 = beyond_four(v48, 5), v51 = low(5) - angle2, v52 = low(5) + angle2,
         v53 = pick_four(v51 < v49, v51, v49), v54 = pick_four(v52 < v50, v52, v50),
         q5_p = pick_four(0.0 < v53, angle2, v47), q5_m = pick_four(0.0 < v54, -angle2, v48),
         q1_p = v4 + raised_four(v33), q3_p = v1 + pick_four(0.0 < v46, q3_, v43),
@@ -1250,10 +1248,12 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

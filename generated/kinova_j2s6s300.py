@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 7fea5e5fdd3347fa"
+_KEY = "kinova_j2s6s300 c6e894b875fc00d8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -197,9 +197,6 @@ m3 = 1.2195121951219514  # a coefficient of S2
 m4 = 0.08700963109756096  # a coefficient of S2
 m5 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
-m8 = 7.1034900546169215  # low2 + turn
-m9 = 6.614797864058509  # low3 + turn
-m10 = 6.806784081777885  # low5 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1416,10 +1413,10 @@ def _regular(pose, q, status):
     v75 = max(low2 - v71, v71 - high2)
     v76 = max(low2 - v72, v72 - high2)
     v77 = max(low2 - v73, v73 - high2)
-    v78 = m8 - v70
-    v79 = m8 - v71
-    v80 = m8 - v72
-    v81 = m8 - v73
+    v78 = low2 - q2__pp
+    v79 = low2 - q2__pm
+    v80 = low2 - q2__mp
+    v81 = low2 - q2__mm
     v82 = v78 if v78 < v74 else v74
     v83 = v79 if v79 < v75 else v75
     v84 = v80 if v80 < v76 else v76
@@ -1432,8 +1429,8 @@ def _regular(pose, q, status):
     v87 = q3__m + (turn if q3__m < low3 else 0.0)
     v88 = max(low3 - v86, v86 - high3)
     v89 = max(low3 - v87, v87 - high3)
-    v90 = m9 - v86
-    v91 = m9 - v87
+    v90 = low3 - q3__p
+    v91 = low3 - q3__m
     v92 = v90 if v90 < v88 else v88
     v93 = v91 if v91 < v89 else v89
     v94 = angle5 + (turn if angle5 < low5 else 0.0)
@@ -1452,14 +1449,14 @@ def _regular(pose, q, status):
     v107 = max(low5 - v99, v99 - high5)
     v108 = max(low5 - v100, v100 - high5)
     v109 = max(low5 - v101, v101 - high5)
-    v110 = m10 - v94
-    v111 = m10 - v95
-    v112 = m10 - v96
-    v113 = m10 - v97
-    v114 = m10 - v98
-    v115 = m10 - v99
-    v116 = m10 - v100
-    v117 = m10 - v101
+    v110 = low5 - angle5
+    v111 = low5 + angle5
+    v112 = low5 - angle6
+    v113 = low5 + angle6
+    v114 = low5 - angle7
+    v115 = low5 + angle7
+    v116 = low5 - angle8
+    v117 = low5 + angle8
     v118 = v110 if v110 < v102 else v102
     v119 = v111 if v111 < v103 else v103
     v120 = v112 if v112 < v104 else v104
@@ -1729,20 +1726,6 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
-@_jit
-def _solve_past_an_end(T, seed, rows, status):
-    """Solves again with care where fast code has turned a joint that is just beyond an end, next to
-    the seed: by rounding, perhaps."""
-    past = False
-    for row in range(8):
-        if status[row] == OK:
-            for i in range(6):
-                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
-    if past:
-        _, pose = _read(T)
-        _whole(pose, seed, rows, status)
-
-
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1764,11 +1747,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    if limits:
-        T = _contiguous(_numbers(T, (4, 4), "T"))
-        _solve_past_an_end(T, seed, rows, status)
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
@@ -2087,10 +2067,10 @@ def _in_tiles(T, q, status):
             v75 = max(low2 - v71, v71 - high2)
             v76 = max(low2 - v72, v72 - high2)
             v77 = max(low2 - v73, v73 - high2)
-            v78 = m8 - v70
-            v79 = m8 - v71
-            v80 = m8 - v72
-            v81 = m8 - v73
+            v78 = low2 - q2__pp
+            v79 = low2 - q2__pm
+            v80 = low2 - q2__mp
+            v81 = low2 - q2__mm
             v82 = v78 if v78 < v74 else v74
             v83 = v79 if v79 < v75 else v75
             v84 = v80 if v80 < v76 else v76
@@ -2103,8 +2083,8 @@ def _in_tiles(T, q, status):
             v87 = q3__m + (turn if q3__m < low3 else 0.0)
             v88 = max(low3 - v86, v86 - high3)
             v89 = max(low3 - v87, v87 - high3)
-            v90 = m9 - v86
-            v91 = m9 - v87
+            v90 = low3 - q3__p
+            v91 = low3 - q3__m
             v92 = v90 if v90 < v88 else v88
             v93 = v91 if v91 < v89 else v89
             v94 = angle5 + (turn if angle5 < low5 else 0.0)
@@ -2123,14 +2103,14 @@ def _in_tiles(T, q, status):
             v107 = max(low5 - v99, v99 - high5)
             v108 = max(low5 - v100, v100 - high5)
             v109 = max(low5 - v101, v101 - high5)
-            v110 = m10 - v94
-            v111 = m10 - v95
-            v112 = m10 - v96
-            v113 = m10 - v97
-            v114 = m10 - v98
-            v115 = m10 - v99
-            v116 = m10 - v100
-            v117 = m10 - v101
+            v110 = low5 - angle5
+            v111 = low5 + angle5
+            v112 = low5 - angle6
+            v113 = low5 + angle6
+            v114 = low5 - angle7
+            v115 = low5 + angle7
+            v116 = low5 - angle8
+            v117 = low5 + angle8
             v118 = v110 if v110 < v102 else v102
             v119 = v111 if v111 < v103 else v103
             v120 = v112 if v112 < v104 else v104

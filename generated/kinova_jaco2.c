@@ -3639,11 +3639,12 @@ static int kinova_jaco2_before(const kinova_jaco2_found *found, const int *rank,
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1
- * agree to 1e-09 in the order of q2, and so on, singular ones behind all others. residual: by how
- * much the loop stays open, in radians and arm sizes. Returns how many; -1 - count when it is not
- * certain that these are all: for want of a certificate of its own (where every polynomial vanishes
- * identically there may be a continuum, which poses close by do not have), or because roots met or
- * the arm is singular at a solution, or nearly, so that steps did not make it exact. */
+ * agree to 1e-09 in the order of q2, and so on, singular ones and nearly singular ones last.
+ * residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 - count
+ * when it is not certain that these are all: for want of a certificate of its own (where every
+ * polynomial vanishes identically there may be a continuum, which poses close by do not have), or
+ * because roots met or the arm is singular at a solution, or nearly, so that steps did not make it
+ * exact. */
 static int kinova_jaco2_general(const double T[16], double q[16][6],
                          double residual[16])
 {

@@ -254,7 +254,7 @@ TURNS(four)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 1660ec080e433a8f"
+_KEY = "kuka_iiwa14_arm_angle 548cbed5f6fd9596"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1518,8 +1518,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the arm angle not finite")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -222,13 +222,13 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
 #define beyond_four(x, joint) maximum_four(low(joint) - (x), (x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))

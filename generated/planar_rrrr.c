@@ -519,13 +519,10 @@ int planar_rrrr_ik(
     if (!valid)
         return -INVALID;
     solve(pose, seed, q, status);
-    /* far where no row is inside */
-    for (int n = 0; n < 1 || (n < 2 * 1 && count == 0); n++) {
-        const int row = n % 1, far = n >= 1;
+    for (int row = 0; row < 1; row++) {
         if (status[row] == NONE)
             continue;
-        if (stand(pose, row, far, q, status) && far)
-            status[row] = FREE;
+        (void)stand(pose, row, 0, q, status);
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 0f6cc5a9bd752f0d"
+_KEY = "planar_rrrr 27f259e7f47d56c9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -791,12 +791,10 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     count = 0
-    for n in range(2 * 1):
-        row, far = n % 1, n >= 1  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
+    for row in range(1):
+        if status[row] == UNREACHABLE:
             continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
+        _stand(pose, row, False, q, status)
         for i in range(4):
             q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
@@ -982,8 +980,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(4)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -123,11 +123,11 @@ HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
 TURNS(wide)
 
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 0.005f) <= 0.005f)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -941,10 +941,12 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fminf(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15f)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0f;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 2d2326442e57642b"
+_KEY = "scorbot_pointing f8f437668bc7e8c4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1804,8 +1804,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or its z axis not of length one to six digits, or the value of a free joint not finite")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -246,7 +246,7 @@ TURNS(four)
 #endif
 
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur10e 0e151c0720ceda43"
+_KEY = "ur10e b268edebc125a57e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1731,20 +1731,6 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
-@_jit
-def _solve_past_an_end(T, seed, rows, status):
-    """Solves again with care where fast code has turned a joint that is just beyond an end, next to
-    the seed: by rounding, perhaps."""
-    past = False
-    for row in range(8):
-        if status[row] == OK:
-            for i in range(6):
-                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
-    if past:
-        _, pose = _read(T)
-        _whole(pose, seed, rows, status)
-
-
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1766,11 +1752,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    if limits:
-        T = _contiguous(_numbers(T, (4, 4), "T"))
-        _solve_past_an_end(T, seed, rows, status)
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -1366,13 +1366,10 @@ int welding_5r_ik(
         seek(pose, seed, begun, q, status);
     tell_once(pose, q, status);
     stay(pose, seed, q, status);
-    /* far where no row is inside */
-    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
-        const int row = n % 8, far = n >= 8;
+    for (int row = 0; row < 8; row++) {
         if (status[row] == NONE)
             continue;
-        if (stand(pose, row, far, q, status) && far)
-            status[row] = FREE;
+        (void)stand(pose, row, 0, q, status);
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
             *value = turned(i, *value, 0.0);

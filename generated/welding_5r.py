@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 87ffc86ff206c81b"
+_KEY = "welding_5r 85b519e1e1e9beef"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1854,12 +1854,10 @@ def _whole(pose, seed, q, status):
     _tell_once(pose, q, status)
     _stay(pose, seed, q, status)
     count = 0
-    for n in range(2 * 8):
-        row, far = n % 8, n >= 8  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
+    for row in range(8):
+        if status[row] == UNREACHABLE:
             continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
+        _stand(pose, row, False, q, status)
         for i in range(5):
             q[row, i] = _turned(i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
@@ -2045,8 +2043,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or its z axis not of length one to six digits")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

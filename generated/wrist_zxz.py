@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_zxz f81f176e6a3a40de"
+_KEY = "wrist_zxz 97033de2feb71dab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -832,8 +832,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(3)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

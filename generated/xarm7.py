@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 6a82e1d1fbfe16a5"
+_KEY = "xarm7 1a70d8abe2b536f3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2106,7 +2106,7 @@ def xarm7_general(T, q_free, q, residual):
     Args:
         T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
-            1e-09 in the order of q2, and so on, singular ones behind all others.
+            1e-09 in the order of q2, and so on, those where the arm is singular or nearly so behind all others.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
@@ -2496,8 +2496,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"

@@ -250,7 +250,7 @@ TURNS(four)
 
 #define low(joint) (lowest[joint - 1] - slack(joint - 1))
 #define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits, which may be alike; whether rounding may be why. */
+/* How far a joint is beyond its limits; whether by rounding, perhaps. */
 #define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
 #define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
 #define beyond(x, joint) maximum_wide(low(joint) - (x), (x) - high(joint))
@@ -258,7 +258,7 @@ TURNS(four)
 #define exceeds(x, joint) (abs_wide(x) - high(joint))
 #define exceeds_four(x, joint) (abs_four(x) - high(joint))
 
-/* The status of rows: whether they have no solution, or one outside the limits. */
+/* The status of rows in lanes. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & NONE) \
         | (where_all(((x) == (x)) & (outside)) & OUT))
@@ -289,8 +289,7 @@ static const double
     m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.920847203220787e-11,
-    m10 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m11 = 5.061485306179586; /* low3 + turn */
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
 /* coefficients */
 static const double m4 = 1.1235955056179774, m5 = 0.003174157303370838, m6 = 0.10245901639344261,
 m7 = 1.1270491803278688, m8 = 0.0031839139344262803, m9 = 0.00028944672131148006;
@@ -502,7 +501,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
         v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn),
         v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3), v79 = beyond(v75, 3),
-        v80 = m11 - v72, v81 = m11 - v73, v82 = m11 - v74, v83 = m11 - v75,
+        v80 = low(3) - v66, v81 = low(3) - v67, v82 = low(3) - v68, v83 = low(3) - v69,
         v84 = pick_wide(v80 < v76, v80, v76), v85 = pick_wide(v81 < v77, v81, v77),
         v86 = pick_wide(v82 < v78, v82, v78), v87 = pick_wide(v83 < v79, v83, v79),
         q3_ppp = pick_wide(0.0 < v84, v66, v72), q3_pmp = pick_wide(0.0 < v85, v67, v73),
@@ -616,7 +615,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q5_m = only_four(-v28 <= -half_turn, turn) - v28, v30 = angle6 - offset6,
         v31 = angle6 - signed_four(half_turn, v29) - offset6, q6_p = raised_four(v30),
         q6_m = raised_four(v31), v32 = lowered_four(q3_), v33 = exceeds_four(q1_, 1),
-        v34 = v32 + only_four(v32 < low(3), turn), v35 = beyond_four(v34, 3), v36 = m11 - v34,
+        v34 = v32 + only_four(v32 < low(3), turn), v35 = beyond_four(v34, 3), v36 = low(3) - v32,
         v37 = pick_four(v36 < v35, v36, v35), q3_p = pick_four(0.0 < v37, v32, v34),
         q1_p = q1_ + (w3 - w3), v38 = maximum_four(v37, maximum_four(v33, beyond_four(q2_p, 2))),
         excess_p = maximum_four(v38, exceeds_four(q5_p, 5)),
@@ -1194,10 +1193,12 @@ int yaskawa_gp7_ik_nearest(const double T[16], const double q_seed[6], double q[
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* joints beyond an end: fast code turned them */
-    for (int row = 0; row < 8 && valid; row++)
-        for (int i = 0; i < 6 && status[row] == OK; i++)
-            past += past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
+    int past = 0; /* an end: fast code turned joints */
+    for (int i = 0; i < 6 && valid; i++)
+        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
+            for (int row = 0; row < 8; row++)
+                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
+                    0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

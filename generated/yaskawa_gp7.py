@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 d79f90d1c602759d"
+_KEY = "yaskawa_gp7 8b790f4672d0f2c9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -197,7 +197,6 @@ m7 = 1.1270491803278688  # a coefficient of c2m3
 m8 = 0.0031839139344262803  # a coefficient of c2m3
 m9 = 0.00028944672131148006  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
-m11 = 5.061485306179586  # low3 + turn
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -1366,10 +1365,10 @@ def _regular(pose, q, status):
     v77 = max(low3 - v73, v73 - high3)
     v78 = max(low3 - v74, v74 - high3)
     v79 = max(low3 - v75, v75 - high3)
-    v80 = m11 - v72
-    v81 = m11 - v73
-    v82 = m11 - v74
-    v83 = m11 - v75
+    v80 = low3 - v66
+    v81 = low3 - v67
+    v82 = low3 - v68
+    v83 = low3 - v69
     v84 = v80 if v80 < v76 else v76
     v85 = v81 if v81 < v77 else v77
     v86 = v82 if v82 < v78 else v78
@@ -1629,20 +1628,6 @@ def _nearest(rows, status, seed, limits, q):
     return nearest >= 0
 
 
-@_jit
-def _solve_past_an_end(T, seed, rows, status):
-    """Solves again with care where fast code has turned a joint that is just beyond an end, next to
-    the seed: by rounding, perhaps."""
-    past = False
-    for row in range(8):
-        if status[row] == OK:
-            for i in range(6):
-                past |= _past_an_end(i, _at_an_end(i, rows[row, i], seed[i])) != 0.0
-    if past:
-        _, pose = _read(T)
-        _whole(pose, seed, rows, status)
-
-
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
@@ -1664,11 +1649,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    if limits:
-        T = _contiguous(_numbers(T, (4, 4), "T"))
-        _solve_past_an_end(T, seed, rows, status)
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
@@ -1981,10 +1963,10 @@ def _in_tiles(T, q, status):
             v77 = max(low3 - v73, v73 - high3)
             v78 = max(low3 - v74, v74 - high3)
             v79 = max(low3 - v75, v75 - high3)
-            v80 = m11 - v72
-            v81 = m11 - v73
-            v82 = m11 - v74
-            v83 = m11 - v75
+            v80 = low3 - v66
+            v81 = low3 - v67
+            v82 = low3 - v68
+            v83 = low3 - v69
             v84 = v80 if v80 < v76 else v76
             v85 = v81 if v81 < v77 else v77
             v86 = v82 if v82 < v78 else v78

@@ -69,7 +69,7 @@ class Solved:
     """The solutions of one pose.
 
     Attributes:
-        q: (k, 6), sorted by θ1, then θ2 ..., singular ones behind all others [rad, in (−π, π]; a
+        q: (k, 6), sorted by θ1, then θ2 ..., singular ones and nearly so last [rad, in (−π, π]; a
             slide's in the file's unit].
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
+    from dhgen.verify.native import CompiledSolver
 
 
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = statuses.Status
@@ -32,7 +33,13 @@ def in_single(
     name: str, T: FloatArray, seed: FloatArray
 ) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     """All rows and their statuses by a robot's C in single precision."""
-    solver = single_in_c(name)
+    return in_single_by(single_in_c(name), T, seed)
+
+
+def in_single_by(
+    solver: CompiledSolver, T: FloatArray, seed: FloatArray
+) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
+    """The same by C that is compiled."""
     rows, status = np.empty((solver.rows, solver.dof), np.float32), np.empty(solver.rows, np.uint8)
     arrays = (T.astype(np.float32), seed.astype(np.float32), rows, status)
     pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)

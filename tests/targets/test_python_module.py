@@ -74,9 +74,7 @@ def test_limits_may_be_left_aside() -> None:
     q = np.array([0.3, 0.8, 0.05, 1.0])  # the slide's limits are -0.2 and 0
     T = poses_of("scara", q)
     assert module.ik_all(T)[1].tolist() == [OUT_OF_LIMITS] * 2
-    with pytest.raises(
-        module.Unreachable, match=r"^solutions found are beyond the joint limits$"
-    ):
+    with pytest.raises(module.Unreachable, match=r"^solutions found are beyond the joint limits$"):
         module.ik(T, q)
     np.testing.assert_allclose(module.ik(T, q, limits=False), q, atol=1e-12)
     far = T.copy()

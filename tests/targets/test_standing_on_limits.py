@@ -22,6 +22,7 @@ from tests.targets.calling import (
     Solver,
     gap,
     in_single,
+    in_single_by,
     nearest_in_single,
 )
 from tests.targets.made import (
@@ -185,6 +186,56 @@ def test_of_a_continuum_that_rounding_hides_a_row_is_inside_all_limits(language:
             assert len(held), elbow
             assert ((low - SLACK <= held) & (held <= high + SLACK)).all()
             assert np.abs(forward(compiled.robot, held) - T).max() < 1e-11
+
+
+GIVEN = [
+    "theta: q, d: 0.3, alpha: -pi/2, limits: [-360 deg, 360 deg]",
+    "theta: q, alpha: pi/2, limits: [-120 deg, 120 deg]",
+    "theta: q, d: 0.4, alpha: pi/2, limits: [-30 deg, 60 deg]",
+    "theta: q, alpha: -pi/2, limits: [-160 deg, 10 deg]",
+    "theta: q, d: 0.4, alpha: -pi/2, limits: [-150 deg, 150 deg]",
+    "theta: q, alpha: pi/2, limits: [-100 deg, 100 deg]",
+    "theta: q, d: 0.1, limits: [-360 deg, 360 deg]",
+]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_joint_that_is_given_beyond_its_limit_stays_there(language: str) -> None:
+    """No row can be inside then, and none is: seven joints could move through, and it with them."""
+    compiled = made_up("given_beyond", GIVEN, "free: [3]\n")
+    solve = solving(compiled, language)
+    low, high = np.array([joint.limits for joint in compiled.robot.joints], dtype=float).T
+    q = np.random.default_rng(3).uniform(low, high, (20, 7))
+    q[:, 2] = high[2] + 0.1
+    q[::2, 1] = 0.0
+    for values, T in zip(q, np.asarray(forward(compiled.robot, q), dtype=float), strict=True):
+        given, seed = values[2:3], np.zeros(7)
+        rows, status = solve(T, given, seed) if language == "Python" else solve(T, seed, given)
+        assert not np.isin(status, (OK, FREE_JOINT)).any()
+        assert (rows[status == OUT_OF_LIMITS, 2] == given).all()
+
+
+# Joint 6 is turned down where it is above: (q - turn) + turn may round to what is inside.
+TURNED_DOWN = [
+    *STRAIGHT[:3],
+    "theta: q, d: 0.4, alpha: -pi/2",
+    STRAIGHT[4],
+    "theta: q, d: 0.1, limits: [-215 deg, 4 deg]",
+]
+
+
+def test_single_precision_turns_no_joint_past_its_other_end() -> None:
+    compiled = made_up("turned_down", TURNED_DOWN, "float32: true\n")
+    assert compiled.single is not None
+    solver = library(compiled.single, folder())
+    source = np.random.default_rng(3)
+    q = source.uniform(-1.5, 1.5, (400, 6))
+    q[:, 4] = source.choice([-1.0, 1.0], 400) * source.uniform(0.5, 1.8, 400)
+    q[:, 5] = np.radians(4.0) + source.uniform(0.0, 8e-6, 400)
+    for T in np.asarray(forward(compiled.robot, q), dtype=float):
+        rows, status = in_single_by(solver, T, np.zeros(6))
+        held = rows[np.isin(status, (OK, FREE_JOINT))].astype(float)
+        assert (held[:, 5] >= np.radians(-215.0) - 1e-5).all()
 
 
 # A torch whose arm lies in a plane; turned to a right angle, many roots of its polynomial meet.

@@ -81,28 +81,26 @@ class Limiting:
             low, high = self._ends(joint, limits)
             turn = whole_turn(builder)
             zero = builder.integer(0)
-            for _ in range(_turns(limits.low + math.pi) if limits.high > math.pi else 0):
+            for _ in range(_turns_up(limits)):
                 short = builder.select(builder.apply("less", moved, low), turn, zero)
                 moved = builder.add(moved, short)
-            for _ in range(_turns(math.pi - limits.high) if limits.low < -math.pi else 0):
+            for _ in range(_turns_down(limits)):
                 long = builder.select(builder.apply("less", high, moved), turn, zero)
                 moved = builder.sub(moved, long)
         beyond = self._how_far(joint, moved, limits)
-        if moved != value:
-            beyond = self._nearer(beyond, self._before_turns(joint, moved, limits))
+        if _most_turns(limits) == 1:
+            beyond = self._nearer(beyond, self._before_the_turn(joint, value, limits))
         self._beyond.append(beyond)
         return builder.select(self._positive(beyond), value, moved)
 
-    def _before_turns(self, joint: int, moved: Node, limits: Limits) -> Node:
-        """How far the value one turn before is beyond the end that it was moved from.
+    def _before_the_turn(self, joint: int, value: Node, limits: Limits) -> Node:
+        """How far a value is beyond the end that it may be moved from, negative if it is not.
 
-        By so little that rounding may have put it there, it may stand on that end.
+        If it is by so little that rounding may have put it there, it may stand on that end.
         """
         low, high = self._ends(joint, limits)
-        builder, turn = self._builder, whole_turn(self._builder)
-        if limits.high > math.pi:
-            return builder.sub(builder.add(low, turn), moved)
-        return builder.sub(builder.add(moved, turn), high)
+        below, above = self._builder.sub(low, value), self._builder.sub(value, high)
+        return below if limits.high > math.pi else above
 
     def _nearer(self, beyond: Node, other: Node) -> Node:
         return self._builder.select(self._builder.apply("less", other, beyond), other, beyond)
@@ -160,6 +158,19 @@ def whole_turn(builder: Builder) -> Node:
 def half_turn(builder: Builder) -> Node:
     """Pi, by a name."""
     return builder.constant("half_turn", math.pi, "pi [rad]", role=Source.FILE)
+
+
+def _most_turns(limits: Limits) -> int:
+    return _turns_up(limits) + _turns_down(limits) if limits.turns else 0
+
+
+def _turns_up(limits: Limits) -> int:
+    """How many turns lead an angle in (-pi, pi] inside at most, where it is below."""
+    return _turns(limits.low + math.pi) if limits.high > math.pi else 0
+
+
+def _turns_down(limits: Limits) -> int:
+    return _turns(math.pi - limits.high) if limits.low < -math.pi else 0
 
 
 def _turns(distance: float) -> int:
