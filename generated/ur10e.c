@@ -1285,8 +1285,8 @@ int ur10e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     for (int i = 0; i < 6 && valid; i++)
         if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
             for (int row = 0; row < 8; row++)
-                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
-                    0.0;
+                past += status[row] == OK
+                    && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

@@ -1064,8 +1064,8 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
     for (int i = 0; i < 6 && valid; i++)
         if (fminf(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15f)
             for (int row = 0; row < 8; row++)
-                past += status[row] == OK && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) !=
-                    0.0f;
+                past += status[row] == OK
+                    && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
     if (past)
         (void)ik_carefully(T, q_seed, all, status);
     for (int row = 0; row < 8 && valid; row++) {

@@ -39,10 +39,15 @@ def regular(
     Returns:
         None where branches are the roots of a polynomial.
     """
-    if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
+    if not tells_regular(program):
         return None
     kept = inverses_kept(program, tolerances)
     return _made(program, limits, kept, tolerances)
+
+
+def tells_regular(program: Program) -> bool:
+    """Whether there is a program of regular poses: not where branches are roots of a polynomial."""
+    return not any(isinstance(statement, AllJoints | Roots) for statement in program.body)
 
 
 @cache  # every target asks for it

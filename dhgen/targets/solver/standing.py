@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.program.regular.regular import tells_regular
 from dhgen.robot.robot import JointKind
 from dhgen.targets.walk import roots_in_a_row, whole_arm
 
@@ -27,6 +28,7 @@ class Standing:
 
     Attributes:
         on_limits: Whether they are put on limits.
+        far: Whether they are led far to limits: not where every pose is solved with care.
         stays: Whether they follow the seed.
         settles: Whether they do either, and are taken to a solution next to them.
         tells_once: Whether branches that meet may come out apart: one root follows another.
@@ -39,6 +41,7 @@ class Standing:
     """
 
     on_limits: bool
+    far: bool
     stays: bool
     settles: bool
     tells_once: bool
@@ -55,6 +58,7 @@ def standing_of(module: SolverModule) -> Standing:
     limited, stay, winding = stands_on_limits(module), _stays(module), winds(module)
     return Standing(
         on_limits=limited,
+        far=limited and tells_regular(module.solver),
         stays=stay,
         settles=limited or stay,
         tells_once=stay and roots_in_a_row(module.solver) > 1,
