@@ -979,7 +979,7 @@ int epson_t3_ik_nearest(const double T[16], const double q_seed[4], double q[4])
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* an end: fast code turned joints */
+    int past = 0; /* joints past an end and turned */
     for (int i = 0; i < 4 && valid; i++)
         if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
             for (int row = 0; row < 2; row++)

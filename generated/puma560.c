@@ -1163,7 +1163,7 @@ int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* an end: fast code turned joints */
+    int past = 0; /* joints past an end and turned */
     for (int i = 0; i < 6 && valid; i++)
         if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
             for (int row = 0; row < 8; row++)

@@ -941,7 +941,7 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* an end: fast code turned joints */
+    int past = 0; /* joints past an end and turned */
     for (int i = 0; i < 6 && valid; i++)
         if (fminf(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15f)
             for (int row = 0; row < 8; row++)

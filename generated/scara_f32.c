@@ -809,7 +809,7 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
         found[i] = NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    int past = 0; /* an end: fast code turned joints */
+    int past = 0; /* joints past an end and turned */
     for (int i = 0; i < 4 && valid; i++)
         if (fminf(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15f)
             for (int row = 0; row < 2; row++)
