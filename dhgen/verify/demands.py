@@ -60,22 +60,23 @@ class Demands:
         """
         if not len(rows):
             return
-        self.reproduce(rows, T, f"{where}, Python")
-        self.reproduce(others, T, f"{where}, {what}")
+        missed = self.reproduce(rows, T, f"{where}, Python")
+        missed = max(missed, self.reproduce(others, T, f"{where}, {what}"))
         misses, enough = self.measures.joint_miss(rows, others).max(axis=1), AGREEMENT
         if not misses.max() <= enough:
-            enough = max(enough, *(self.measures.residual(each, T) for each in (rows, others)))
-            enough /= min(max(self.measures.fixed(rows), 1e-9), 1.0)
+            enough = max(enough, missed) / min(max(self.measures.fixed(rows), 1e-9), 1.0)
             misses[[self._stand_for_one(*pair, T) for pair in zip(rows, others, strict=True)]] = 0.0
         self.at_most(float(misses.max()), enough, f"{where}: Python and {what} differ")
 
-    def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> None:
-        """Every row reproduces its pose."""
-        if len(rows):
-            miss = self.measures.residual(rows, T)
-            self.residual = max(self.residual, miss)
-            enough = RESIDUAL if self.has_branches else GENERAL_RESIDUAL
-            self.at_most(miss, enough, f"{where}: a row misses the pose, in arm sizes")
+    def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> float:
+        """Every row reproduces its pose; by how much they miss it at most."""
+        if not len(rows):
+            return 0.0
+        miss = self.measures.residual(rows, T)
+        self.residual = max(self.residual, miss)
+        enough = RESIDUAL if self.has_branches else GENERAL_RESIDUAL
+        self.at_most(miss, enough, f"{where}: a row misses the pose, in arm sizes")
+        return miss
 
     def recover(self, rows: FloatArray, q: FloatArray, enough: float, where: str) -> None:
         """The generating joint values are among the rows: free joints took them from the seed."""
