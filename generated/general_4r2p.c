@@ -2743,6 +2743,7 @@ static void general_4r2p_around(const general_4r2p_formulation *form, const gene
 typedef struct {
     int count, group[GENERAL_4R2P_CANDIDATES], far[2 * GENERAL_4R2P_ROOTS];
     double c[GENERAL_4R2P_CANDIDATES], s[GENERAL_4R2P_CANDIDATES], sign[2][GENERAL_4R2P_CANDIDATES];
+    int aligned; /* whether a root does not tell all turns */
 } general_4r2p_ways;
 
 /* Four turns and two slides: J(phi1) L0 J(phi2) L1 ... J(phi6) L5 = 1 with phi1 a turn. Slides
@@ -2782,31 +2783,12 @@ static void general_4r2p_prepare(general_4r2p_setting *set, int which, const gen
     }
 }
 
-/* Whether the axes of the second and the fourth turn are parallel where the first has this
- * angle. */
-static int general_4r2p_are_aligned(const general_4r2p_setting *set, double c, double s)
-{
-    const double *const A = set->between[0], *const D = set->between[3];
-    const double x = c * D[8] + s * D[9], y = c * D[9] - s * D[8];
-    const double first = A[0] * x + A[4] * y + A[8] * D[10], second = A[1] * x + A[5] * y + A[9] *
-        D[10];
-    return first * first + second * second <= 1e-06;
-}
-
-/* Whether every solution has a root, and every root tells its solution. Where the third turn's axis
- * is parallel to the one before or behind it, the entry zz does not give this turn, and roots tell
- * nothing. Where these two are parallel at a root, it does not tell their turns. */
-static int general_4r2p_tells_all(const general_4r2p_setting *set, const general_4r2p_roots *roots)
+/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
+ * behind it, the entry zz does not give this turn, and roots tell nothing. */
+static int general_4r2p_tells_all(const general_4r2p_setting *set)
 {
     const double *const B = set->between[1], *const C = set->between[2];
-    int aligned = 0;
-    for (int i = 0; i < roots->simple; i++) {
-        aligned |= general_4r2p_are_aligned(set, roots->c[i], roots->s[i]);
-    }
-    for (int i = 0; i < roots->doubles; i++) {
-        aligned |= general_4r2p_are_aligned(set, roots->double_c[i], roots->double_s[i]);
-    }
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18 && !aligned;
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
 }
 
 /* out += sign a b */
@@ -2984,14 +2966,15 @@ static inline double general_4r2p_across(general_4r2p_pair a[3], general_4r2p_pa
 
 /* At every root the better branch, and the other one where its determinant is small, too: a double
  * root may be one of each. Where the slides are parallel and the translation is not along them,
- * they would have to reach too far. */
+ * they would have to reach too far. Where the second and the fourth turn are parallel the root does
+ * not tell them. */
 static void general_4r2p_find_ways(const general_4r2p_setting *set, const double *c, const double
     *s, int count, int group,
                               general_4r2p_ways *out)
 {
     for (int from = 0; from < count; from += GENERAL_4R2P_LANES) {
         double in[2][GENERAL_4R2P_LANES], U[GENERAL_4R2P_LANES], V[GENERAL_4R2P_LANES],
-            root[GENERAL_4R2P_LANES];
+            root[GENERAL_4R2P_LANES], w[GENERAL_4R2P_LANES];
         general_4r2p_both at;
         for (int k = 0; k < GENERAL_4R2P_LANES; k++) {
             const int i = from + k < count ? from + k : from;
@@ -3002,7 +2985,9 @@ static void general_4r2p_find_ways(const general_4r2p_setting *set, const double
         GENERAL_4R2P_STORE(U, at.determinant[0]);
         GENERAL_4R2P_STORE(V, at.determinant[1] * general_4r2p_root(at.delta));
         GENERAL_4R2P_STORE(root, general_4r2p_root(at.delta));
+        GENERAL_4R2P_STORE(w, at.w);
         for (int k = 0; k < GENERAL_4R2P_LANES && from + k < count; k++) {
+            out->aligned |= w[k] <= 1e-06;
             const double better = (U[k] < 0.0) == (V[k] < 0.0) ? -1.0 : 1.0;
             const double moved = sqrt(1e-14 / (fabs(U[k]) + fabs(V[k]) + 1e-300));
             const int ways = fabs(U[k] - better * V[k]) < 0.01 ? 2 : 1;
@@ -3135,6 +3120,7 @@ static int general_4r2p_attempt_closed(int which, const general_4r2p_loop *loop,
         return 0;
     }
     ways.count = 0;
+    ways.aligned = 0;
     for (int i = 0; i < 2 * GENERAL_4R2P_ROOTS; i++) {
         ways.far[i] = 0;
     }
@@ -3144,7 +3130,7 @@ static int general_4r2p_attempt_closed(int which, const general_4r2p_loop *loop,
     found->doubles += roots.doubles;
     return general_4r2p_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
         roots.complete &&
-           general_4r2p_tells_all(&set, &roots);
+           general_4r2p_tells_all(&set) && !ways.aligned;
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 581472bc9a410661"
+_KEY = "general_4r2p 5af8cf35c3104995"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1686,15 +1686,12 @@ def _general_4r2p_tells_all(between, roots, counts):
     give this turn, and roots tell nothing. Where these two are parallel at a root, it does not tell
     their turns.
     """
-    A, B, C, D = between[0], between[1], between[2], between[3]
+    B, C = between[1], between[2]
     plain = (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18
     for double in range(2):
         for i in range(counts[double]):
             c, s = math.cos(roots[double, i]), math.sin(roots[double, i])
-            x, y = c * D[8] + s * D[9], c * D[9] - s * D[8]
-            first = A[0] * x + A[4] * y + A[8] * D[10]
-            second = A[1] * x + A[5] * y + A[9] * D[10]
-            plain = plain and first * first + second * second > 1e-06
+            plain = plain and _general_4r2p_linkage(between, c, s)[1] > 1e-06
     return plain
 
 

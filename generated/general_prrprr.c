@@ -2763,6 +2763,7 @@ typedef struct {
     int count, group[GENERAL_PRRPRR_CANDIDATES], far[2 * GENERAL_PRRPRR_ROOTS];
     double c[GENERAL_PRRPRR_CANDIDATES], s[GENERAL_PRRPRR_CANDIDATES],
         sign[2][GENERAL_PRRPRR_CANDIDATES];
+    int aligned; /* whether a root does not tell all turns */
 } general_prrprr_ways;
 
 /* Four turns and two slides: J(phi1) L0 J(phi2) L1 ... J(phi6) L5 = 1 with phi1 a turn. Slides
@@ -2802,32 +2803,12 @@ static void general_prrprr_prepare(general_prrprr_setting *set, int which, const
     }
 }
 
-/* Whether the axes of the second and the fourth turn are parallel where the first has this
- * angle. */
-static int general_prrprr_are_aligned(const general_prrprr_setting *set, double c, double s)
-{
-    const double *const A = set->between[0], *const D = set->between[3];
-    const double x = c * D[8] + s * D[9], y = c * D[9] - s * D[8];
-    const double first = A[0] * x + A[4] * y + A[8] * D[10], second = A[1] * x + A[5] * y + A[9] *
-        D[10];
-    return first * first + second * second <= 1e-06;
-}
-
-/* Whether every solution has a root, and every root tells its solution. Where the third turn's axis
- * is parallel to the one before or behind it, the entry zz does not give this turn, and roots tell
- * nothing. Where these two are parallel at a root, it does not tell their turns. */
-static int general_prrprr_tells_all(const general_prrprr_setting *set, const general_prrprr_roots
-    *roots)
+/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
+ * behind it, the entry zz does not give this turn, and roots tell nothing. */
+static int general_prrprr_tells_all(const general_prrprr_setting *set)
 {
     const double *const B = set->between[1], *const C = set->between[2];
-    int aligned = 0;
-    for (int i = 0; i < roots->simple; i++) {
-        aligned |= general_prrprr_are_aligned(set, roots->c[i], roots->s[i]);
-    }
-    for (int i = 0; i < roots->doubles; i++) {
-        aligned |= general_prrprr_are_aligned(set, roots->double_c[i], roots->double_s[i]);
-    }
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18 && !aligned;
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
 }
 
 /* out += sign a b */
@@ -3005,14 +2986,15 @@ static inline double general_prrprr_across(general_prrprr_pair a[3], general_prr
 
 /* At every root the better branch, and the other one where its determinant is small, too: a double
  * root may be one of each. Where the slides are parallel and the translation is not along them,
- * they would have to reach too far. */
+ * they would have to reach too far. Where the second and the fourth turn are parallel the root does
+ * not tell them. */
 static void general_prrprr_find_ways(const general_prrprr_setting *set, const double *c, const
     double *s, int count, int group,
                               general_prrprr_ways *out)
 {
     for (int from = 0; from < count; from += GENERAL_PRRPRR_LANES) {
         double in[2][GENERAL_PRRPRR_LANES], U[GENERAL_PRRPRR_LANES], V[GENERAL_PRRPRR_LANES],
-            root[GENERAL_PRRPRR_LANES];
+            root[GENERAL_PRRPRR_LANES], w[GENERAL_PRRPRR_LANES];
         general_prrprr_both at;
         for (int k = 0; k < GENERAL_PRRPRR_LANES; k++) {
             const int i = from + k < count ? from + k : from;
@@ -3024,7 +3006,9 @@ static void general_prrprr_find_ways(const general_prrprr_setting *set, const do
         GENERAL_PRRPRR_STORE(U, at.determinant[0]);
         GENERAL_PRRPRR_STORE(V, at.determinant[1] * general_prrprr_root(at.delta));
         GENERAL_PRRPRR_STORE(root, general_prrprr_root(at.delta));
+        GENERAL_PRRPRR_STORE(w, at.w);
         for (int k = 0; k < GENERAL_PRRPRR_LANES && from + k < count; k++) {
+            out->aligned |= w[k] <= 1e-06;
             const double better = (U[k] < 0.0) == (V[k] < 0.0) ? -1.0 : 1.0;
             const double moved = sqrt(1e-14 / (fabs(U[k]) + fabs(V[k]) + 1e-300));
             const int ways = fabs(U[k] - better * V[k]) < 0.01 ? 2 : 1;
@@ -3157,6 +3141,7 @@ static int general_prrprr_attempt_closed(int which, const general_prrprr_loop *l
         return 0;
     }
     ways.count = 0;
+    ways.aligned = 0;
     for (int i = 0; i < 2 * GENERAL_PRRPRR_ROOTS; i++) {
         ways.far[i] = 0;
     }
@@ -3166,7 +3151,7 @@ static int general_prrprr_attempt_closed(int which, const general_prrprr_loop *l
     found->doubles += roots.doubles;
     return general_prrprr_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
         roots.complete &&
-           general_prrprr_tells_all(&set, &roots);
+           general_prrprr_tells_all(&set) && !ways.aligned;
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -2761,6 +2761,7 @@ typedef struct {
     int count, group[GENERAL_RPPRRR_CANDIDATES], far[2 * GENERAL_RPPRRR_ROOTS];
     double c[GENERAL_RPPRRR_CANDIDATES], s[GENERAL_RPPRRR_CANDIDATES],
         sign[2][GENERAL_RPPRRR_CANDIDATES];
+    int aligned; /* whether a root does not tell all turns */
 } general_rpprrr_ways;
 
 /* Four turns and two slides: J(phi1) L0 J(phi2) L1 ... J(phi6) L5 = 1 with phi1 a turn. Slides
@@ -2800,32 +2801,12 @@ static void general_rpprrr_prepare(general_rpprrr_setting *set, int which, const
     }
 }
 
-/* Whether the axes of the second and the fourth turn are parallel where the first has this
- * angle. */
-static int general_rpprrr_are_aligned(const general_rpprrr_setting *set, double c, double s)
-{
-    const double *const A = set->between[0], *const D = set->between[3];
-    const double x = c * D[8] + s * D[9], y = c * D[9] - s * D[8];
-    const double first = A[0] * x + A[4] * y + A[8] * D[10], second = A[1] * x + A[5] * y + A[9] *
-        D[10];
-    return first * first + second * second <= 1e-06;
-}
-
-/* Whether every solution has a root, and every root tells its solution. Where the third turn's axis
- * is parallel to the one before or behind it, the entry zz does not give this turn, and roots tell
- * nothing. Where these two are parallel at a root, it does not tell their turns. */
-static int general_rpprrr_tells_all(const general_rpprrr_setting *set, const general_rpprrr_roots
-    *roots)
+/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
+ * behind it, the entry zz does not give this turn, and roots tell nothing. */
+static int general_rpprrr_tells_all(const general_rpprrr_setting *set)
 {
     const double *const B = set->between[1], *const C = set->between[2];
-    int aligned = 0;
-    for (int i = 0; i < roots->simple; i++) {
-        aligned |= general_rpprrr_are_aligned(set, roots->c[i], roots->s[i]);
-    }
-    for (int i = 0; i < roots->doubles; i++) {
-        aligned |= general_rpprrr_are_aligned(set, roots->double_c[i], roots->double_s[i]);
-    }
-    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18 && !aligned;
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
 }
 
 /* out += sign a b */
@@ -3003,14 +2984,15 @@ static inline double general_rpprrr_across(general_rpprrr_pair a[3], general_rpp
 
 /* At every root the better branch, and the other one where its determinant is small, too: a double
  * root may be one of each. Where the slides are parallel and the translation is not along them,
- * they would have to reach too far. */
+ * they would have to reach too far. Where the second and the fourth turn are parallel the root does
+ * not tell them. */
 static void general_rpprrr_find_ways(const general_rpprrr_setting *set, const double *c, const
     double *s, int count, int group,
                               general_rpprrr_ways *out)
 {
     for (int from = 0; from < count; from += GENERAL_RPPRRR_LANES) {
         double in[2][GENERAL_RPPRRR_LANES], U[GENERAL_RPPRRR_LANES], V[GENERAL_RPPRRR_LANES],
-            root[GENERAL_RPPRRR_LANES];
+            root[GENERAL_RPPRRR_LANES], w[GENERAL_RPPRRR_LANES];
         general_rpprrr_both at;
         for (int k = 0; k < GENERAL_RPPRRR_LANES; k++) {
             const int i = from + k < count ? from + k : from;
@@ -3022,7 +3004,9 @@ static void general_rpprrr_find_ways(const general_rpprrr_setting *set, const do
         GENERAL_RPPRRR_STORE(U, at.determinant[0]);
         GENERAL_RPPRRR_STORE(V, at.determinant[1] * general_rpprrr_root(at.delta));
         GENERAL_RPPRRR_STORE(root, general_rpprrr_root(at.delta));
+        GENERAL_RPPRRR_STORE(w, at.w);
         for (int k = 0; k < GENERAL_RPPRRR_LANES && from + k < count; k++) {
+            out->aligned |= w[k] <= 1e-06;
             const double better = (U[k] < 0.0) == (V[k] < 0.0) ? -1.0 : 1.0;
             const double moved = sqrt(1e-14 / (fabs(U[k]) + fabs(V[k]) + 1e-300));
             const int ways = fabs(U[k] - better * V[k]) < 0.01 ? 2 : 1;
@@ -3155,6 +3139,7 @@ static int general_rpprrr_attempt_closed(int which, const general_rpprrr_loop *l
         return 0;
     }
     ways.count = 0;
+    ways.aligned = 0;
     for (int i = 0; i < 2 * GENERAL_RPPRRR_ROOTS; i++) {
         ways.far[i] = 0;
     }
@@ -3164,7 +3149,7 @@ static int general_rpprrr_attempt_closed(int which, const general_rpprrr_loop *l
     found->doubles += roots.doubles;
     return general_rpprrr_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
         roots.complete &&
-           general_rpprrr_tells_all(&set, &roots);
+           general_rpprrr_tells_all(&set) && !ways.aligned;
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */
