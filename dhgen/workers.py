@@ -28,7 +28,12 @@ def side_by_side(make: Callable[[Item], Made], items: Sequence[Item]) -> Iterato
     passing = tempfile.TemporaryDirectory(prefix="dhgen-", ignore_cleanup_errors=True)
     with passing as folder, ProcessPoolExecutor(count, None, _begin, (folder,)) as pool:
         try:
-            yield from pool.map(make, items)
+            before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # workers begin so
+            try:
+                made = pool.map(make, items)
+            finally:
+                signal.pthread_sigmask(signal.SIG_SETMASK, before)
+            yield from made
         except BaseException:
             for process in multiprocessing.active_children():
                 process.terminate()
@@ -36,6 +41,10 @@ def side_by_side(make: Callable[[Item], Made], items: Sequence[Item]) -> Iterato
 
 
 def _begin(folder: str) -> None:
-    """Lets a worker end at once and without a word; what it leaves behind is in the folder."""
+    """Lets a worker end at once and without a word; what it leaves behind is in the folder.
+
+    Ctrl-C waits until then: amid Python's own beginning of a process it would be told at length.
+    """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     tempfile.tempdir = folder

@@ -173,7 +173,7 @@ def test_a_reader_who_has_seen_enough(
 
 # One worker that waits for work and one that has some; a call out of C, which forgets errors.
 AT_WORK = """
-import ctypes, os, signal, sys, tempfile, time
+import ctypes, multiprocessing.util, os, signal, sys, tempfile, time
 from dhgen import cli
 from dhgen.workers import side_by_side
 
@@ -184,6 +184,15 @@ def work(seconds):
 
 def work_twice(_):
     return len(list(side_by_side(work, [0, 60])))
+
+def work_before_the_other_has_begun(_):
+    def begin(_):
+        try:
+            time.sleep(0.5 if multiprocessing.current_process().name.endswith("-2") else 0)
+        except KeyboardInterrupt:
+            os.write(2, b"a beginning that is interrupted\\n")
+    multiprocessing.util.register_after_fork(begin, begin)
+    return work_twice(_)
 
 def work_for_c(_):
     ctypes.CFUNCTYPE(None)(lambda: work(60))()
@@ -205,6 +214,7 @@ sys.exit(cli.main([]))
     [
         ("work_twice", "all"),
         ("work_twice", "the first"),
+        ("work_before_the_other_has_begun", "all"),
         ("work_for_c", "the first"),
         ("fail_for_c", "the first"),
     ],
@@ -222,7 +232,7 @@ def test_an_interrupt_ends_everything_without_a_word(
         start_new_session=True,
     )
     assert process.stdout is not None
-    started = 2 if work == "work_twice" else 1
+    started = 1 if "for_c" in work else 2
     assert [process.stdout.readline() for _ in range(started)] == ["at work\n"] * started
     (os.killpg if reaches == "all" else os.kill)(process.pid, signal.SIGINT)
     told = process.communicate(timeout=30)
