@@ -102,6 +102,8 @@ def test_a_prismatic_joint() -> None:
         ("theta: q - q2", "q2", "unknown name 'q2': a table can't couple joints; write q for this"),
         ("theta: q1 + q2", "q1", "unknown name 'q1': a table can't couple joints; write q for"),
         ("theta: q, a: q1", "q1", "unknown name 'q1'; valid: pi, deg, sqrt, sin, cos"),
+        ("theta: q, free: true", "free", "unknown key 'free'; it stands on a line of its own as"),
+        ("theta: q, task: pose", "task", "unknown key 'task'; it stands on a line of its own as"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
         ("theta: q, a: 30 deg", "30 deg", "'30 deg' is an angle, but a length belongs here: leave"),
