@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import _thread
+import signal
 import sys
 from contextlib import contextmanager
 from threading import Timer
@@ -45,3 +46,13 @@ def interrupts_repeated() -> Iterator[None]:
         for timer in repeated:  # none may come when nobody waits for it any more
             timer.cancel()
             timer.join()
+
+
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """Lets Ctrl-C wait until the end; a process that begins meanwhile holds it, too."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

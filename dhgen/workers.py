@@ -9,6 +9,8 @@ import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from typing import TYPE_CHECKING, TypeVar
 
+from dhgen.interrupts import interrupts_held
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
@@ -28,11 +30,8 @@ def side_by_side(make: Callable[[Item], Made], items: Sequence[Item]) -> Iterato
     passing = tempfile.TemporaryDirectory(prefix="dhgen-", ignore_cleanup_errors=True)
     with passing as folder, ProcessPoolExecutor(count, None, _begin, (folder,)) as pool:
         try:
-            before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # workers begin so
-            try:
+            with interrupts_held():  # by the workers until they have begun
                 made = pool.map(make, items)
-            finally:
-                signal.pthread_sigmask(signal.SIG_SETMASK, before)
             yield from made
         except BaseException:
             for process in multiprocessing.active_children():

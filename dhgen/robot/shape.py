@@ -30,6 +30,7 @@ _MODELS: Mapping[str, type[BaseModel]] = {
     "tool": FrameEntry,
     "units": Units,
 }
+_OF_A_JOINT_TOO = {"name", "title", "source"}  # who writes them there may not mean the robot's
 
 
 class Shape:
@@ -107,10 +108,10 @@ def _elsewhere(key: str, path: Path) -> str:
         return "; an offset stands beside the variable: 'theta: q + 0.3', 'd: q + 0.3'"
     if len(path) == 1 and key in {"limits", "joint_limits", "qlim"}:
         return "; limits stand in each joint: 'limits: [-1.5, 1.5]'"
-    if len(path) > 1 and key in RobotFile.model_fields:
+    if len(path) > 1 and key in RobotFile.model_fields and key not in _OF_A_JOINT_TOO:
         at_joint = key == "free" and isinstance(path[1], int)
         example = f": 'free: [{int(path[1]) + 1}]'" if at_joint else ""
-        return f"; it stands on a line of its own as 'joints:' does{example}"
+        return f"; it stands on a line of its own as '{path[0]}:' does{example}"
     return ""
 
 

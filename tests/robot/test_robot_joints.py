@@ -104,6 +104,7 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, a: q1", "q1", "unknown name 'q1'; valid: pi, deg, sqrt, sin, cos"),
         ("theta: q, free: true", "free", "unknown key 'free'; it stands on a line of its own as"),
         ("theta: q, task: pose", "task", "unknown key 'task'; it stands on a line of its own as"),
+        ("theta: q, name: elbow", "name", "unknown key 'name'; valid: theta, d, a, alpha, limits"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
         ("theta: q, a: 30 deg", "30 deg", "'30 deg' is an angle, but a length belongs here: leave"),
