@@ -79,7 +79,9 @@ class NormalForm:
 
 def _reduced(terms: Packed, below: int, square: Square) -> tuple[Packed, int]:
     """Terms over a common denominator, without powers above one of one generator."""
-    halves = [(monomial >> square.shift & LOWEST) // 2 for monomial in terms]
+    shift = square.shift
+    high = [monomial for monomial in terms if monomial >> shift & ABOVE_ONE]
+    halves = [(monomial >> shift & LOWEST) // 2 for monomial in high]
     most = max(halves)
     powers: list[Packed] = [{0: 1}]
     for _ in range(most):
@@ -87,12 +89,17 @@ def _reduced(terms: Packed, below: int, square: Square) -> tuple[Packed, int]:
         add_product(power, 1, powers[-1], square.terms)
         powers.append(power)
     lowered: list[Packed] = [{} for _ in powers]
-    for half, (monomial, number) in zip(halves, terms.items(), strict=True):
-        lowered[half][monomial - (2 * half << square.shift)] = number
-    total: Packed = {}
-    for half, (part, power) in enumerate(zip(lowered, powers, strict=True)):
-        add_product(total, square.below ** (most - half), part, power)
-    return total, below * square.below**most
+    for half, monomial in zip(halves, high, strict=True):
+        lowered[half][monomial - (2 * half << shift)] = terms[monomial]
+    scale = square.below**most
+    total = {
+        monomial: scale * number
+        for monomial, number in terms.items()
+        if not monomial >> shift & ABOVE_ONE
+    }
+    for half in range(1, most + 1):
+        add_product(total, square.below ** (most - half), lowered[half], powers[half])
+    return total, below * scale
 
 
 def normal_form(

@@ -17,10 +17,10 @@ from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task_rates import task_jacobian
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.samples import Samples
+from dhgen.paul.pose_values import PoseValues
+from dhgen.paul.samples import Sums
 from dhgen.paul.second import with_second_equations
 from dhgen.paul.step import Kind, learn
-from dhgen.paul.witness import add_pose
 from dhgen.paul.zeros import values_at
 from dhgen.robot.robot import JointKind
 
@@ -139,12 +139,13 @@ def _factors(step: Step) -> list[Polynomial]:
 def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> FloatArray:
     """Some common zeros, angles and lengths as the algebra sees them (dof, n)."""
     source, dof = np.random.default_rng(31), pool.problem.algebra.chain.dof
+    at = _On(pool, factors)
     q = source.uniform(-3.0, 3.0, (dof, STARTS))
     aside = np.concatenate([np.zeros((dof, 1)), DIFFERENCE * np.eye(dof)], axis=1)
-    usual = np.max(np.abs(_at(pool, factors, source.uniform(-3.0, 3.0, (dof, STARTS)))), axis=1)
+    usual = np.max(np.abs(at(source.uniform(-3.0, 3.0, (dof, STARTS)))), axis=1)
     for _ in range(ITERATIONS):
         around = (q[:, :, None] + aside[:, None]).reshape(dof, -1)
-        values = (_at(pool, factors, around) / usual[:, None]).reshape(len(usual), STARTS, -1)
+        values = (at(around) / usual[:, None]).reshape(len(usual), STARTS, -1)
         missed = values[..., 0].T
         if np.all(np.abs(missed) < ZERO):
             break
@@ -155,11 +156,18 @@ def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> FloatArray:
     return q[:, np.all(np.abs(missed) < ZERO, axis=1)]
 
 
-def _at(pool: Pool, factors: Sequence[Polynomial], q: FloatArray) -> FloatArray:
-    """Polynomials in joints and entries of the pose, (factors, n)."""
-    samples = Samples(values_at(pool.problem.algebra, q))
-    add_pose(pool, samples)
-    return np.stack([samples.value(factor) for factor in factors])
+class _On:
+    """Polynomials in joints and entries of the pose, on joint values (dof, n)."""
+
+    def __init__(self, pool: Pool, factors: Sequence[Polynomial]) -> None:
+        self._algebra = pool.problem.algebra
+        self._pose = PoseValues(pool)
+        self._factors = Sums(factors)
+
+    def __call__(self, q: FloatArray) -> FloatArray:
+        values = values_at(self._algebra, q)
+        self._pose.fill(values)
+        return self._factors(values)
 
 
 def _joint_values(chain: Chain, q: FloatArray) -> FloatArray:

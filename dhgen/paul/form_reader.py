@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from itertools import chain
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
@@ -16,7 +17,7 @@ from dhgen.kinematics.ring import by_powers, substitute
 from dhgen.paul.form import Form, Length, Monomial
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Equation
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
 
 MOST_UNKNOWNS = 2
+ENOUGH = 48  # so many equations for the same unknowns hold the best step: hundreds say it longer
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +34,27 @@ class _Content:
 
     angles: tuple[int, ...]
     lengths: tuple[Length, ...]
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class _Look:
+    """What of an equation is not known at some state.
+
+    Attributes:
+        place: Of the equation in the pool.
+        angles: For each of its angle sums 0 if it is known, else one for what stands for it,
+            negative when reversed.
+        lengths: Its unknown lengths.
+    """
+
+    place: int
+    angles: tuple[int, ...]
+    lengths: tuple[Length, ...]
+
+    @property
+    def unknowns(self) -> frozenset[int]:
+        """What stands for its unknown angle sums."""
+        return frozenset(map(abs, self.angles)) - {0}
 
 
 class FormReader:
@@ -47,33 +70,58 @@ class FormReader:
         self._equations = [(equation, self._content(equation)) for equation in pool.equations]
         self._late = _places_of_late(pool)
         self._elbow = None if pool.plane is None else pool.plane.elbow_angle
-        self._seen: dict[object, Form] = {}
+        self._seen: dict[_Look, Form] = {}
         self._turns: dict[tuple[int, int], tuple[Polynomial, Polynomial]] = {}
 
     def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
-        """Every equation with a few unknowns, rewritten; in the order of the pool.
+        """The simplest equations for the same few unknowns, rewritten; in the order of the pool.
 
         Args:
             knowledge: The state.
             most: How many unknowns an equation may hold.
         """
         names = [self._name(angle, knowledge) for angle in self._algebra.angles]
-        found = []
+        alike: dict[tuple[frozenset[int], tuple[Length, ...]], list[_Look]] = {}
+        for look in self._looks(names, knowledge):
+            unknowns = look.unknowns
+            if 0 < len(unknowns) + len(look.lengths) <= most:
+                alike.setdefault((unknowns, look.lengths), []).append(look)
+        simplest = sorted(chain.from_iterable(map(self._simplest, alike.values())))
+        return [self._read(look, names, knowledge) for look in simplest]
+
+    def _looks(self, names: Sequence[int], knowledge: Knowledge) -> Iterator[_Look]:
+        """What every equation holds that is not known."""
         late = self._elbow is not None and not knowledge.knows(self._elbow)
-        for place, (equation, content) in enumerate(self._equations):
-            if late and place in self._late:
-                continue
-            read = tuple([names[number] for number in content.angles])
-            lengths = tuple([u for u in content.lengths if u.joint not in knowledge.slides])
-            count = len({abs(name) for name in read if name}) + len(lengths)
-            if 0 < count <= most:
-                key = (place, read, lengths)  # states that agree in it see the same form
-                if key not in self._seen:
-                    self._seen[key] = self._form(
-                        equation, content.angles, names, lengths, knowledge
-                    )
-                found.append(self._seen[key])
-        return found
+        for place, (_, content) in enumerate(self._equations):
+            if not (late and place in self._late):
+                angles = tuple([names[number] for number in content.angles])
+                lengths = tuple([u for u in content.lengths if u.joint not in knowledge.slides])
+                yield _Look(place, angles, lengths)
+
+    def _simplest(self, looks: Sequence[_Look]) -> Iterable[_Look]:
+        """Those with the fewest terms, and those with the fewest that hold an unknown."""
+        if len(looks) <= ENOUGH:
+            return looks
+        return _fewest(looks, self._size) | _fewest(looks, self._holding)
+
+    def _size(self, look: _Look) -> int:
+        """Terms of an equation."""
+        return len(self._equations[look.place][0].difference)
+
+    def _holding(self, look: _Look) -> int:
+        """Terms that hold an unknown."""
+        equation, content = self._equations[look.place]
+        unknown = zip(content.angles, look.angles, strict=True)
+        places = [place for number, name in unknown if name for place in self._places[number]]
+        places += [self._lengths[length] for length in look.lengths]
+        exponents_of = itemgetter(*places, *places)  # at least two places make tuples
+        return sum(map(any, map(exponents_of, equation.difference)))
+
+    def _read(self, look: _Look, names: Sequence[int], knowledge: Knowledge) -> Form:
+        """States that agree in how they look at an equation see the same form."""
+        if look not in self._seen:
+            self._seen[look] = self._form(look, names, knowledge)
+        return self._seen[look]
 
     def _content(self, equation: Equation) -> _Content:
         columns = list(zip(*equation.difference, strict=True))
@@ -89,21 +137,15 @@ class FormReader:
         name = 1 + self._number[knowledge.representative(angle)]
         return name if knowledge.runs_along(angle) else -name
 
-    def _form(
-        self,
-        equation: Equation,
-        content: tuple[int, ...],
-        names: Sequence[int],
-        lengths: tuple[Length, ...],
-        knowledge: Knowledge,
-    ) -> Form:
+    def _form(self, look: _Look, names: Sequence[int], knowledge: Knowledge) -> Form:
         """Rewrites where two angle sums stand for one unknown, then collects.
 
         A lone angle sum stays as the file's frames gave it (theta12, not theta2 with theta1
         known): fewer products, and the reader finds the equation as it stands in U_i.
         """
+        equation, content = self._equations[look.place]
         difference = equation.difference
-        open_angles = [number for number in content if names[number]]
+        open_angles = [number for number in content.angles if names[number]]
         count = Counter(abs(names[number]) for number in open_angles)
         kept = set()
         for number in open_angles:
@@ -116,9 +158,9 @@ class FormReader:
                 difference = self._algebra.normal(difference)
         angles = sorted(self._algebra.angles[number] for number in kept)
         places = [place for number in kept for place in self._places[number]]
-        places += [self._lengths[length] for length in lengths]
+        places += [self._lengths[length] for length in look.lengths]
         terms = self._collected(difference, sorted(places))
-        return Form(equation, (*angles, *lengths), terms)
+        return Form(equation, (*angles, *look.lengths), terms)
 
     def _rewritten(
         self, number: int, name: int, knowledge: Knowledge
@@ -138,6 +180,13 @@ class FormReader:
             powers = ([name] * exponent for name, exponent in zip(names, exponents, strict=True))
             collected[tuple(sorted(chain.from_iterable(powers)))] = part
         return collected
+
+
+def _fewest(looks: Iterable[_Look], count: Callable[[_Look], int]) -> set[_Look]:
+    """The ENOUGH of which a count is smallest, and those with the same count."""
+    counts = {look: count(look) for look in looks}
+    most = sorted(counts.values())[ENOUGH - 1]
+    return {look for look, each in counts.items() if each <= most}
 
 
 def _places_of_late(pool: Pool) -> frozenset[int]:

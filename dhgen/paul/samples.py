@@ -10,6 +10,8 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from numpy.typing import NDArray
+
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Exponents
@@ -22,7 +24,8 @@ FEW = 64  # monomials that there is room for at first
 class Samples:
     """Values of every generator; no monomial and no polynomial is worked out twice.
 
-    Values of generators may come later, before they are asked for.
+    Polynomials are known by their identity, as what makes a number of them, their hash, takes
+    longer than most questions. Values of generators may come later, before they are asked for.
 
     Attributes:
         values: Shape (generators, places).
@@ -32,8 +35,9 @@ class Samples:
         self.values = values
         self._rows: dict[Exponents, int] = {}
         self._monomials = np.empty((FEW, values.shape[1]))
-        self._found: dict[Polynomial, tuple[FloatArray, FloatArray]] = {}
-        self._numbers: dict[Polynomial, tuple[Numbers, Numbers]] = {}
+        self._found: dict[int, tuple[FloatArray, FloatArray]] = {}
+        self._numbers: dict[int, tuple[Numbers, Numbers]] = {}
+        self._known: list[Polynomial] = []  # kept, or others could get their identities
         self._nothing = np.zeros(values.shape[1]), np.zeros(values.shape[1])
 
     def value(self, polynomial: Polynomial) -> FloatArray:
@@ -44,29 +48,33 @@ class Samples:
         """The polynomial and the sum of the sizes of its terms, each of shape (places,)."""
         if not polynomial:
             return self._nothing
-        found = self._found.get(polynomial)
+        found = self._found.get(id(polynomial))
         if found is None:
             self.learn([polynomial])
-            found = self._found[polynomial]
+            found = self._found[id(polynomial)]
         return found
 
     def numbers(self, polynomial: Polynomial) -> tuple[Numbers, Numbers]:
         """The same as plain numbers, with which Python is faster where places are few."""
-        found = self._numbers.get(polynomial)
+        found = self._numbers.get(id(polynomial))
         if found is None:
             value, size = self.value_and_size(polynomial)
-            found = self._numbers[polynomial] = tuple(value.tolist()), tuple(size.tolist())
+            found = tuple(value.tolist()), tuple(size.tolist())
+            if polynomial:
+                self._numbers[id(polynomial)] = found
         return found
 
     def learn(self, polynomials: Iterable[Polynomial]) -> None:
         """Works out many together: what one alone takes is mostly the toll of small arrays."""
-        new = [each for each in dict.fromkeys(polynomials) if each and each not in self._found]
+        each_once = {id(each): each for each in polynomials if each}
+        new = [each for key, each in each_once.items() if key not in self._found]
         if not new:
             return
         terms = self._terms(new)
-        starts = [0, *accumulate(map(len, new[:-1]))]
+        starts = _starts(new)
         sums = (np.add.reduceat(each, starts) for each in (terms, np.abs(terms)))
-        self._found.update(zip(new, zip(*sums, strict=True), strict=True))
+        self._found.update(zip(map(id, new), zip(*sums, strict=True), strict=True))
+        self._known += new
 
     def _terms(self, polynomials: Sequence[Polynomial]) -> FloatArray:
         """All terms of all of them, shape (terms, places)."""
@@ -78,22 +86,64 @@ class Samples:
             rows.update(zip(new, range(first, first + len(new)), strict=True))
             while len(rows) > len(self._monomials):
                 self._monomials = np.concatenate([self._monomials, np.empty_like(self._monomials)])
-            self._monomials[first : len(rows)] = monomials_on(new, self.values)
+            self._monomials[first : len(rows)] = _products(_exponents(new), self.values)
         return _factors(*polynomials) * self._monomials[[rows[each] for each in monomials]]
+
+
+class Sums:
+    """Polynomials made ready for values that are not known yet, and for others after them."""
+
+    def __init__(self, polynomials: Iterable[Polynomial]) -> None:
+        """Sorts their terms."""
+        every = list(polynomials)
+        sums = [each for each in every if each]
+        monomials = list(chain.from_iterable(sums))
+        rows = {each: row for row, each in enumerate(dict.fromkeys(monomials))}
+        self._count = len(every)
+        self._places = [place for place, each in enumerate(every) if each]
+        self._starts = _starts(sums)
+        self._factors = _factors(*sums)
+        self._exponents = _exponents(list(rows))
+        self._rows = [rows[each] for each in monomials]
+
+    def __call__(self, values: FloatArray) -> FloatArray:
+        """What they are.
+
+        Args:
+            values: Of every generator, (generators, places).
+
+        Returns:
+            Shape (polynomials, places).
+        """
+        found = np.zeros((self._count, values.shape[1]))
+        if self._places:
+            terms = self._factors * _products(self._exponents, values)[self._rows]
+            found[self._places] = np.add.reduceat(terms, self._starts)
+        return found
 
 
 def terms_on(polynomial: Polynomial, values: FloatArray) -> FloatArray:
     """Every term on every column of `values`, shape (terms, columns)."""
-    return _factors(polynomial) * monomials_on(list(polynomial), values)
+    return _factors(polynomial) * _products(_exponents(list(polynomial)), values)
 
 
-def monomials_on(monomials: Sequence[Exponents], values: FloatArray) -> FloatArray:
-    """Every monomial on every column of `values`, shape (monomials, columns)."""
-    exponents = np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(-1, len(values))
+def _exponents(monomials: Sequence[Exponents]) -> NDArray[np.uint8]:
+    """Of every monomial, shape (monomials, generators)."""
+    size = len(monomials[0]) if monomials else 0
+    return np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(len(monomials), size)
+
+
+def _products(exponents: NDArray[np.uint8], values: FloatArray) -> FloatArray:
+    """Monomials on every column of `values`, shape (monomials, columns)."""
     used = np.flatnonzero(exponents.any(axis=0))
     highest = int(exponents.max(initial=0))
     powers = values[used] ** np.arange(highest + 1)[:, None, None]
     return np.asarray(powers[exponents[:, used], np.arange(len(used))].prod(axis=1))
+
+
+def _starts(polynomials: Sequence[Polynomial]) -> list[int]:
+    """Where the terms of each begin, of all terms in one row."""
+    return [0, *accumulate(map(len, polynomials[:-1]))]
 
 
 def _factors(*polynomials: Polynomial) -> FloatArray:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import heapq
 from dataclasses import dataclass
-from itertools import combinations, count
+from itertools import chain, combinations, count
 from typing import TYPE_CHECKING
 
 from dhgen.paul.form_reader import MOST_UNKNOWNS, FormReader
@@ -19,7 +19,7 @@ from dhgen.paul.step import View, learn, steps_of
 from dhgen.paul.witness import build_witnesses
 
 if TYPE_CHECKING:
-    from collections.abc import Container
+    from collections.abc import Container, Iterator, Sequence
 
     from dhgen.paul.equation import Equation, Line
     from dhgen.paul.form import Form, Unknown
@@ -109,6 +109,7 @@ class Search:
         if knowledge.state not in self._offers:
             view = self.view(knowledge)
             groups = self.groups(self._reader.forms(knowledge))
+            self._witnesses.learn(chain.from_iterable(groups))
             offered = [step for group in groups for step in self._steps(group, view)]
             found = without_needless_silence(offered, view)
             found.sort(key=lambda step: (step.roots, step.penalty))
@@ -151,21 +152,25 @@ class Search:
             by_unknowns.setdefault(form.unknowns, []).append(form)
         groups: list[tuple[Form, ...]] = [(form,) for form in forms if len(form.unknowns) == 1]
         for alike in by_unknowns.values():
-            for first, second in combinations(alike, 2):
-                if self._beside(first, second):
-                    groups += [(first, second), (second, first)]
+            for first, second in self._pairs(alike):
+                groups += [(first, second), (second, first)]
             if self._anywhere:
                 short = sorted(alike, key=lambda form: len(form.equation.difference))[:SHORTEST]
                 short.sort(key=lambda form: self._places[id(form.equation)])
                 groups += [pair for pair in combinations(short, 2) if not self._beside(*pair)]
         return groups
 
+    def _pairs(self, forms: Sequence[Form]) -> Iterator[tuple[Form, Form]]:
+        """Those of which the equations stand in one column or row, or have been solved together."""
+        partners, keys = self._partners, [id(form.equation) for form in forms]
+        placed = [(key, self._lines[key], form) for key, form in zip(keys, forms, strict=True)]
+        for (one, lines, first), (other, its, second) in combinations(placed, 2):
+            if lines & its or (partners and frozenset((one, other)) in partners):
+                yield first, second
+
     def _beside(self, first: Form, second: Form) -> bool:
-        """Whether two equations stand in one column or row, or have been solved together."""
-        one, other = id(first.equation), id(second.equation)
-        if self._lines[one] & self._lines[other]:
-            return True
-        return bool(self._partners) and frozenset((one, other)) in self._partners
+        """Whether two are such a pair."""
+        return any(self._pairs((first, second)))
 
     def _route(self, steps: tuple[Step, ...]) -> Route:
         knowledge = self._start

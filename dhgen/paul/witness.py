@@ -9,12 +9,13 @@ from __future__ import annotations
 import random
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product
+from itertools import chain, product
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES, SHOULDER_NAMES
+from dhgen.kinematics.algebra import POSE_NAMES, SHOULDER_NAMES
+from dhgen.paul.pose_values import PoseValues
 from dhgen.paul.samples import Samples, terms_on
 
 if TYPE_CHECKING:
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.algebra import Algebra, AngleSum
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.form import Form
     from dhgen.paul.pool import Pool
-    from dhgen.paul.problem import Problem
 
 
 COUNT = 4
@@ -53,6 +54,13 @@ class Witnesses:
     def evaluate(self, polynomial: Polynomial) -> FloatArray:
         """The polynomial on every witness, shape (COUNT,)."""
         return self.samples.value(polynomial)
+
+    def learn(self, forms: Iterable[Form]) -> None:
+        """Works out the coefficients of many forms together, before they are asked for."""
+        each_once = {id(form): form for form in forms}.values()
+        self.samples.learn(chain.from_iterable(form.terms.values() for form in each_once))
+        single = (form.terms.items() for form in each_once if len(form.unknowns) == 1)
+        self.loose.learn(factor for terms in single for unknown, factor in terms if unknown)
 
     def largest(self, factors: Sequence[Polynomial], among: slice, unit: float) -> float:
         """The largest that the factors of one equation are on some witnesses, lengths in a unit."""
@@ -143,7 +151,7 @@ def build_witnesses(pool: Pool) -> Witnesses:
         for name, value in named.items():
             values[algebra.index[name], column] = value
     witnesses = Witnesses(algebra, Samples(values), Samples(_loose(algebra, source)))
-    add_pose(pool, witnesses.samples)
+    PoseValues(pool).fill(witnesses.samples.values)
     return witnesses
 
 
@@ -184,50 +192,3 @@ def _turn(angle: AngleSum, turns: dict[int, complex]) -> complex:
     for joint, sign in angle.terms:
         result *= turns[joint] if sign > 0 else turns[joint].conjugate()
     return result
-
-
-def add_pose(pool: Pool, samples: Samples) -> None:
-    """U_0 and the named points, from the forward model, where the joints have values."""
-    index = pool.problem.algebra.index
-    forward = _forward(pool.problem, samples)
-    for name in POSE_NAMES:
-        row, column = POSE_PLACES[name]
-        samples.values[index[name]] = forward[:, row, column]
-    for point in pool.points:
-        in_tool = _column([*point.in_tool, pool.problem.algebra.ring.one], samples)
-        place = _times(forward[:, :3], in_tool)
-        for row, name in enumerate(point.names):
-            samples.values[index[name]] = place[:, row, 0]
-    if pool.plane is not None:
-        for names, entries in zip(SHOULDER_NAMES, pool.plane.rotation, strict=True):
-            for name, entry in zip(names, entries, strict=True):
-                samples.values[index[name]] = samples.value(entry)
-    for base_point in pool.base_points:
-        offset = _column(base_point.in_base, samples) - forward[:, :3, 3:]
-        place = _times(forward[:, :3, :3].swapaxes(1, 2), offset)
-        for column, name in enumerate(base_point.names):
-            samples.values[index[name]] = place[:, column, 0]
-
-
-def _column(entries: Sequence[Polynomial], samples: Samples) -> FloatArray:
-    """Columns of polynomials, (places, n, 1)."""
-    return np.stack([samples.value(entry) for entry in entries], axis=1)[:, :, None]
-
-
-def _forward(problem: Problem, samples: Samples) -> FloatArray:
-    """A_1 ... A_n as numbers, (places, 4, 4): its entries have many terms, those of links few."""
-    links = [problem.spans.product(place, place + 1) for place in range(len(problem.links))]
-    places = list(product(range(3), range(4)))
-    samples.learn(link.entry(*place) for link in links for place in places)
-    T = np.broadcast_to(np.eye(4), (samples.values.shape[1], 4, 4))
-    for link in links:
-        A = np.broadcast_to(np.eye(4), T.shape).copy()
-        for row, column in places:
-            A[:, row, column] = samples.value(link.entry(row, column))
-        T = _times(T, A)
-    return T
-
-
-def _times(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Products of matrices, (places, n, k), by sums whose order no machine's library chooses."""
-    return np.asarray((first[..., None] * second[:, None]).sum(axis=2))

@@ -4,7 +4,7 @@ import numpy as np
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyRing
 
-from dhgen.paul.samples import Samples, terms_on
+from dhgen.paul.samples import Samples, Sums, terms_on
 
 RING = PolyRing(["x", "y", "z"], QQ)
 X, Y, Z = RING.gens
@@ -37,3 +37,15 @@ def test_together_polynomials_are_worth_the_same_as_alone() -> None:
         alone = Samples(values).value_and_size(polynomial)
         np.testing.assert_array_equal(together.value_and_size(polynomial), alone)
         np.testing.assert_array_equal(together.numbers(polynomial), alone)
+
+
+def test_sums_are_made_ready_once_and_worked_out_at_any_values() -> None:
+    polynomials = (X**2 * Y - X / 4, RING.zero, RING.one * 3, X * Y * Z + Y - 7)
+    sums = Sums(polynomials)
+    for values in (
+        np.array([[2.0, -1.0], [3.0, 0.5], [1.1, 1.2]]),
+        np.array([[0.5], [4.0], [3.0]]),
+    ):
+        found = [Samples(values).value(polynomial) for polynomial in polynomials]
+        np.testing.assert_array_equal(sums(values), found)
+    np.testing.assert_array_equal(Sums([])(values), np.empty((0, 1)))
