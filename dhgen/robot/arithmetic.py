@@ -36,7 +36,8 @@ MAX_DEGREE = 64
 
 FUNCTIONS: tuple[Function, ...] = get_args(Function)
 
-_VARIABLE = re.compile(r"\bq(?:_?\d+)?\b", re.ASCII)  # of some joint, as textbooks number them
+# of some joint, as textbooks call and number them
+_VARIABLE = re.compile(r"\b(?:q|th(?:eta)?)(?:_?\d+)?\b", re.ASCII)
 
 _OPERATORS: dict[type[ast.operator], Operator] = {
     ast.Add: "+",

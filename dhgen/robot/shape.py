@@ -30,7 +30,13 @@ _MODELS: Mapping[str, type[BaseModel]] = {
     "tool": FrameEntry,
     "units": Units,
 }
-_OF_A_JOINT_TOO = {"name", "title", "source"}  # who writes them there may not mean the robot's
+_WORDS = {"name", "title", "source"}  # who writes them in a joint may not mean the robot's
+# What books call the parameters of a table, and what they are here.
+_IN_BOOKS = {
+    "θ": "the angle about z is called 'theta'",
+    "α": "the twist about x is called 'alpha'",
+    "r": "the length along x is called 'a', the one along z 'd'",
+}
 
 
 class Shape:
@@ -106,9 +112,13 @@ def _elsewhere(key: str, path: Path) -> str:
     """The end of a message about a key that other tools have, and what stands for it here."""
     if path[0] == "joints" and key == "offset":
         return "; an offset stands beside the variable: 'theta: q + 0.3', 'd: q + 0.3'"
+    if path[0] == "joints" and key in _IN_BOOKS:
+        return f"; {_IN_BOOKS[key]}"
+    if path[0] in {"joints", "axes"} and key in _WORDS:
+        return "; joints go by their numbers, from 1: say more in a comment, '# elbow'"
     if len(path) == 1 and key in {"limits", "joint_limits", "qlim"}:
         return "; limits stand in each joint: 'limits: [-1.5, 1.5]'"
-    if len(path) > 1 and key in RobotFile.model_fields and key not in _OF_A_JOINT_TOO:
+    if len(path) > 1 and key in RobotFile.model_fields and key not in _WORDS:
         at_joint = key == "free" and isinstance(path[1], int)
         example = f": 'free: [{int(path[1]) + 1}]'" if at_joint else ""
         return f"; it stands on a line of its own as '{path[0]}:' does{example}"

@@ -137,12 +137,13 @@ def _no_pose(module: SolverModule) -> str:
     task = module.chain.task
     what = "the arm angle" if module.chain.arm_angle else "the value of a free joint"
     free = f", or {what} not finite" if module.chain.given else ""
+    sound = "not finite" if all(module.chain.turning) else "not finite or beyond 5e102"
     if task.names_rotation:
         last = ", or its last row not 0, 0, 0, 1 (is it transposed?)"
-        return f"not finite, or not a right-handed rotation to six digits{last}{free}"
+        return f"{sound}, or not a right-handed rotation to six digits{last}{free}"
     if task.kind is TaskKind.POINTING:
-        return f"not finite, or its z axis not of length one to six digits{free}"
-    return f"not finite{free}"
+        return f"{sound}, or its z axis not of length one to six digits{free}"
+    return f"{sound}{free}"
 
 
 def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
