@@ -2,8 +2,8 @@
 
 X s + Y c = Z says nothing where X and Y vanish. Mostly the angle is free there, and the arm
 singular; but what a wrist's last angle is read from may also vanish where an axis of the wrist is
-parallel to one of the shoulder, which leaves nothing free. Such places are found by trying:
-descents from random joint values to where the factors vanish, and there the Jacobian.
+parallel to one of the shoulder, which leaves nothing free. Such places are found by trying, and
+the Jacobian tells what is free there.
 """
 
 from __future__ import annotations
@@ -16,12 +16,10 @@ import numpy as np
 from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task_rates import task_jacobian
+from dhgen.paul.factors import Factors
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.pose_values import PoseValues
-from dhgen.paul.samples import Sums
 from dhgen.paul.second import with_second_equations
 from dhgen.paul.step import Kind, learn
-from dhgen.paul.zeros import values_at
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -37,22 +35,17 @@ if TYPE_CHECKING:
     from dhgen.paul.search import Route, Search
     from dhgen.paul.step import Step
 
-    Known = dict[tuple[State, tuple[Unknown, ...], tuple[Polynomial, ...]], bool]
+    Known = dict[tuple[State, tuple[Unknown, ...], tuple[Polynomial, ...]], int]
 
 ROUTES = 24  # so many orders are looked into
-STARTS = 8
-ITERATIONS = 40
-LONGEST = 0.5  # of a descent's steps [rad or arm sizes]
-DIFFERENCE = 1e-7  # of the joints, for slopes
-NO_SLOPE = 1e-6  # of the steepest one: a direction that does not count
-ZERO = 1e-12  # of the factors' usual sizes
 NULL = 1e-5  # of the largest singular value: zeros are known to about half the digits
 FREE = 1e-3  # a part of an angle in a null vector
+OFTEN = 1  # condition on the joints, which home poses and right angles meet
 SAYING = {Kind.ANGLE: "X Y", Kind.ANGLE_PAIR: "X1 Y1", Kind.POLAR: "Y1 Y2"}
 
 
 def best_route(search: Search, pool: Pool) -> Route | None:
-    """The cheapest order of steps, of those that are found with the fewest silent ones.
+    """The cheapest order of steps, of those that are found to be silent least.
 
     Only what the search takes is looked into: most steps are never taken.
     """
@@ -63,12 +56,16 @@ def best_route(search: Search, pool: Pool) -> Route | None:
         if route is None:
             break
         steps = audited(pool, with_second_equations(pool, route.steps), known)
-        silent = [place for place, step in enumerate(steps) if step.silent]
-        if best is None or len(silent) < sum(step.silent for step in best.steps):
+        if best is None or silence(steps) < silence(best.steps):
             best = replace(route, steps=steps)
-        if not search.avoid(route, silent):
+        if not search.avoid(route, [place for place, step in enumerate(steps) if step.silent]):
             break
     return best
+
+
+def silence(steps: Sequence[Step]) -> tuple[int, int]:
+    """How many of an order's steps are often silent, and how many are silent at all."""
+    return sum(step.silent == OFTEN for step in steps), sum(step.silent > 0 for step in steps)
 
 
 def audited(pool: Pool, steps: Sequence[Step], known: Known) -> tuple[Step, ...]:
@@ -81,16 +78,16 @@ def audited(pool: Pool, steps: Sequence[Step], known: Known) -> tuple[Step, ...]
     """
     found = []
     for knowledge, step in _with_knowledge(pool, steps):
-        key = knowledge.state, step.unknowns, tuple(_factors(step))
+        key = knowledge.state, step.unknowns, tuple(_saying(step))
         if key not in known:
-            known[key] = len(_silent_at(pool, knowledge, step)) > 0
+            known[key] = _conditions(pool, knowledge, step)
         found.append(replace(step, silent=known[key]))
     return tuple(found)
 
 
 def silent_places(pool: Pool, steps: Sequence[Step]) -> FloatArray:
     """Joint values where steps say nothing although their angles are not free, (n, dof)."""
-    places = [_none(pool)]
+    places = [_no_places(pool)]
     for knowledge, step in _with_knowledge(pool, steps):
         if step.silent:
             places.append(_silent_at(pool, knowledge, step))
@@ -99,7 +96,7 @@ def silent_places(pool: Pool, steps: Sequence[Step]) -> FloatArray:
 
 def places_without_a_word(pool: Pool, steps: Sequence[Step]) -> FloatArray:
     """Joint values where steps say nothing, be their angles free or not, (n, dof)."""
-    return np.concatenate([_none(pool), *(_wordless_at(pool, step) for step in steps)])
+    return np.concatenate([_no_places(pool), *(_wordless_at(pool, step) for step in steps)])
 
 
 def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowledge, Step]]:
@@ -110,6 +107,18 @@ def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowled
         knowledge = learn(knowledge, step)
 
 
+def _conditions(pool: Pool, knowledge: Knowledge, step: Step) -> int:
+    """How many conditions a step is silent under, at least; 0 if it never is."""
+    factors = _factors(pool, step)
+    if factors is None:
+        return 0
+    zeros = factors.zeros()
+    if not zeros.size:
+        return 0
+    fixed = _are_fixed(knowledge, step.angle, _joint_values(pool.problem.algebra.chain, zeros))
+    return max(OFTEN, factors.conditions(zeros[:, fixed])) if np.any(fixed) else 0
+
+
 def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> FloatArray:
     """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
     q = _wordless_at(pool, step)
@@ -118,56 +127,30 @@ def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> FloatArray:
 
 def _wordless_at(pool: Pool, step: Step) -> FloatArray:
     """Some joint values where a step says nothing about its angle, (n, dof)."""
-    factors = _factors(step)
-    if not factors or any(map(pool.problem.algebra.is_constant, factors)):
-        return _none(pool)
-    return _joint_values(pool.problem.algebra.chain, _zeros(pool, factors))
+    factors = _factors(pool, step)
+    if factors is None:
+        return _no_places(pool)
+    return _joint_values(pool.problem.algebra.chain, factors.zeros())
 
 
-def _none(pool: Pool) -> FloatArray:
+def _no_places(pool: Pool) -> FloatArray:
     return np.empty((0, pool.problem.algebra.chain.dof))
 
 
-def _factors(step: Step) -> list[Polynomial]:
-    """What vanishes where a step says nothing about its angle."""
+def _factors(pool: Pool, step: Step) -> Factors | None:
+    """What vanishes where a step says nothing about its angle, where that can be."""
+    polynomials = _saying(step)
+    if not polynomials or any(map(pool.problem.algebra.is_constant, polynomials)):
+        return None
+    return Factors(pool, polynomials)
+
+
+def _saying(step: Step) -> list[Polynomial]:
+    """What tells an angle by not being zero."""
     both = [step] if step.second is None else [step, step.second]
     letters = SAYING.get(step.kind, "").split()
     found = [each.coefficient(letter) for each in both for letter in letters]
     return [polynomial for polynomial in found if polynomial]
-
-
-def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> FloatArray:
-    """Some common zeros, angles and lengths as the algebra sees them (dof, n)."""
-    source, dof = np.random.default_rng(31), pool.problem.algebra.chain.dof
-    at = _On(pool, factors)
-    q = source.uniform(-3.0, 3.0, (dof, STARTS))
-    aside = np.concatenate([np.zeros((dof, 1)), DIFFERENCE * np.eye(dof)], axis=1)
-    usual = np.max(np.abs(at(source.uniform(-3.0, 3.0, (dof, STARTS)))), axis=1)
-    for _ in range(ITERATIONS):
-        around = (q[:, :, None] + aside[:, None]).reshape(dof, -1)
-        values = (at(around) / usual[:, None]).reshape(len(usual), STARTS, -1)
-        missed = values[..., 0].T
-        if np.all(np.abs(missed) < ZERO):
-            break
-        slopes = np.moveaxis(values[..., 1:] - values[..., :1], 1, 0) / DIFFERENCE
-        step = (np.linalg.pinv(slopes, rcond=NO_SLOPE) @ missed[..., None])[..., 0]
-        longest = np.abs(step).max(axis=1, keepdims=True)
-        q = q - (step * np.minimum(1.0, LONGEST / np.maximum(longest, LONGEST))).T
-    return q[:, np.all(np.abs(missed) < ZERO, axis=1)]
-
-
-class _On:
-    """Polynomials in joints and entries of the pose, on joint values (dof, n)."""
-
-    def __init__(self, pool: Pool, factors: Sequence[Polynomial]) -> None:
-        self._algebra = pool.problem.algebra
-        self._pose = PoseValues(pool)
-        self._factors = Sums(factors)
-
-    def __call__(self, q: FloatArray) -> FloatArray:
-        values = values_at(self._algebra, q)
-        self._pose.fill(values)
-        return self._factors(values)
 
 
 def _joint_values(chain: Chain, q: FloatArray) -> FloatArray:

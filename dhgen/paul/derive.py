@@ -10,7 +10,7 @@ from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.no_arm_angle import demand_arm_angle
 from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
-from dhgen.paul.audit import best_route
+from dhgen.paul.audit import best_route, silence
 from dhgen.paul.choices import good_choices
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.inverse_forms import with_inverse_forms
@@ -64,7 +64,7 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     elif found.branches > _usual_rows(chain):
         both = with_inverse_forms(pool)
         other = _by_steps(Search(both, CLOSED), both)
-        found = other if other is not None and other.branches < found.branches else found
+        found = other if other is not None and _is_better(other, found) else found
     if found is not None:
         return found
     if numerical:
@@ -100,6 +100,12 @@ def _is_frail(derivation: Derivation) -> bool:
     """Whether roots of a quartic may lie too close to be told apart."""
     rooted = derivation.method is Method.QUARTIC
     return rooted and hangs_on_little(derivation.pool, derivation.steps)
+
+
+def _is_better(other: Derivation, found: Derivation) -> bool:
+    """Whether it has fewer rows, and is not silent more often: there a row holds one of several."""
+    silent, its = (silence(derivation.steps)[0] for derivation in (found, other))
+    return (its, other.branches) < (silent, found.branches)
 
 
 def _usual_rows(chain: Chain) -> int:

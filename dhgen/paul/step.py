@@ -82,7 +82,8 @@ class Step:
         penalty: For ranking: how ill-conditioned and how long.
         second: Of type 2 with Z = 0: another such step for the same angle, whose X and Y stay
             where those of this one vanish.
-        silent: Whether its equations may say nothing about an angle that is not free.
+        silent: How many conditions make its equations say nothing about an angle that is not
+            free: one is often met, two seldom. 0 where that never happens.
     """
 
     kind: Kind
@@ -92,7 +93,7 @@ class Step:
     roots: int
     penalty: int
     second: Step | None = None
-    silent: bool = False
+    silent: int = 0
 
     @property
     def origins(self) -> tuple[Origin, ...]:

@@ -11,13 +11,14 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.audit import audited, silent_places
+from dhgen.paul.audit import OFTEN, audited, silent_places
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.derive import derive
 from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED, QUARTIC
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
+from dhgen.survey.oracle.search import solve
 from tests.kinematics.values import table
 from tests.robots.cases import robot
 
@@ -54,6 +55,14 @@ ARMS = {
         "theta: q, d: 0.1",
     ),
 }
+# At zero of joint 2 axis 4 is parallel to axis 1, and its direction does not tell the first angle.
+SLIDE_ON_A_SHOULDER = (
+    "theta: q + pi/2, a: 0.463, alpha: -pi/2",
+    "theta: q, alpha: -pi/2",
+    "theta: 0, d: q, a: 0.336, limits: [-0.52, 0.62]",
+    "theta: q, d: 0.353, alpha: pi/2",
+    "theta: -q, alpha: pi/2",
+)
 NAMES = [*ARMS, "spherical_wrist_general_arm"]
 EXACT = 1e-9
 CONSISTENT = 1e-5
@@ -118,3 +127,19 @@ def test_rows_of_a_step_that_is_silent_are_checked(name: str) -> None:
         rows, misses = rows_at(program, chain_of(name), q, seed)
         assert misses[rows.solved].max(initial=0.0) < CONSISTENT
     assert program.tightened is not None
+
+
+def test_an_order_with_more_rows_is_taken_where_one_is_silent_at_a_right_angle() -> None:
+    """Two lengths of the slide serve there, and a third solution has the other angle of axis 5."""
+    arm = table(*SLIDE_ON_A_SHOULDER, convention="modified")
+    chain = build_chain(arm)
+    made = derive(chain)
+    assert all(step.silent != OFTEN for step in made.steps)
+    q = np.array([[np.pi, 0.0, -0.52, 0.0, 0.0]])
+    rows, misses = rows_at(lower(made), chain, q, q)
+    solutions = solve(arm, numeric_arm(chain).pose(q[0])).regular
+    assert len(solutions) == 3
+    assert misses[rows.solved].max() < EXACT
+    found = rows.q[rows.solved]
+    away = np.abs(np.remainder(found[:, None] - solutions + np.pi, 2 * np.pi) - np.pi).max(axis=2)
+    assert away.min(axis=0).max() < EXACT

@@ -107,7 +107,11 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, name: elbow", "name", "unknown key 'name'; joints go by their numbers, from 1"),
         ("θ: q", "θ", "unknown key 'θ'; the angle about z is called 'theta'"),
         ("theta: q, α: 0", "α", "unknown key 'α'; the twist about x is called 'alpha'"),
-        ("theta: q, r: 0.3", "r", "unknown key 'r'; the length along x is called 'a', the one along"),
+        (
+            "theta: q, r: 0.3",
+            "r",
+            "unknown key 'r'; the length along x is called 'a', the one along",
+        ),
         ("theta: theta3", "theta3", "unknown name 'theta3': in every row the joint's own variable"),
         ("theta: th_1 + pi", "th_1", "unknown name 'th_1': in every row the joint's own variable"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
