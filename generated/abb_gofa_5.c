@@ -2755,14 +2755,16 @@ static void abb_gofa_5_null_vectors(const double *E, const abb_gofa_5_roots *roo
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double abb_gofa_5_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void abb_gofa_5_beside(const double *E, double c, double s, double middle, double apart,
+    double f[8])
 {
-    abb_gofa_5_lane cosine = abb_gofa_5_all(c), sine = abb_gofa_5_all(s), factor[6][6];
-    double value[ABB_GOFA_5_LANES];
-    abb_gofa_5_turn_on(abb_gofa_5_all(x), &cosine, &sine);
-    ABB_GOFA_5_STORE(value, abb_gofa_5_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] ABB_GOFA_5_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += ABB_GOFA_5_LANES) {
+        abb_gofa_5_lane cosine = abb_gofa_5_all(c), sine = abb_gofa_5_all(s), factor[6][6];
+        abb_gofa_5_turn_on(middle + apart * ABB_GOFA_5_LOAD(side + k), &cosine, &sine);
+        ABB_GOFA_5_STORE(f + k, abb_gofa_5_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2772,11 +2774,11 @@ static void abb_gofa_5_separate(const double *E, double c, double s, abb_gofa_5_
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = abb_gofa_5_turned(E, c, s, middle), before = abb_gofa_5_turned(E, c, s,
-            middle - apart);
-        const double after = abb_gofa_5_turned(E, c, s, middle + apart), slope = 0.5 * (after -
-            before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        abb_gofa_5_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 bfba1e8df466c682"
+_KEY = "concurrent_345 b49579139a3faf1c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1404,14 +1404,23 @@ _BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265
 def _beside(pose, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
 
-    Steps from a row lead to one; the root of the other is as far from it on the other side.
+    Steps from a row lead to one; the root of the other is as far from it on the other side. A row may
+    have taken the seed's value for its root, which is one of the two and hides the middle: the roots'
+    own rows have a seed that is turned away.
     """
     T, exact = _upper_rows(pose), _exactness(pose)
     known, count = np.empty((16, 6)), 0
     doubtful = np.zeros(8, np.bool_)
+    own, kind = np.empty((8, 6)), np.empty(8, np.uint8)
+    kind[:] = UNREACHABLE
+    away = seed.copy()
+    away[5] += 3.141592653589793
+    _solve(pose, away, 0.0, own, kind)
     for row in range(8):
+        if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
+            _take(own[row], q[row])
         if status[row] == _CLOSE:
-            doubtful[row] = not _solves(T, 0, exact, q[row].copy())
+            doubtful[row] = not _solves(T, 0, exact, own[row].copy())
             status[row] = OK
         if status[row] != UNREACHABLE and not doubtful[row]:
             _take(known[count], q[row])
@@ -1425,7 +1434,7 @@ def _beside(pose, seed, q, status):
         # long steps may lead to solutions of other roots, which are known
         found = _solves(T, 72, exact, end) and _is_new(known, others, end)
         for angle in _BESIDE:
-            if found or not _leads(pose, T, seed, angle, row, exact, end):
+            if found or not _leads(pose, T, away, angle, row, exact, end):
                 continue
             found = _is_new(known, others, end)
         if not found:
@@ -1433,10 +1442,10 @@ def _beside(pose, seed, q, status):
         status[row] = UNREACHABLE
         count = _keep(known, count, end)
         off = 0.0
-        off += end[5] - q[row, 5]
+        off += end[5] - own[row, 5]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
         for part in (-1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
-            if not _leads(pose, T, seed, part * off, row, exact, other):
+            if not _leads(pose, T, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
                 count = _keep(known, count, other)

@@ -2776,14 +2776,16 @@ static void fanuc_crx10ia_null_vectors(const double *E, const fanuc_crx10ia_root
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double fanuc_crx10ia_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void fanuc_crx10ia_beside(const double *E, double c, double s, double middle, double apart,
+    double f[8])
 {
-    fanuc_crx10ia_lane cosine = fanuc_crx10ia_all(c), sine = fanuc_crx10ia_all(s), factor[6][6];
-    double value[FANUC_CRX10IA_LANES];
-    fanuc_crx10ia_turn_on(fanuc_crx10ia_all(x), &cosine, &sine);
-    FANUC_CRX10IA_STORE(value, fanuc_crx10ia_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] FANUC_CRX10IA_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += FANUC_CRX10IA_LANES) {
+        fanuc_crx10ia_lane cosine = fanuc_crx10ia_all(c), sine = fanuc_crx10ia_all(s), factor[6][6];
+        fanuc_crx10ia_turn_on(middle + apart * FANUC_CRX10IA_LOAD(side + k), &cosine, &sine);
+        FANUC_CRX10IA_STORE(f + k, fanuc_crx10ia_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2793,11 +2795,11 @@ static void fanuc_crx10ia_separate(const double *E, double c, double s, fanuc_cr
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = fanuc_crx10ia_turned(E, c, s, middle), before = fanuc_crx10ia_turned(E, c,
-            s, middle - apart);
-        const double after = fanuc_crx10ia_turned(E, c, s, middle + apart), slope = 0.5 * (after -
-            before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        fanuc_crx10ia_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

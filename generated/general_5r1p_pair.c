@@ -2978,15 +2978,18 @@ static void general_5r1p_pair_null_vectors(const double *E, const general_5r1p_p
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double general_5r1p_pair_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void general_5r1p_pair_beside(const double *E, double c, double s, double middle, double
+    apart, double f[8])
 {
-    general_5r1p_pair_lane cosine = general_5r1p_pair_all(c), sine = general_5r1p_pair_all(s),
-        factor[6][6];
-    double value[GENERAL_5R1P_PAIR_LANES];
-    general_5r1p_pair_turn_on(general_5r1p_pair_all(x), &cosine, &sine);
-    GENERAL_5R1P_PAIR_STORE(value, general_5r1p_pair_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] GENERAL_5R1P_PAIR_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += GENERAL_5R1P_PAIR_LANES) {
+        general_5r1p_pair_lane cosine = general_5r1p_pair_all(c), sine = general_5r1p_pair_all(s),
+            factor[6][6];
+        general_5r1p_pair_turn_on(middle + apart * GENERAL_5R1P_PAIR_LOAD(side + k), &cosine,
+            &sine);
+        GENERAL_5R1P_PAIR_STORE(f + k, general_5r1p_pair_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2997,11 +3000,11 @@ static void general_5r1p_pair_separate(const double *E, double c, double s, gene
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = general_5r1p_pair_turned(E, c, s, middle), before =
-            general_5r1p_pair_turned(E, c, s, middle - apart);
-        const double after = general_5r1p_pair_turned(E, c, s, middle + apart), slope = 0.5 * (after
-            - before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        general_5r1p_pair_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

@@ -2844,14 +2844,16 @@ static void kinova_jaco2_null_vectors(const double *E, const kinova_jaco2_roots 
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double kinova_jaco2_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void kinova_jaco2_beside(const double *E, double c, double s, double middle, double apart,
+    double f[8])
 {
-    kinova_jaco2_lane cosine = kinova_jaco2_all(c), sine = kinova_jaco2_all(s), factor[6][6];
-    double value[KINOVA_JACO2_LANES];
-    kinova_jaco2_turn_on(kinova_jaco2_all(x), &cosine, &sine);
-    KINOVA_JACO2_STORE(value, kinova_jaco2_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] KINOVA_JACO2_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += KINOVA_JACO2_LANES) {
+        kinova_jaco2_lane cosine = kinova_jaco2_all(c), sine = kinova_jaco2_all(s), factor[6][6];
+        kinova_jaco2_turn_on(middle + apart * KINOVA_JACO2_LOAD(side + k), &cosine, &sine);
+        KINOVA_JACO2_STORE(f + k, kinova_jaco2_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2861,11 +2863,11 @@ static void kinova_jaco2_separate(const double *E, double c, double s, kinova_ja
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = kinova_jaco2_turned(E, c, s, middle), before = kinova_jaco2_turned(E, c,
-            s, middle - apart);
-        const double after = kinova_jaco2_turned(E, c, s, middle + apart), slope = 0.5 * (after -
-            before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        kinova_jaco2_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

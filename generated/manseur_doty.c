@@ -2786,14 +2786,16 @@ static void manseur_doty_null_vectors(const double *E, const manseur_doty_roots 
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double manseur_doty_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void manseur_doty_beside(const double *E, double c, double s, double middle, double apart,
+    double f[8])
 {
-    manseur_doty_lane cosine = manseur_doty_all(c), sine = manseur_doty_all(s), factor[6][6];
-    double value[MANSEUR_DOTY_LANES];
-    manseur_doty_turn_on(manseur_doty_all(x), &cosine, &sine);
-    MANSEUR_DOTY_STORE(value, manseur_doty_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] MANSEUR_DOTY_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += MANSEUR_DOTY_LANES) {
+        manseur_doty_lane cosine = manseur_doty_all(c), sine = manseur_doty_all(s), factor[6][6];
+        manseur_doty_turn_on(middle + apart * MANSEUR_DOTY_LOAD(side + k), &cosine, &sine);
+        MANSEUR_DOTY_STORE(f + k, manseur_doty_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2803,11 +2805,11 @@ static void manseur_doty_separate(const double *E, double c, double s, manseur_d
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = manseur_doty_turned(E, c, s, middle), before = manseur_doty_turned(E, c,
-            s, middle - apart);
-        const double after = manseur_doty_turned(E, c, s, middle + apart), slope = 0.5 * (after -
-            before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        manseur_doty_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

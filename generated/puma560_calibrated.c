@@ -2737,15 +2737,18 @@ static void puma560_calibrated_null_vectors(const double *E, const puma560_calib
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double puma560_calibrated_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void puma560_calibrated_beside(const double *E, double c, double s, double middle, double
+    apart, double f[8])
 {
-    puma560_calibrated_lane cosine = puma560_calibrated_all(c), sine = puma560_calibrated_all(s),
-        factor[6][6];
-    double value[PUMA560_CALIBRATED_LANES];
-    puma560_calibrated_turn_on(puma560_calibrated_all(x), &cosine, &sine);
-    PUMA560_CALIBRATED_STORE(value, puma560_calibrated_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] PUMA560_CALIBRATED_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += PUMA560_CALIBRATED_LANES) {
+        puma560_calibrated_lane cosine = puma560_calibrated_all(c), sine =
+            puma560_calibrated_all(s), factor[6][6];
+        puma560_calibrated_turn_on(middle + apart * PUMA560_CALIBRATED_LOAD(side + k), &cosine,
+            &sine);
+        PUMA560_CALIBRATED_STORE(f + k, puma560_calibrated_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2756,11 +2759,11 @@ static void puma560_calibrated_separate(const double *E, double c, double s,
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = puma560_calibrated_turned(E, c, s, middle), before =
-            puma560_calibrated_turned(E, c, s, middle - apart);
-        const double after = puma560_calibrated_turned(E, c, s, middle + apart), slope = 0.5 *
-            (after - before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        puma560_calibrated_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

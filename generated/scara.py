@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 7c184688c6f022b9"
+_KEY = "scara d9f14b5e6dd188b5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1259,7 +1259,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 2) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
+        raise ValueError("T is not a valid pose: not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
     rows, status, q = rows[first:last], status[first:last], np.empty(4)
     seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
     if _nearest(rows, status, seed, limits, q):

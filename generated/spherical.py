@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical d360bf749e9ab110"
+_KEY = "spherical c7129886eb4709e8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -836,7 +836,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 4) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is not a valid pose: not finite")
+        raise ValueError("T is not a valid pose: not finite or beyond 5e102")
     rows, status, q = rows[first:last], status[first:last], np.empty(3)
     seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
     if _nearest(rows, status, seed, limits, q):

@@ -829,19 +829,33 @@ static const double across[4] = { -1.0, -2.0, -0.5, -4.0 };
 
 /* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
  * a joint that is nearly free. Steps from it lead to one; the root of the other is as far from it
- * on the other side. */
+ * on the other side. A row may have taken the seed's value for its root, which is one of the two
+ * and hides the middle: the roots' own rows have a seed that is turned away. */
 static void both_sides(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     struct descent d = { .T = T };
-    double known[16][6];
+    double known[16][6], own[8][6], away[6];
+    unsigned char kind[8];
     int doubtful[8], any = 0, count = 0;
     const double exact = exactness(T);
     for (int row = 0; row < 8; row++) {
+        any |= status[row] == CLOSE;
+        kind[row] = NONE;
+    }
+    if (!any)
+        return;
+    any = 0;
+    take(seed, away);
+    away[0] += 3.141592653589793;
+    solve(T, away, 0.0, own, kind);
+    for (int row = 0; row < 8; row++) {
         const int close = status[row] == CLOSE;
         double here[6];
-        take(q[row], here);
+        if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
+            take(q[row], own[row]);
+        take(own[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
             status[row] = OK;
@@ -863,16 +877,16 @@ static void both_sides(
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
         for (int k = 0; k < 18 && !found; k++)
-            found = leads(&d, seed, beside[k], row, exact, end)
+            found = leads(&d, away, beside[k], row, exact, end)
                 && is_new(known, others, end);
         if (!found)
             continue;
         status[row] = NONE;
         count = keep(known, count, end);
-        off += end[0] - q[row][0];
+        off += end[0] - own[row][0];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
         for (int k = 0; k < 4; k++) {
-            if (!leads(&d, seed, across[k] * off, row, exact, other)
+            if (!leads(&d, away, across[k] * off, row, exact, other)
                     || !is_new(known, others, other) || gap_between(end, other) < 0.001)
                 continue;
             count = keep(known, count, other);

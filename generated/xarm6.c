@@ -2641,14 +2641,16 @@ static void xarm6_null_vectors(const double *E, const xarm6_roots *roots,
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double xarm6_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void xarm6_beside(const double *E, double c, double s, double middle, double apart, double
+    f[8])
 {
-    xarm6_lane cosine = xarm6_all(c), sine = xarm6_all(s), factor[6][6];
-    double value[XARM6_LANES];
-    xarm6_turn_on(xarm6_all(x), &cosine, &sine);
-    XARM6_STORE(value, xarm6_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] XARM6_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += XARM6_LANES) {
+        xarm6_lane cosine = xarm6_all(c), sine = xarm6_all(s), factor[6][6];
+        xarm6_turn_on(middle + apart * XARM6_LOAD(side + k), &cosine, &sine);
+        XARM6_STORE(f + k, xarm6_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2658,10 +2660,11 @@ static void xarm6_separate(const double *E, double c, double s, xarm6_roots *out
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = xarm6_turned(E, c, s, middle), before = xarm6_turned(E, c, s, middle -
-            apart);
-        const double after = xarm6_turned(E, c, s, middle + apart), slope = 0.5 * (after - before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        xarm6_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

@@ -2656,14 +2656,16 @@ static void xarm7_null_vectors(const double *E, const xarm7_roots *roots,
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double xarm7_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void xarm7_beside(const double *E, double c, double s, double middle, double apart, double
+    f[8])
 {
-    xarm7_lane cosine = xarm7_all(c), sine = xarm7_all(s), factor[6][6];
-    double value[XARM7_LANES];
-    xarm7_turn_on(xarm7_all(x), &cosine, &sine);
-    XARM7_STORE(value, xarm7_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] XARM7_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += XARM7_LANES) {
+        xarm7_lane cosine = xarm7_all(c), sine = xarm7_all(s), factor[6][6];
+        xarm7_turn_on(middle + apart * XARM7_LOAD(side + k), &cosine, &sine);
+        XARM7_STORE(f + k, xarm7_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2673,10 +2675,11 @@ static void xarm7_separate(const double *E, double c, double s, xarm7_roots *out
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = xarm7_turned(E, c, s, middle), before = xarm7_turned(E, c, s, middle -
-            apart);
-        const double after = xarm7_turned(E, c, s, middle + apart), slope = 0.5 * (after - before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        xarm7_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

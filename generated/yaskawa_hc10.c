@@ -2769,14 +2769,16 @@ static void yaskawa_hc10_null_vectors(const double *E, const yaskawa_hc10_roots 
     out->groups++;
 }
 
-/* The determinant itself, turned on by a small angle. */
-static double yaskawa_hc10_turned(const double *E, double c, double s, double x)
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+static void yaskawa_hc10_beside(const double *E, double c, double s, double middle, double apart,
+    double f[8])
 {
-    yaskawa_hc10_lane cosine = yaskawa_hc10_all(c), sine = yaskawa_hc10_all(s), factor[6][6];
-    double value[YASKAWA_HC10_LANES];
-    yaskawa_hc10_turn_on(yaskawa_hc10_all(x), &cosine, &sine);
-    YASKAWA_HC10_STORE(value, yaskawa_hc10_fold(E, cosine, sine, factor));
-    return value[0];
+    static const double side[8] YASKAWA_HC10_ALIGNED = {-1.0, 0.0, 1.0};
+    for (int k = 0; k < 3; k += YASKAWA_HC10_LANES) {
+        yaskawa_hc10_lane cosine = yaskawa_hc10_all(c), sine = yaskawa_hc10_all(s), factor[6][6];
+        yaskawa_hc10_turn_on(middle + apart * YASKAWA_HC10_LOAD(side + k), &cosine, &sine);
+        YASKAWA_HC10_STORE(f + k, yaskawa_hc10_fold(E, cosine, sine, factor));
+    }
 }
 
 /* Two simple roots beside a place where roots may have met, if there are: the determinant itself
@@ -2786,11 +2788,11 @@ static void yaskawa_hc10_separate(const double *E, double c, double s, yaskawa_h
 {
     double middle = 0.0, apart = 0.0001;
     for (int round = 0; round < 3; round++) {
-        const double at = yaskawa_hc10_turned(E, c, s, middle), before = yaskawa_hc10_turned(E, c,
-            s, middle - apart);
-        const double after = yaskawa_hc10_turned(E, c, s, middle + apart), slope = 0.5 * (after -
-            before);
-        const double bend = 0.5 * (after + before) - at, square = slope * slope - 4.0 * bend * at;
+        double f[8], slope, bend, square;
+        yaskawa_hc10_beside(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
         middle -= 0.5 * slope / bend * apart;
         apart *= sqrt(square) / fabs(bend);
         if (!(apart > 0.0 && fabs(middle) + apart < 0.0001)) {

@@ -5,6 +5,10 @@ in all others by next to nothing. Their root is a double one but for a billionth
 which is beyond the digits of the polynomial; a row of the root between them is not exact, and its
 free joint has nothing to do with theirs. Steps from there lead to one of them. The double root
 lies in the middle of both: the row of a root as far to its other side leads to the other one.
+
+A row may have taken the seed's value for its root, where that is one as far as rounding tells. It
+is then one of the two solutions, and hides the middle: the roots' own rows are asked for with a
+seed that is turned away.
 """
 
 from __future__ import annotations
@@ -47,19 +51,22 @@ def both_sides(
         q: Joint values (N, n), NaN where there is no solution.
         close: Which rows come from roots that nearly meet (N,).
         turning: The joints, from 1, whose values add up to the root, each with its sign.
-        moved: The rows (M, N, n) with all roots moved by each of some angles (M,).
+        moved: The rows (M, N, n) with all roots moved by each of some angles (M,), none of them
+            the seed's value.
     """
     rows, exact = q.copy(), float(exactness(kernel, T))
+    own = moved(np.zeros(1))[0]
+    own = np.where(np.isnan(own).any(axis=1, keepdims=True), q, own)
     doubtful = [
         row
         for row in np.flatnonzero(close)
-        if not descended(kernel, T, q[row], exact, steps=0).solves(exact)
+        if not descended(kernel, T, own[row], exact, steps=0).solves(exact)
     ]
     known = [q[row] for row in range(len(q)) if row not in doubtful and not np.isnan(q[row]).any()]
     news: list[FloatArray] = []
     for row in doubtful:
         at_row = partial(_moved, moved, int(row))
-        for end in _ends(kernel, T, q[row], known, turning, at_row):
+        for end in _ends(kernel, T, (q[row], own[row]), known, turning, at_row):
             rows[row] = np.nan
             if _is_new(kernel, [*known, *news], end):
                 news.append(end)
@@ -84,15 +91,17 @@ def _is_new(kernel: NumericalKernel, known: list[FloatArray], end: FloatArray) -
 def _ends(
     kernel: NumericalKernel,
     T: FloatArray,
-    q: FloatArray,
+    row: tuple[FloatArray, FloatArray],
     known: list[FloatArray],
     turning: Turning,
     moved: Callable[[tuple[float, ...], float], FloatArray],
 ) -> Iterator[FloatArray]:
     """Where a row (n,) leads, and where it does when its root is moved to the other side.
 
-    Those that are `known` belong to other roots: long steps may lead there.
+    It comes with the root's own row. Those that are `known` belong to other roots: long steps may
+    lead there.
     """
+    q, own = row
     exact = float(exactness(kernel, T))
 
     def ends(starts: Iterable[FloatArray]) -> Iterator[FloatArray]:
@@ -107,7 +116,7 @@ def _ends(
     if first is None:
         return
     yield first
-    off = sum(sign * (first[joint - 1] - q[joint - 1]) for joint, sign in turning)
+    off = sum(sign * (first[joint - 1] - own[joint - 1]) for joint, sign in turning)
     off -= 2 * np.pi * np.ceil(off / (2 * np.pi) - 0.5)
     others = ends(moved(constants.ACROSS, off))
     yield from islice((end for end in others if _is_new(kernel, [first], end)), 1)

@@ -185,10 +185,15 @@ class _Run:
         return along_axis(np.array(found)) + self._column(self._by), along_axis(np.array(close))
 
     def moved(self, pose: int, angles: Array) -> Array:
-        """The rows (M, N, n) of one pose with all roots of polynomials moved by angles (M,)."""
+        """The rows (M, N, n) of one pose with all roots of polynomials moved by angles (M,).
+
+        None of them is the seed's value.
+        """
         poses = np.broadcast_to(self._poses[pose], (len(angles), 4, 4))
-        seed, free = (self._given[role][pose] for role in ("seed", "free"))
-        return _Run(self._program, poses, seed, free, angles).rows().q
+        away, free = self._given["seed"][pose].copy(), self._given["free"][pose]
+        for joint, _ in self._program.turning[:1]:
+            away[joint - 1] += np.pi
+        return _Run(self._program, poses, away, free, angles).rows().q
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis."""
