@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.status import Status
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.poses import NEAR, right_angles
 from dhgen.survey.oracle.search import solve
 from dhgen.survey.singular import in_a_family, singular_sets
-from tests.generated.asking import GENERAL, trial
+from tests.generated.asking import GENERAL, POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot
 
 if TYPE_CHECKING:
@@ -91,3 +92,18 @@ def test_every_solution_at_right_angles(name: str) -> None:
         assert asked.residuals(rows, T).max() < RESIDUAL
         for solution in found.regular:
             assert asked.apart(rows, solution).min() < SAME, (joints, solution)
+
+
+@pytest.mark.parametrize("name", sorted(POLYNOMIAL - GENERAL))
+def test_a_seed_that_is_a_solution_hides_no_other(name: str) -> None:
+    """Roots may lie closer than rounding tells, and the seed be one of them."""
+    asked = trial(name)
+    others = 0
+    for kind, sets in singular_sets(robot(name), 12, seed=9).items():
+        for joints, T in zip(sets, asked.poses(sets), strict=True):
+            held, _ = asked.solve(T, joints)
+            rows, status = asked.solver.ik(T, np.zeros_like(joints), asked.given(joints))
+            for row in rows[status == Status.OK]:
+                others += 1
+                assert asked.apart(held, row).min() < NEARLY, (kind, joints, row)
+    assert others
