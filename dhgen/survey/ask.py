@@ -10,7 +10,7 @@ import numpy as np
 from dhgen.status import Status
 from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.oracle.search import solve
-from dhgen.survey.singular import in_a_family, is_redundant, singular_sets
+from dhgen.survey.singular import RIGHT_ANGLES, in_a_family, is_redundant, singular_sets
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -82,7 +82,8 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
 
     Where a joint is indeterminate it takes the seed's value, and the seed are the joints: they
     are found again. Of a family of solutions in which no single joint is indeterminate any
-    members will do.
+    members will do. At right angles and beside them every isolated solution of the oracle's is to
+    be among the rows, too.
     """
     poses = answered = 0
     worst = 0.0
@@ -105,11 +106,21 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
                 and not (redundant or in_a_family(trial.robot, joints))
             ):
                 fault = f"q found again only to within {trial.apart(rows, joints).min():.1e}"
+            elif RIGHT_ANGLES in kind and not redundant:
+                fault = _missed(trial, joints, T, rows)
             answered += not fault
             faults += [f"{fault}, q = {joints.tolist()}"] if fault else []
         poses += len(q)
         told += _told(kind, faults)
     return Singular(poses, answered, worst, tuple(told))
+
+
+def _missed(trial: Trial, joints: FloatArray, T: FloatArray, rows: FloatArray) -> str:
+    """How many isolated solutions of a pose are not among the rows, if any."""
+    given = trial.given(joints)
+    held = solve(trial.robot, T, () if given is None else tuple(given)).regular
+    missed = sum(not _among(trial, one, rows, RECOVERED) for one in held)
+    return f"{missed} of {len(held)} missed" if missed else ""
 
 
 def _distinct(trial: Trial, rows: FloatArray) -> FloatArray:

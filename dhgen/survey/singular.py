@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import Arm
 
+RIGHT_ANGLES = "right angles"  # in what kinds of poses are called
 STEP, CORRECTIONS = 1e-2, 20
 
 
@@ -40,9 +41,9 @@ def singular_sets(robot: Robot, count: int, *, seed: int = 0) -> dict[str, Float
     some = np.where(chosen, right[rows], mixed)
     off = random.choice(NEAR, mixed.shape) * random.choice([-1.0, 1.0], mixed.shape)
     sets = {
-        "right angles": right,
-        "some right angles": some,
-        "nearly some right angles": np.clip(some + off, *ranges(robot)),
+        RIGHT_ANGLES: right,
+        f"some {RIGHT_ANGLES}": some,
+        f"nearly some {RIGHT_ANGLES}": np.clip(some + off, *ranges(robot)),
         "limits": _sample(boundary(robot, count, seed=seed), count, random),
     }
     for joint in range(len(robot.joints)):

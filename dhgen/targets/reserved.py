@@ -12,7 +12,7 @@ T31 T32 T33 T34 turn turned weight wrap
 
 _C = """
 A across add_others add_step after ahead all all_joints along angle any aside at at_an_end attempt
-before begun bend beside best between beyond_limits both_sides branch by choosable choose_again
+away before begun bend beside best between beyond_limits both_sides branch by choosable choose_again
 chosen circle_roots clamped CLOSE close continuum coordinate copy count d damped_step damping
 descend descended descent distance distance_between doubtful e end ended ends enough enough_beside
 escaped exact exactly exactness fan_step far farther fault first found FREE G gap gap_between given

@@ -112,6 +112,14 @@ def test_singular_poses_with_a_wrong_answer(good: CompiledSolver) -> None:
     assert all("residual" in fault for fault in result.faults if " more" not in fault)
 
 
+def test_right_angles_with_a_missing_row(good: CompiledSolver) -> None:
+    """Another posture's row than that of the joints asked for: only the oracle misses it."""
+    result = ask_singular(trial(Spoiled(good, lose_the_first)), 12, BOUND)
+    missed = [fault for fault in result.faults if " missed, q = [" in fault]
+    assert missed
+    assert all(fault.split(":")[0].endswith("right angles") for fault in missed)
+
+
 def test_the_same_at_every_run(good: CompiledSolver) -> None:
     assert ask_random(trial(good), 3, BOUND) == ask_random(trial(good), 3, BOUND)
     assert ask_singular(trial(good), 3, BOUND) == ask_singular(trial(good), 3, BOUND)

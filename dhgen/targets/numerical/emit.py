@@ -36,7 +36,9 @@ def both_sides(
     kernel: NumericalKernel, turning: Turning, common: Common, calls: Calls, writing: Writing
 ) -> str:
     """The function `both_sides`; it needs `solve` and what tightens."""
-    others = {"searches": common.searches, "calls": calls, "turning": turning_places(turning)}
+    places = turning_places(turning)
+    others = {"searches": common.searches, "calls": calls}
+    others |= {"turning": places, "turned": places[0].place}
     return _filled("both_sides", kernel, common.module, writing, **others)
 
 
