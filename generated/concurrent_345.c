@@ -862,7 +862,7 @@ static const double beside[18] = { 3.0517578125e-05, -3.0517578125e-05, 3.814697
     -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10,
     -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11,
     -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12 };
-static const double across[4] = { -1.0, -2.0, -0.5, -4.0 };
+static const double across[5] = { 0.0, -1.0, -2.0, -0.5, -4.0 };
 
 /* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
  * a joint that is nearly free. Steps from it lead to one; the root of the other is as far from it
@@ -885,7 +885,7 @@ static void both_sides(
         return;
     any = 0;
     take(seed, away);
-    away[5] += 3.141592653589793;
+    away[5] += 2.0;
     solve(T, away, 0.0, own, kind);
     for (int row = 0; row < 8; row++) {
         const int close = status[row] == CLOSE;
@@ -922,7 +922,7 @@ static void both_sides(
         count = keep(known, count, end);
         off += end[5] - own[row][5];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < 5; k++) {
             if (!leads(&d, away, across[k] * off, row, exact, other)
                     || !is_new(known, others, other) || gap_between(end, other) < 0.001)
                 continue;

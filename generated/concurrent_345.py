@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 b49579139a3faf1c"
+_KEY = "concurrent_345 6e3c189ebad1e3d3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1414,7 +1414,7 @@ def _beside(pose, seed, q, status):
     own, kind = np.empty((8, 6)), np.empty(8, np.uint8)
     kind[:] = UNREACHABLE
     away = seed.copy()
-    away[5] += 3.141592653589793
+    away[5] += 2.0
     _solve(pose, away, 0.0, own, kind)
     for row in range(8):
         if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
@@ -1444,7 +1444,7 @@ def _beside(pose, seed, q, status):
         off = 0.0
         off += end[5] - own[row, 5]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
-        for part in (-1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
+        for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
             if not _leads(pose, T, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:

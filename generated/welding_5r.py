@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r e1c1907aa10228fb"
+_KEY = "welding_5r cc1f7376ac10d2f0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1446,7 +1446,7 @@ def _beside(pose, seed, q, status):
     own, kind = np.empty((8, 5)), np.empty(8, np.uint8)
     kind[:] = UNREACHABLE
     away = seed.copy()
-    away[0] += 3.141592653589793
+    away[0] += 2.0
     _solve(pose, away, 0.0, own, kind)
     for row in range(8):
         if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
@@ -1476,7 +1476,7 @@ def _beside(pose, seed, q, status):
         off = 0.0
         off += end[0] - own[row, 0]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
-        for part in (-1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
+        for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
             if not _leads(pose, T, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:

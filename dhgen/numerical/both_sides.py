@@ -51,8 +51,8 @@ def both_sides(
         q: Joint values (N, n), NaN where there is no solution.
         close: Which rows come from roots that nearly meet (N,).
         turning: The joints, from 1, whose values add up to the root, each with its sign.
-        moved: The rows (M, N, n) with all roots moved by each of some angles (M,), none of them
-            the seed's value.
+        moved: The rows (M, N, n) with all roots moved by each of some angles (M,), for a seed
+            that is turned away.
     """
     rows, exact = q.copy(), float(exactness(kernel, T))
     own = moved(np.zeros(1))[0]

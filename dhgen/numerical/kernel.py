@@ -51,8 +51,12 @@ LOOSE = TOLERANCES.promised / TOLERANCES.exact  # times what counts as exact is 
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet
 # How far the root of a row is moved where steps from it lead nowhere [rad], powers of two.
 BESIDE = tuple(side * 2.0**-power for power in range(15, 40, 3) for side in (1.0, -1.0))
-# Where the other of two solutions is looked for, as parts of the way from their double root to one.
-ACROSS = (-1.0, -2.0, -0.5, -4.0)
+# How far a seed is turned so that no close root takes its value [rad]: beyond a right angle, where
+# the hidden root is, and no part of a turn, where others are at home poses.
+AWAY = 2.0
+# Where the other of two solutions is looked for, as parts of the way from their double root to one;
+# at none of it where the one came from the seed, and the root itself may lead to the other.
+ACROSS = (0.0, -1.0, -2.0, -0.5, -4.0)
 # Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
 PULL = 0.5
 PULLED = 60

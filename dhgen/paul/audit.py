@@ -69,7 +69,7 @@ def silence(steps: Sequence[Step]) -> tuple[int, int]:
 
 
 def audited(pool: Pool, steps: Sequence[Step], known: Known) -> tuple[Step, ...]:
-    """The steps of an order, each told whether it is silent somewhere.
+    """The steps of an order, each told under how many conditions it is silent.
 
     Args:
         pool: The equations.
@@ -112,17 +112,25 @@ def _conditions(pool: Pool, knowledge: Knowledge, step: Step) -> int:
     factors = _factors(pool, step)
     if factors is None:
         return 0
-    zeros = factors.zeros()
-    if not zeros.size:
-        return 0
-    fixed = _are_fixed(knowledge, step.angle, _joint_values(pool.problem.algebra.chain, zeros))
-    return max(OFTEN, factors.conditions(zeros[:, fixed])) if np.any(fixed) else 0
+    zeros = _silent_zeros(factors, knowledge, step)
+    return max(OFTEN, factors.conditions(zeros)) if zeros.size else 0
 
 
 def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> FloatArray:
     """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
-    q = _wordless_at(pool, step)
-    return np.asarray(q[_are_fixed(knowledge, step.angle, q)]) if len(q) else q
+    factors = _factors(pool, step)
+    if factors is None:
+        return _no_places(pool)
+    return _joint_values(pool.problem.algebra.chain, _silent_zeros(factors, knowledge, step))
+
+
+def _silent_zeros(factors: Factors, knowledge: Knowledge, step: Step) -> FloatArray:
+    """The same as the algebra sees them, (dof, n)."""
+    zeros = factors.zeros()
+    if not zeros.size:
+        return zeros
+    q = _joint_values(knowledge.runs.algebra.chain, zeros)
+    return np.asarray(zeros[:, _are_fixed(knowledge, step.angle, q)])
 
 
 def _wordless_at(pool: Pool, step: Step) -> FloatArray:

@@ -103,9 +103,12 @@ def _is_frail(derivation: Derivation) -> bool:
 
 
 def _is_better(other: Derivation, found: Derivation) -> bool:
-    """Whether it has fewer rows, and is not silent more often: there a row holds one of several."""
-    silent, its = (silence(derivation.steps)[0] for derivation in (found, other))
-    return (its, other.branches) < (silent, found.branches)
+    """Whether fewer of its steps are often silent, or as few and it has fewer rows.
+
+    Where a step is silent a row holds one of several solutions.
+    """
+    often_silent, its_own = (silence(each.steps)[0] for each in (found, other))
+    return (its_own, other.branches) < (often_silent, found.branches)
 
 
 def _usual_rows(chain: Chain) -> int:

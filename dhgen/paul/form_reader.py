@@ -73,30 +73,40 @@ class FormReader:
         self._seen: dict[_Look, Form] = {}
         self._turns: dict[tuple[int, int], tuple[Polynomial, Polynomial]] = {}
 
-    def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
-        """The simplest equations for the same few unknowns, rewritten; in the order of the pool.
+    def forms(self, knowledge: Knowledge) -> list[Form]:
+        """The simplest equations for the same one or two unknowns, rewritten; in the pool's order.
 
         Args:
             knowledge: The state.
-            most: How many unknowns an equation may hold.
         """
-        names = [self._name(angle, knowledge) for angle in self._algebra.angles]
+        names = self._all_names(knowledge)
         alike: dict[tuple[frozenset[int], tuple[Length, ...]], list[_Look]] = {}
-        for look in self._looks(names, knowledge):
-            unknowns = look.unknowns
-            if 0 < len(unknowns) + len(look.lengths) <= most:
-                alike.setdefault((unknowns, look.lengths), []).append(look)
+        for look in self._looks(names, knowledge, MOST_UNKNOWNS):
+            alike.setdefault((look.unknowns, look.lengths), []).append(look)
         simplest = sorted(chain.from_iterable(map(self._simplest, alike.values())))
         return [self._read(look, names, knowledge) for look in simplest]
 
-    def _looks(self, names: Sequence[int], knowledge: Knowledge) -> Iterator[_Look]:
-        """What every equation holds that is not known."""
+    def every(self, knowledge: Knowledge, most: int) -> list[Form]:
+        """Every equation with at most so many unknowns, rewritten; in the pool's order."""
+        names = self._all_names(knowledge)
+        looks = self._looks(names, knowledge, most)
+        return [self._read(look, names, knowledge) for look in looks]
+
+    def _all_names(self, knowledge: Knowledge) -> list[int]:
+        """What every angle sum goes by."""
+        return [self._name(angle, knowledge) for angle in self._algebra.angles]
+
+    def _looks(self, names: Sequence[int], knowledge: Knowledge, most: int) -> Iterator[_Look]:
+        """What every equation with at most so many unknowns holds that is not known."""
         late = self._elbow is not None and not knowledge.knows(self._elbow)
         for place, (_, content) in enumerate(self._equations):
-            if not (late and place in self._late):
-                angles = tuple([names[number] for number in content.angles])
-                lengths = tuple([u for u in content.lengths if u.joint not in knowledge.slides])
-                yield _Look(place, angles, lengths)
+            if late and place in self._late:
+                continue
+            angles = tuple([names[number] for number in content.angles])
+            lengths = tuple([u for u in content.lengths if u.joint not in knowledge.slides])
+            look = _Look(place, angles, lengths)
+            if 0 < len(look.unknowns) + len(lengths) <= most:
+                yield look
 
     def _simplest(self, looks: Sequence[_Look]) -> Iterable[_Look]:
         """Those with the fewest terms, and those with the fewest that hold an unknown."""

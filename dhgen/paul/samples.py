@@ -22,10 +22,10 @@ FEW = 64  # monomials that there is room for at first
 
 
 class Samples:
-    """Values of every generator; no monomial and no polynomial is worked out twice.
+    """Values of every generator; no monomial is worked out twice, nor the same polynomial.
 
     Polynomials are known by their identity, as what makes a number of them, their hash, takes
-    longer than most questions. Values of generators may come later, before they are asked for.
+    longer than most questions.
 
     Attributes:
         values: Shape (generators, places).

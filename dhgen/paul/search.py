@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import chain, combinations, count
 from typing import TYPE_CHECKING
 
-from dhgen.paul.form_reader import MOST_UNKNOWNS, FormReader
+from dhgen.paul.form_reader import FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.silence import without_needless_silence
 from dhgen.paul.step import View, learn, steps_of
@@ -137,9 +137,9 @@ class Search:
         places = [self._places[id(form.equation)] for form in group]
         return places != sorted(places)
 
-    def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
+    def forms(self, knowledge: Knowledge, most: int) -> list[Form]:
         """The equations of a state with at most so many unknowns, for explanations."""
-        return self._reader.forms(knowledge, most)
+        return self._reader.every(knowledge, most)
 
     def view(self, knowledge: Knowledge) -> View:
         """What types look at in a state."""

@@ -103,7 +103,7 @@ def _completed(step: Step, offers: Sequence[Step], pool: Pool) -> Step:
 def _offers(reader: FormReader, view: View) -> list[Step]:
     """The equations that are of type 2 with Z = 0 in a state, shortest first."""
     angle = Angle()
-    groups = [(form,) for form in reader.forms(view.knowledge, 1)]
+    groups = [(form,) for form in reader.every(view.knowledge, 1)]
     steps = steps_of(angle.steps(group, view) for group in groups)
     return sorted(filter(_is_homogeneous, steps), key=lambda step: step.penalty)
 

@@ -150,9 +150,8 @@ def build_witnesses(pool: Pool) -> Witnesses:
         named = _lengths(algebra, source, own=own) | _joints(algebra, source)
         for name, value in named.items():
             values[algebra.index[name], column] = value
-    witnesses = Witnesses(algebra, Samples(values), Samples(_loose(algebra, source)))
-    PoseValues(pool).fill(witnesses.samples.values)
-    return witnesses
+    PoseValues(pool).fill(values)
+    return Witnesses(algebra, Samples(values), Samples(_loose(algebra, source)))
 
 
 def _loose(algebra: Algebra, source: random.Random) -> FloatArray:

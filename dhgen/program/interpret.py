@@ -16,6 +16,7 @@ from dhgen.general.arm import joint_values
 from dhgen.general.no_turn import without_turn
 from dhgen.numerical import reference as numerical
 from dhgen.numerical.both_sides import both_sides
+from dhgen.numerical.kernel import AWAY
 from dhgen.numerical.tighten import tighten
 from dhgen.program.circle import circle_roots, is_close
 from dhgen.program.ir import (
@@ -187,12 +188,12 @@ class _Run:
     def moved(self, pose: int, angles: Array) -> Array:
         """The rows (M, N, n) of one pose with all roots of polynomials moved by angles (M,).
 
-        None of them is the seed's value.
+        The seed is turned away from them: a close root that it serves as would take its value.
         """
         poses = np.broadcast_to(self._poses[pose], (len(angles), 4, 4))
         away, free = self._given["seed"][pose].copy(), self._given["free"][pose]
         for joint, _ in self._program.turning[:1]:
-            away[joint - 1] += np.pi
+            away[joint - 1] += AWAY
         return _Run(self._program, poses, away, free, angles).rows().q
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:

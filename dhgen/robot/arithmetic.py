@@ -147,7 +147,8 @@ class _Parser:
 
     def _variable(self) -> str:
         """The end of a message about a joint variable with a number."""
-        if len(set(_VARIABLE.findall(self.body))) == 1:
+        named = set(_VARIABLE.findall(self.body)) - (self.values.keys() - {"q"})
+        if len(named) == 1:
             return ": in every row the joint's own variable is called q"
         return (
             ": a table can't couple joints; write q for this joint's whole motion, and "

@@ -104,7 +104,7 @@ class Bench:
             for row, each in enumerate(polynomials, start=1)
         )
         reader = FormReader(Pool(self.pool.problem, equations, ()))
-        return tuple(reader.forms(self.view.knowledge, most=9))
+        return tuple(reader.every(self.view.knowledge, most=9))
 
     def why_not(self, equation_type: EquationType, *polynomials: Polynomial) -> str | None:
         """Why equations are not of a type."""

@@ -21,11 +21,12 @@ def test_values_and_sizes_are_those_of_the_terms() -> None:
     np.testing.assert_array_equal(samples.value(X**2 * Y - X / 4), [11.5, 0.75])
 
 
-def test_values_may_come_later() -> None:
-    values = np.array([[2.0], [3.0], [np.nan]])
-    samples = Samples(values)
-    values[2] = samples.value(X * Y)
-    assert samples.value(Z - 1).tolist() == [5.0]
+def test_equal_polynomials_are_worth_the_same_whichever_is_asked_for() -> None:
+    samples = Samples(np.array([[2.0], [3.0], [5.0]]))
+    one, other = X * Y - Z, X * Y - Z
+    assert one is not other
+    assert samples.value(one) == samples.value(other) == [1.0]
+    assert samples.numbers(one) == samples.numbers(other) == ((1.0,), (11.0,))
 
 
 def test_together_polynomials_are_worth_the_same_as_alone() -> None:

@@ -128,6 +128,11 @@ def test_refused_rows(cells: str, at: str, message: str) -> None:
     assert marked(found) == at
 
 
+def test_a_parameter_that_is_called_as_books_call_variables_is_none() -> None:
+    (found,) = mistakes(table("theta: q2 + th1", parameters="{th1: 0.3}"))
+    assert found.message == "unknown name 'q2': in every row the joint's own variable is called q"
+
+
 @pytest.mark.parametrize(
     ("limits", "written"),
     [

@@ -47,7 +47,6 @@ class Descent:
         doubtful: Likewise.
         most_starts: Of all rounds together.
         turn: A whole one [rad].
-        half_turn: Half of it.
     """
 
     aside: float = miss.ASIDE
@@ -89,4 +88,4 @@ class Descent:
     same: float = kernel.SAME
     tie: float = TIE
     turn: float = 2 * pi
-    half_turn: float = pi
+    away: float = kernel.AWAY

@@ -164,7 +164,8 @@ def _tightening(program: Program) -> Block:
         text += (
             " Where two roots nearly meet, a joint may be nearly free. One root may then stand for "
             "both, and its row is the solution of neither. The steps lead from it to one of the "
-            "two solutions; the root of the other lies as far away on the other side."
+            "two solutions; the root of the other lies as far away on the other side. A root that "
+            "took the seed's value is looked for again with a seed turned away from it."
         )
     if program.tightened is not None and program.tightened.checked:
         text += (
