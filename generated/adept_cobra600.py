@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 cc24fb92ca9c69cd"
+_KEY = "adept_cobra600 2a6ab52e63d7994d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -948,7 +948,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach, or one that 4 joints can't take"
     raise Unreachable(why + where)
 
 

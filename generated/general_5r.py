@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 31248d8fc059940e"
+_KEY = "general_5r 88c724ada189a02d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -2832,7 +2832,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach, or one that 5 joints can't take"
     raise Unreachable(why + where)
 
 

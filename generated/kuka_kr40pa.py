@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 6a7e3c10e3f28e78"
+_KEY = "kuka_kr40pa 8f3e42218727d1db"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1663,7 +1663,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach, or one that 4 joints can't take"
     raise Unreachable(why + where)
 
 

@@ -57,7 +57,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing f8f437668bc7e8c4"
+_KEY = "scorbot_pointing 4975884adddabb84"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1810,7 +1810,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach, or one that 4 joints can't take"
     raise Unreachable(why + where)
 
 

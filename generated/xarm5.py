@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 e9795c049b72888b"
+_KEY = "xarm5 d09bc9c9b7c34827"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1468,7 +1468,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         return q
     where = "" if branch is None else f" in branch {BRANCHES[first]}"
     beyond = OUT_OF_LIMITS in status
-    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
+    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach, or one that 5 joints can't take"
     raise Unreachable(why + where)
 
 

@@ -31,8 +31,17 @@ _MODELS: Mapping[str, type[BaseModel]] = {
     "units": Units,
 }
 _WORDS = {"name", "title", "source"}  # who writes them in a joint may not mean the robot's
-# What books call the parameters of a table, and what they are here.
-_IN_BOOKS = {
+_KINDS = "a joint slides by 'theta: 0, d: q', and turns by 'theta: q, d: 0'"
+_LIMITS = "limits are a list: 'limits: [-1.5, 1.5]'"
+# What books and other tools write in a table, and what stands for it here.
+_OTHER_TABLES = {
+    "offset": "an offset stands beside the variable: 'theta: q + 0.3', 'd: q + 0.3'",
+    "type": _KINDS,
+    "joint": _KINDS,
+    "min": _LIMITS,
+    "max": _LIMITS,
+    "lower": _LIMITS,
+    "upper": _LIMITS,
     "θ": "the angle about z is called 'theta'",
     "α": "the twist about x is called 'alpha'",
     "r": "the length along x is called 'a', the one along z 'd'",
@@ -110,10 +119,8 @@ def _glued(key: str, path: Path) -> str:
 
 def _elsewhere(key: str, path: Path) -> str:
     """The end of a message about a key that other tools have, and what stands for it here."""
-    if path[0] == "joints" and key == "offset":
-        return "; an offset stands beside the variable: 'theta: q + 0.3', 'd: q + 0.3'"
-    if path[0] == "joints" and key in _IN_BOOKS:
-        return f"; {_IN_BOOKS[key]}"
+    if path[0] == "joints" and len(path) > 1 and key in _OTHER_TABLES:
+        return f"; {_OTHER_TABLES[key]}"
     if path[0] in {"joints", "axes"} and key in _WORDS:
         return "; joints go by their numbers, from 1: say more in a comment, '# elbow'"
     if len(path) == 1 and key in {"limits", "joint_limits", "qlim"}:

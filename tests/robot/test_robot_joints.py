@@ -105,6 +105,8 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, free: true", "free", "unknown key 'free'; it stands on a line of its own as"),
         ("theta: q, task: pose", "task", "unknown key 'task'; it stands on a line of its own as"),
         ("theta: q, name: elbow", "name", "unknown key 'name'; joints go by their numbers, from 1"),
+        ("d: q, type: prismatic", "type", "unknown key 'type'; a joint slides by 'theta: 0, d: q'"),
+        ("theta: q, min: -1", "min", "unknown key 'min'; limits are a list: 'limits: [-1.5, 1.5]'"),
         ("θ: q", "θ", "unknown key 'θ'; the angle about z is called 'theta'"),
         ("theta: q, α: 0", "α", "unknown key 'α'; the twist about x is called 'alpha'"),
         (

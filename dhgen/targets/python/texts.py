@@ -37,6 +37,7 @@ class PythonComments:
         made: Where it comes from.
         frames: What poses are.
         no_pose: What is wrong with a pose that is none.
+        no_row: What is wrong with a pose without solutions.
         allocates: Where memory is allocated.
     """
 
@@ -44,6 +45,7 @@ class PythonComments:
     made: str
     frames: str
     no_pose: str
+    no_row: str
     allocates: str
 
 
@@ -117,6 +119,7 @@ def python_comments(module: SolverModule, common: Common, flat: Flat | None) -> 
         made=made_text(module, "python/solver.py.jinja", ""),
         frames=paragraph(frames, ""),
         no_pose=_no_pose(module),
+        no_row=_no_row(module),
         allocates=_allocates(module, common, flat),
     )
 
@@ -144,6 +147,14 @@ def _no_pose(module: SolverModule) -> str:
     if task.kind is TaskKind.POINTING:
         return f"{sound}, or its z axis not of length one to six digits{free}"
     return f"{sound}{free}"
+
+
+def _no_row(module: SolverModule) -> str:
+    """Why a pose has no solution."""
+    if not module.chain.overdetermined:
+        return "the pose is out of reach"
+    joints = module.chain.dof - len(module.chain.free)
+    return f"the pose is out of reach, or one that {joints} joints can't take"
 
 
 def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
