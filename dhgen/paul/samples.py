@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import accumulate, chain
 from typing import TYPE_CHECKING
 
@@ -86,7 +87,7 @@ class Samples:
             rows.update(zip(new, range(first, first + len(new)), strict=True))
             while len(rows) > len(self._monomials):
                 self._monomials = np.concatenate([self._monomials, np.empty_like(self._monomials)])
-            self._monomials[first : len(rows)] = _products(_exponents(new), self.values)
+            self._monomials[first : len(rows)] = _monomials(new)(self.values)
         return _factors(*polynomials) * self._monomials[[rows[each] for each in monomials]]
 
 
@@ -103,7 +104,7 @@ class Sums:
         self._places = [place for place, each in enumerate(every) if each]
         self._starts = _starts(sums)
         self._factors = _factors(*sums)
-        self._exponents = _exponents(list(rows))
+        self._monomials = _monomials(list(rows))
         self._rows = [rows[each] for each in monomials]
 
     def __call__(self, values: FloatArray) -> FloatArray:
@@ -117,28 +118,42 @@ class Sums:
         """
         found = np.zeros((self._count, values.shape[1]))
         if self._places:
-            terms = self._factors * _products(self._exponents, values)[self._rows]
+            terms = self._factors * self._monomials(values)[self._rows]
             found[self._places] = np.add.reduceat(terms, self._starts)
         return found
 
 
 def terms_on(polynomial: Polynomial, values: FloatArray) -> FloatArray:
     """Every term on every column of `values`, shape (terms, columns)."""
-    return _factors(polynomial) * _products(_exponents(list(polynomial)), values)
+    return _factors(polynomial) * _monomials(list(polynomial))(values)
 
 
-def _exponents(monomials: Sequence[Exponents]) -> NDArray[np.uint8]:
-    """Of every monomial, shape (monomials, generators)."""
+@dataclass(frozen=True, slots=True)
+class _Monomials:
+    """Monomials by the generators that occur in any of them.
+
+    Attributes:
+        used: These generators.
+        exponents: Theirs in each monomial, shape (monomials, used).
+        upto: 0, 1 ... the highest of them, shape (powers, 1, 1).
+    """
+
+    used: NDArray[np.intp]
+    exponents: NDArray[np.uint8]
+    upto: NDArray[np.intp]
+
+    def __call__(self, values: FloatArray) -> FloatArray:
+        """Every one on every column of `values`, shape (monomials, columns)."""
+        powers = values[self.used] ** self.upto
+        return np.asarray(powers[self.exponents, np.arange(len(self.used))].prod(axis=1))
+
+
+def _monomials(monomials: Sequence[Exponents]) -> _Monomials:
     size = len(monomials[0]) if monomials else 0
-    return np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(len(monomials), size)
-
-
-def _products(exponents: NDArray[np.uint8], values: FloatArray) -> FloatArray:
-    """Monomials on every column of `values`, shape (monomials, columns)."""
-    used = np.flatnonzero(exponents.any(axis=0))
-    highest = int(exponents.max(initial=0))
-    powers = values[used] ** np.arange(highest + 1)[:, None, None]
-    return np.asarray(powers[exponents[:, used], np.arange(len(used))].prod(axis=1))
+    every = np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(-1, size or 1)
+    used = np.flatnonzero(every.any(axis=0))
+    upto = np.arange(int(every.max(initial=0)) + 1)
+    return _Monomials(used, every[:, used], upto[:, None, None])
 
 
 def _starts(polynomials: Sequence[Polynomial]) -> list[int]:
