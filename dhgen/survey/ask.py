@@ -9,7 +9,6 @@ import numpy as np
 
 from dhgen.status import Status
 from dhgen.survey.oracle.poses import random_joints
-from dhgen.survey.oracle.search import solve
 from dhgen.survey.singular import RIGHT_ANGLES, in_a_family, is_redundant, singular_sets
 
 if TYPE_CHECKING:
@@ -64,16 +63,14 @@ def ask_random(trial: Trial, count: int, bound: float) -> Random:
         if redundant:
             expected, found = expected + 1, found + (len(true) > 0)
             continue
-        given = trial.given(joints)
-        values = () if given is None else tuple(given)
-        held = solve(trial.robot, T, values, seed=number, at_least=len(true))
-        missed = [one for one in held.regular if not _among(trial, one, true, SAME)]
+        held = trial.search(T, joints, seed=number, at_least=len(true))
+        missed = _missed(trial, held.regular, true, SAME)
         met = np.concatenate([held.regular, held.singular])
         expected += len(held.regular)
-        found += len(held.regular) - len(missed)
+        found += len(held.regular) - missed
         unmet += sum(not _among(trial, row, met, SAME) for row in true)
         if missed:
-            faults.append(f"{len(missed)} of {len(held.regular)} missed, q = {joints.tolist()}")
+            faults.append(f"{missed} of {len(held.regular)} missed, q = {joints.tolist()}")
     return Random(expected, found, spurious, unmet, worst, _told("random", faults))
 
 
@@ -107,7 +104,9 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
             ):
                 fault = f"q found again only to within {trial.apart(rows, joints).min():.1e}"
             elif RIGHT_ANGLES in kind and not redundant:
-                fault = _missed(trial, joints, T, rows)
+                held = trial.search(T, joints).regular
+                missed = _missed(trial, held, rows, RECOVERED)
+                fault = f"{missed} of {len(held)} missed" if missed else ""
             answered += not fault
             faults += [f"{fault}, q = {joints.tolist()}"] if fault else []
         poses += len(q)
@@ -115,12 +114,9 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
     return Singular(poses, answered, worst, tuple(told))
 
 
-def _missed(trial: Trial, joints: FloatArray, T: FloatArray, rows: FloatArray) -> str:
-    """How many isolated solutions of a pose are not among the rows, if any."""
-    given = trial.given(joints)
-    held = solve(trial.robot, T, () if given is None else tuple(given)).regular
-    missed = sum(not _among(trial, one, rows, RECOVERED) for one in held)
-    return f"{missed} of {len(held)} missed" if missed else ""
+def _missed(trial: Trial, solutions: FloatArray, rows: FloatArray, near: float) -> int:
+    """How many solutions are not among the rows."""
+    return sum(not _among(trial, one, rows, near) for one in solutions)
 
 
 def _distinct(trial: Trial, rows: FloatArray) -> FloatArray:

@@ -11,6 +11,7 @@ from dhgen.status import HELD
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
+from dhgen.survey.oracle.search import solve
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import Arm
+    from dhgen.survey.oracle.search import Found
     from dhgen.verify.native import CompiledSolver
 
 
@@ -51,6 +53,11 @@ class Trial:
         rows, status = self.solver.ik(T, np.ascontiguousarray(q), self.given(q))
         held = np.isin(status, HELD)
         return rows[held], status[held]
+
+    def search(self, T: FloatArray, q: FloatArray, *, seed: int = 0, at_least: int = 0) -> Found:
+        """What the oracle finds for a pose, with the free joints' values from q (n,)."""
+        values = tuple(given_values(self.robot, q))
+        return solve(self.robot, T, values, seed=seed, at_least=at_least)
 
     def residuals(self, rows: FloatArray, T: FloatArray) -> FloatArray:
         """The largest miss of an entry that the task names, of each row: lengths in arm sizes."""

@@ -10,7 +10,6 @@ import pytest
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.poses import NEAR, right_angles
-from dhgen.survey.oracle.search import solve
 from dhgen.survey.singular import in_a_family, singular_sets
 from tests.generated.asking import GENERAL, POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot
@@ -87,8 +86,7 @@ def test_every_solution_at_right_angles(name: str) -> None:
     q = q[:: -(-len(q) // 5)]
     for joints, T in zip(q, asked.poses(q), strict=True):
         rows, _ = asked.solve(T, joints)
-        given = asked.given(joints)
-        found = solve(robot(name), T, () if given is None else tuple(given))
+        found = asked.search(T, joints)
         assert asked.residuals(rows, T).max() < RESIDUAL
         for solution in found.regular:
             assert asked.apart(rows, solution).min() < SAME, (joints, solution)
