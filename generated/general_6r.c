@@ -3906,7 +3906,8 @@ int general_6r_ik(
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            *value = turned(i, *value, *value);
+            if (!(lowest[i] <= *value && *value <= highest[i]))
+                *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = OUT;
         }

@@ -3938,7 +3938,8 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
             continue;
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
-            *value = turned(i, *value, *value);
+            if (!(lowest[i] <= *value && *value <= highest[i]))
+                *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = OUT;
         }

@@ -3719,7 +3719,8 @@ int xarm7_ik(
             continue;
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
-            *value = turned(i, *value, *value);
+            if (!(lowest[i] <= *value && *value <= highest[i]))
+                *value = turned(i, *value, *value);
             if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
                 status[row] = OUT;
         }
