@@ -1871,12 +1871,14 @@ typedef struct {
 } abb_gofa_5_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[ABB_GOFA_5_ROOTS + 8], s[ABB_GOFA_5_ROOTS + 8];
     double double_c[ABB_GOFA_5_ROOTS], double_s[ABB_GOFA_5_ROOTS];
+    double lifted_c[ABB_GOFA_5_ROOTS], lifted_s[ABB_GOFA_5_ROOTS];
 } abb_gofa_5_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -1997,25 +1999,44 @@ static unsigned long long abb_gofa_5_open_cells(const abb_gofa_5_grid *g, int fr
     return bits;
 }
 
-static void abb_gofa_5_add_root(abb_gofa_5_roots *roots, double c, double s, int twice)
+static void abb_gofa_5_add_angle(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == ABB_GOFA_5_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void abb_gofa_5_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    abb_gofa_5_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void abb_gofa_5_add_simple(abb_gofa_5_roots *roots, double c, double s)
+{
+    abb_gofa_5_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void abb_gofa_5_add_double(abb_gofa_5_roots *roots, double c, double s)
+{
+    abb_gofa_5_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles, &roots->complete);
+}
+
+static void abb_gofa_5_add_lifted(abb_gofa_5_roots *roots, double c, double s)
+{
+    abb_gofa_5_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted, &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2177,10 +2198,15 @@ static void abb_gofa_5_divide(const abb_gofa_5_trigonometric *f, const abb_gofa_
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        abb_gofa_5_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        abb_gofa_5_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        abb_gofa_5_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2222,7 +2248,7 @@ static void abb_gofa_5_solve_parts(const abb_gofa_5_trigonometric *f, abb_gofa_5
         ABB_GOFA_5_STORE(c, cosine);
         ABB_GOFA_5_STORE(s, sine);
         for (int k = 0; k < ABB_GOFA_5_LANES && from + k < crossing->count; k++) {
-            abb_gofa_5_add_root(roots, c[k], s[k], 0);
+            abb_gofa_5_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2341,7 +2367,7 @@ static void abb_gofa_5_many(const abb_gofa_5_trigonometric *f, double low, doubl
                 abb_gofa_5_solve_parts(f, waiting, roots); /* of neighbouring double roots the first
                     is kept */
                 roots->complete = 0;
-                abb_gofa_5_add_root(roots, cosine, sine, 1);
+                abb_gofa_5_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2435,7 +2461,7 @@ static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, const abb_g
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     abb_gofa_5_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2522,6 +2548,17 @@ static void abb_gofa_5_behind(const abb_gofa_5_lens *a, int count, double *cosin
 /* Samples of a polynomial through a lens; `of` is what it is made of. */
 typedef void (*abb_gofa_5_sampler)(const void *of, const abb_gofa_5_lens *lens, double samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*abb_gofa_5_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    abb_gofa_5_sampler sample;
+    abb_gofa_5_keeper keep;
+    const void *of;
+} abb_gofa_5_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int abb_gofa_5_near(double c, double s, double cosine, double sine)
 {
@@ -2542,10 +2579,24 @@ static int abb_gofa_5_keep_roots(int near, double cosine, double sine, const dou
     return count;
 }
 
+static int abb_gofa_5_kept(const abb_gofa_5_source *source, int count, double *cosine, double *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void abb_gofa_5_take_lifted(const abb_gofa_5_source *source, abb_gofa_5_roots *roots)
+{
+    const int count = abb_gofa_5_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        abb_gofa_5_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int abb_gofa_5_magnify(abb_gofa_5_sampler sample, const void *of, double cosine, double sine,
-                           abb_gofa_5_roots *roots)
+static int abb_gofa_5_magnify(const abb_gofa_5_source *source, double cosine, double sine,
+    abb_gofa_5_roots *roots)
 {
     const abb_gofa_5_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2554,7 +2605,7 @@ static int abb_gofa_5_magnify(abb_gofa_5_sampler sample, const void *of, double 
     double samples[24];
     abb_gofa_5_trigonometric f;
     abb_gofa_5_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     abb_gofa_5_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2565,6 +2616,8 @@ static int abb_gofa_5_magnify(abb_gofa_5_sampler sample, const void *of, double 
     }
     abb_gofa_5_behind(&lens, found.simple, found.c, found.s);
     abb_gofa_5_behind(&lens, found.doubles, found.double_c, found.double_s);
+    abb_gofa_5_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    abb_gofa_5_take_lifted(source, &found);
     roots->simple = abb_gofa_5_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = abb_gofa_5_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2593,11 +2646,10 @@ static int abb_gofa_5_any_near(const abb_gofa_5_roots *roots, double cosine, dou
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void abb_gofa_5_look_closer(abb_gofa_5_sampler sample, const void *of, abb_gofa_5_roots
-    *roots)
+static void abb_gofa_5_look_closer(const abb_gofa_5_source *source, abb_gofa_5_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == ABB_GOFA_5_ROOTS || roots->doubles == ABB_GOFA_5_ROOTS) {
         return;
     }
@@ -2615,18 +2667,23 @@ static void abb_gofa_5_look_closer(abb_gofa_5_sampler sample, const void *of, ab
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = abb_gofa_5_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = abb_gofa_5_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !abb_gofa_5_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < ABB_GOFA_5_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = abb_gofa_5_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < ABB_GOFA_5_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2642,18 +2699,18 @@ static int abb_gofa_5_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_gofa_5_roots *roots)
+static int abb_gofa_5_real_roots(const abb_gofa_5_source *source, abb_gofa_5_roots *roots)
 {
     const abb_gofa_5_window all = {0, 128, 5e-09};
     double samples[24];
     abb_gofa_5_trigonometric f;
     abb_gofa_5_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (abb_gofa_5_is_nothing(samples)) {
         return 0;
     }
     if (abb_gofa_5_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     abb_gofa_5_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2662,7 +2719,9 @@ static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_
     abb_gofa_5_find_roots(&f, &all, roots);
     abb_gofa_5_behind(&lens, roots->simple, roots->c, roots->s);
     abb_gofa_5_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    abb_gofa_5_look_closer(sample, of, roots);
+    abb_gofa_5_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    abb_gofa_5_take_lifted(source, roots);
+    abb_gofa_5_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2858,22 +2917,16 @@ static void abb_gofa_5_split(double n[2][6], int rows, const int *up, const int 
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_5_candidates *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline abb_gofa_5_lane abb_gofa_5_smallest(abb_gofa_5_lane factor[6][6], abb_gofa_5_lane
+    x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    abb_gofa_5_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == ABB_GOFA_5_CANDIDATES) {
-        return;
-    }
-    (void)abb_gofa_5_fold(E, abb_gofa_5_all(c), abb_gofa_5_all(s), factor);
+    abb_gofa_5_lane inverse[6], length, second, squares = {0};
     abb_gofa_5_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = abb_gofa_5_all(start[0][i]);
@@ -2893,8 +2946,24 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 25000000000000.004 &&
-                                abb_gofa_5_largest(second * squares) < 1000000000000.0;
+    return abb_gofa_5_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          abb_gofa_5_all(1.0), abb_gofa_5_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_5_candidates *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    abb_gofa_5_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == ABB_GOFA_5_CANDIDATES) {
+        return;
+    }
+    (void)abb_gofa_5_fold(E, abb_gofa_5_all(c), abb_gofa_5_all(s), factor);
+    out->regular[out->groups] = abb_gofa_5_largest(abb_gofa_5_smallest(factor, x)) > 0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3553,10 +3622,11 @@ static int abb_gofa_5_attempt_closed(int which, const abb_gofa_5_loop *loop, abb
     *found)
 {
     abb_gofa_5_setting set;
+    const abb_gofa_5_source source = { abb_gofa_5_sample_closed, 0, &set};
     abb_gofa_5_roots roots;
     abb_gofa_5_ways ways;
     abb_gofa_5_prepare(&set, which, loop);
-    if (!abb_gofa_5_real_roots(abb_gofa_5_sample_closed, &set, &roots)) {
+    if (!abb_gofa_5_real_roots(&source, &roots)) {
         return 0;
     }
     ways.count = 0;
@@ -3639,6 +3709,31 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int abb_gofa_5_keep_vanishing(const void *equations, int count, double *cosine, double *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += ABB_GOFA_5_LANES) {
+        abb_gofa_5_lane factor[6][6], x[2][6];
+        double c[ABB_GOFA_5_LANES], s[ABB_GOFA_5_LANES], regular[ABB_GOFA_5_LANES];
+        for (int k = 0; k < ABB_GOFA_5_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)abb_gofa_5_fold(equations, ABB_GOFA_5_LOAD(c), ABB_GOFA_5_LOAD(s), factor);
+        ABB_GOFA_5_STORE(regular, abb_gofa_5_smallest(factor, x));
+        for (int k = 0; k < ABB_GOFA_5_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void abb_gofa_5_sample(const void *equations, const abb_gofa_5_lens *lens, double
     samples[24])
@@ -3658,13 +3753,14 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
                            abb_gofa_5_found *found)
 {
     double link[6][12], E[192];
+    const abb_gofa_5_source source = { abb_gofa_5_sample, abb_gofa_5_keep_vanishing, E};
     abb_gofa_5_roots roots, beside;
     abb_gofa_5_candidates all;
     abb_gofa_5_around(form, loop, link);
     double left[15][32];
     abb_gofa_5_left_side(form, link, left);
     abb_gofa_5_equations(form, link, (const double (*)[32])left, E);
-    if (!abb_gofa_5_real_roots(abb_gofa_5_sample, E, &roots)) {
+    if (!abb_gofa_5_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3858,6 +3954,14 @@ static int abb_gofa_5_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3874,17 +3978,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

@@ -55,7 +55,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 aa051c97c87f8f1d"
+_KEY = "abb_gofa_5 a18873296e731cdf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1370,15 +1370,15 @@ def _abb_gofa_5_between(f, order, low, high, rising):
 
 @_inner
 def _abb_gofa_5_few(f, rounding, touching, near, low, at_low, high, at_high, roots, counts):
-    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double).
-    Extrema that are lifted by `touching` count as double."""
+    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double), or
+    [2] where f turns back beside zero: no root, unless rounding of what f is made of lifted it off."""
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _abb_gofa_5_between(f, 1, low, high, at_low[1] < 0.0)
         at_middle, _, bend = _abb_gofa_5_at(f, middle)
         lifted = at_middle * bend > 0.0 and abs(at_middle) <= max(abs(bend) * near, touching)
         if abs(at_middle) <= rounding or lifted:
-            _abb_gofa_5_add_root(roots, counts, 1, middle)
+            _abb_gofa_5_add_root(roots, counts, 1 if abs(at_middle) <= rounding else 2, middle)
             return
         if (at_middle < 0.0) != (at_high[0] < 0.0):
             x = _abb_gofa_5_between(f, 0, middle, high, at_middle < 0.0)
@@ -1388,27 +1388,27 @@ def _abb_gofa_5_few(f, rounding, touching, near, low, at_low, high, at_high, roo
 
 
 @_apart("void(float64[:, ::1], int64[::1], int64, float64)")
-def _abb_gofa_5_add_root(roots, counts, twice, x):
-    """Add a root; counts[2] says that nothing was given up."""
-    if twice:
-        for i in range(counts[1]):
-            gap = abs(x - roots[1, i])
+def _abb_gofa_5_add_root(roots, counts, kind, x):
+    """Add a root; counts[3] says that nothing was given up."""
+    if kind:
+        for i in range(counts[kind]):
+            gap = abs(x - roots[kind, i])
             if min(gap, 6.283185307179586 - gap) < 0.02454369260617026 / 64.0:
                 return  # neighbouring cells that were given up together
-    if counts[twice] == 24:
-        counts[2] = 0
+    if counts[kind] == 24:
+        counts[3] = 0
         return
-    roots[twice, counts[twice]] = x
-    counts[twice] += 1
+    roots[kind, counts[kind]] = x
+    counts[kind] += 1
 
 
 @_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64, int64, int64, float64)")
 def _abb_gofa_5_find_roots(f, scale, rounding, middle, reach, near):
-    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]], in so many
-    cells on both sides of the middle one. Two complex roots count as a double one where the value of
-    a parabola over its bend is below `near`."""
-    roots = np.empty((2, 24))
-    counts = np.array([0, 0, 1, 0])
+    """The simple roots, roots[0, : counts[0]], the double ones, roots[1, : counts[1]], and the places
+    where f turns back beside zero, roots[2, : counts[2]], in so many cells on both sides of the middle
+    one. These are where the value of a parabola over its bend is below `near`."""
+    roots = np.empty((3, 24))
+    counts = np.array([0, 0, 0, 1, 0])
     grid = _abb_gofa_5_grid(f)
     touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
     rootless = _abb_gofa_5_rootless(grid, max(rounding + scale * 2e-09, touching))
@@ -1433,7 +1433,7 @@ def _abb_gofa_5_find_roots(f, scale, rounding, middle, reach, near):
                     f, rounding, touching, near, low, at_low, edge[top], at[top], roots, counts
                 )
             elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
-                counts[2] = 0
+                counts[3] = 0
                 _abb_gofa_5_add_root(roots, counts, 1, low + 0.5 * h)
             elif kind == 3:
                 budget -= 1
@@ -1485,10 +1485,10 @@ def _abb_gofa_5_spread(samples):
 @_inner
 def _abb_gofa_5_behind(x, y, roots, counts):
     """The roots as they are without the lens."""
-    for twice in range(2):
-        for i in range(counts[twice]):
-            c, s, _ = _abb_gofa_5_through(x, y, math.cos(roots[twice, i]), math.sin(roots[twice, i]))
-            roots[twice, i] = math.atan2(s, c)
+    for kind in range(3):
+        for i in range(counts[kind]):
+            c, s, _ = _abb_gofa_5_through(x, y, math.cos(roots[kind, i]), math.sin(roots[kind, i]))
+            roots[kind, i] = math.atan2(s, c)
 
 
 @_inner
@@ -2023,6 +2023,19 @@ def _abb_gofa_5_sample_closed(setting, x, y, samples):
 
 
 @_inner
+def _abb_gofa_5_keep_vanishing_closed(setting, angles, count):
+    """Of angles those where the polynomial may vanish: it is known itself, and nothing tells more."""
+    return count
+
+
+@_inner
+def _abb_gofa_5_take_lifted_closed(of, roots, counts):
+    """The places where f turns back beside zero are double roots where there may be any."""
+    for i in range(_abb_gofa_5_keep_vanishing_closed(of, roots[2], counts[2])):
+        _abb_gofa_5_add_root(roots, counts, 1, roots[2, i])
+
+
+@_inner
 def _abb_gofa_5_real_roots_closed(of):
     """All real roots: (whether the polynomial does not vanish identically, roots, counts).
 
@@ -2038,11 +2051,12 @@ def _abb_gofa_5_real_roots_closed(of):
     if x != 0.0 or y != 0.0:
         _abb_gofa_5_sample_closed(of, x, y, samples)
     noise, roots, counts = _abb_gofa_5_seen(samples, x, y, 0, 128, 5e-09)
+    _abb_gofa_5_take_lifted_closed(of, roots, counts)
     good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
-    unseen = np.empty(4)
+    unseen, empty = np.empty(4), 0
     i = _abb_gofa_5_next_double(roots, counts, seen, looks)
     while i < counts[1] and looks < 4:
         middle = seen[looks] = roots[1, i]
@@ -2054,21 +2068,23 @@ def _abb_gofa_5_real_roots_closed(of):
         blur, closer, closer_counts = _abb_gofa_5_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if blur <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[3]:
+            _abb_gofa_5_take_lifted_closed(of, closer, closer_counts)
             _abb_gofa_5_replace(roots, counts, closer, closer_counts, middle)
             if not _abb_gofa_5_any_near(roots, counts, middle):
-                unseen[counts[3]] = middle
-                counts[3] += 1
+                unseen[empty] = middle
+                empty += 1
         else:
             clear = False
         i = _abb_gofa_5_next_double(roots, counts, seen, looks)
-    counts[3] = min(counts[3], 24 - counts[1])
-    for k in range(counts[3]):
+    empty = _abb_gofa_5_keep_vanishing_closed(of, unseen, empty)
+    counts[4] = min(empty, 24 - counts[1])
+    for k in range(counts[4]):
         roots[1, counts[1] + k] = unseen[k]
     if clear and i == counts[1]:
-        counts[2] = 1
+        counts[3] = 1
     if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
-        counts[2] = 0
+        counts[3] = 0
     return good, roots, counts
 
 
@@ -2082,7 +2098,7 @@ def _abb_gofa_5_attempt_closed(which, loop, q, residual, singular, doubles_met, 
     good, roots, counts = _abb_gofa_5_real_roots_closed(setting)
     if not good:
         return False, count
-    complete, expected = counts[2] == 1, 0
+    complete, expected = counts[3] == 1, 0
     doubles_met[0] += counts[1]
     met = np.zeros(64, dtype=np.int64)
     c, s = np.empty(6), np.empty(6)
@@ -2125,6 +2141,33 @@ def _abb_gofa_5_sample(E, x, y, samples):
         samples[k] *= weight[k]
 
 
+@_apart("int64(float64[:, ::1], float64[::1], int64)")
+def _abb_gofa_5_keep_vanishing(E, angles, count):
+    """Keeps of angles those where the determinant may vanish, and tells how many they are: where f only
+    comes near to zero it does not."""
+    if count == 0:
+        return 0
+    c, s, determinant = np.empty(24), np.empty(24), np.empty(24)
+    for k in range(24):
+        angle = angles[min(k, count - 1)]
+        c[k], s[k] = math.cos(angle), math.sin(angle)
+    factors = _abb_gofa_5_fold(E, c, s, determinant)
+    vectors, kept = np.empty((5, 6)), 0
+    for i in range(count):
+        _, regular = _abb_gofa_5_null_vectors(factors, i, True, vectors)
+        if not regular:
+            angles[kept] = angles[i]
+            kept += 1
+    return kept
+
+
+@_inner
+def _abb_gofa_5_take_lifted(of, roots, counts):
+    """The places where f turns back beside zero are double roots where there may be any."""
+    for i in range(_abb_gofa_5_keep_vanishing(of, roots[2], counts[2])):
+        _abb_gofa_5_add_root(roots, counts, 1, roots[2, i])
+
+
 @_inner
 def _abb_gofa_5_real_roots(of):
     """All real roots: (whether the polynomial does not vanish identically, roots, counts).
@@ -2141,11 +2184,12 @@ def _abb_gofa_5_real_roots(of):
     if x != 0.0 or y != 0.0:
         _abb_gofa_5_sample(of, x, y, samples)
     noise, roots, counts = _abb_gofa_5_seen(samples, x, y, 0, 128, 5e-09)
+    _abb_gofa_5_take_lifted(of, roots, counts)
     good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
-    unseen = np.empty(4)
+    unseen, empty = np.empty(4), 0
     i = _abb_gofa_5_next_double(roots, counts, seen, looks)
     while i < counts[1] and looks < 4:
         middle = seen[looks] = roots[1, i]
@@ -2157,21 +2201,23 @@ def _abb_gofa_5_real_roots(of):
         blur, closer, closer_counts = _abb_gofa_5_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if blur <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[3]:
+            _abb_gofa_5_take_lifted(of, closer, closer_counts)
             _abb_gofa_5_replace(roots, counts, closer, closer_counts, middle)
             if not _abb_gofa_5_any_near(roots, counts, middle):
-                unseen[counts[3]] = middle
-                counts[3] += 1
+                unseen[empty] = middle
+                empty += 1
         else:
             clear = False
         i = _abb_gofa_5_next_double(roots, counts, seen, looks)
-    counts[3] = min(counts[3], 24 - counts[1])
-    for k in range(counts[3]):
+    empty = _abb_gofa_5_keep_vanishing(of, unseen, empty)
+    counts[4] = min(empty, 24 - counts[1])
+    for k in range(counts[4]):
         roots[1, counts[1] + k] = unseen[k]
     if clear and i == counts[1]:
-        counts[2] = 1
+        counts[3] = 1
     if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
-        counts[2] = 0
+        counts[3] = 0
     return good, roots, counts
 
 
@@ -2215,7 +2261,7 @@ def _abb_gofa_5_attempt(form, loop, q, residual, singular, doubles_met, count):
     good, roots, counts = _abb_gofa_5_real_roots(E)
     if not good:
         return False, count
-    simple, touching, complete = counts[0], counts[1] + counts[3], counts[2] == 1
+    simple, touching, complete = counts[0], counts[1] + counts[4], counts[3] == 1
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(144)
     total = simple
@@ -2424,7 +2470,8 @@ def _all_joints(pose, seed):
         _take(u, near)
         if _descend(T, joints, u) <= 1e-10:
             count = _keep(T, joints, near, kept, kinds, count, u)
-    for k in range(-1 - known if known < 0 else known):
+    many = -1 - known if known < 0 else known
+    for k in range(many):
         for j in range(6):
             u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
         if known < 0:

@@ -1875,12 +1875,14 @@ typedef struct {
 } fanuc_crx10ia_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[FANUC_CRX10IA_ROOTS + 8], s[FANUC_CRX10IA_ROOTS + 8];
     double double_c[FANUC_CRX10IA_ROOTS], double_s[FANUC_CRX10IA_ROOTS];
+    double lifted_c[FANUC_CRX10IA_ROOTS], lifted_s[FANUC_CRX10IA_ROOTS];
 } fanuc_crx10ia_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -2003,25 +2005,46 @@ static unsigned long long fanuc_crx10ia_open_cells(const fanuc_crx10ia_grid *g, 
     return bits;
 }
 
-static void fanuc_crx10ia_add_root(fanuc_crx10ia_roots *roots, double c, double s, int twice)
+static void fanuc_crx10ia_add_angle(double c, double s, double *cosine, double *sine, int *count,
+    int *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == FANUC_CRX10IA_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void fanuc_crx10ia_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    fanuc_crx10ia_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void fanuc_crx10ia_add_simple(fanuc_crx10ia_roots *roots, double c, double s)
+{
+    fanuc_crx10ia_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void fanuc_crx10ia_add_double(fanuc_crx10ia_roots *roots, double c, double s)
+{
+    fanuc_crx10ia_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void fanuc_crx10ia_add_lifted(fanuc_crx10ia_roots *roots, double c, double s)
+{
+    fanuc_crx10ia_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted,
+        &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2187,10 +2210,15 @@ static void fanuc_crx10ia_divide(const fanuc_crx10ia_trigonometric *f, const fan
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        fanuc_crx10ia_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        fanuc_crx10ia_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        fanuc_crx10ia_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2232,7 +2260,7 @@ static void fanuc_crx10ia_solve_parts(const fanuc_crx10ia_trigonometric *f, fanu
         FANUC_CRX10IA_STORE(c, cosine);
         FANUC_CRX10IA_STORE(s, sine);
         for (int k = 0; k < FANUC_CRX10IA_LANES && from + k < crossing->count; k++) {
-            fanuc_crx10ia_add_root(roots, c[k], s[k], 0);
+            fanuc_crx10ia_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2354,7 +2382,7 @@ static void fanuc_crx10ia_many(const fanuc_crx10ia_trigonometric *f, double low,
                 fanuc_crx10ia_solve_parts(f, waiting, roots); /* of neighbouring double roots the
                     first is kept */
                 roots->complete = 0;
-                fanuc_crx10ia_add_root(roots, cosine, sine, 1);
+                fanuc_crx10ia_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2450,7 +2478,7 @@ static void fanuc_crx10ia_find_roots(const fanuc_crx10ia_trigonometric *f, const
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     fanuc_crx10ia_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2540,6 +2568,17 @@ static void fanuc_crx10ia_behind(const fanuc_crx10ia_lens *a, int count, double 
 typedef void (*fanuc_crx10ia_sampler)(const void *of, const fanuc_crx10ia_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*fanuc_crx10ia_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    fanuc_crx10ia_sampler sample;
+    fanuc_crx10ia_keeper keep;
+    const void *of;
+} fanuc_crx10ia_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int fanuc_crx10ia_near(double c, double s, double cosine, double sine)
 {
@@ -2560,11 +2599,26 @@ static int fanuc_crx10ia_keep_roots(int near, double cosine, double sine, const 
     return count;
 }
 
+static int fanuc_crx10ia_kept(const fanuc_crx10ia_source *source, int count, double *cosine, double
+    *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void fanuc_crx10ia_take_lifted(const fanuc_crx10ia_source *source, fanuc_crx10ia_roots
+    *roots)
+{
+    const int count = fanuc_crx10ia_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        fanuc_crx10ia_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int fanuc_crx10ia_magnify(fanuc_crx10ia_sampler sample, const void *of, double cosine, double
-    sine,
-                           fanuc_crx10ia_roots *roots)
+static int fanuc_crx10ia_magnify(const fanuc_crx10ia_source *source, double cosine, double sine,
+    fanuc_crx10ia_roots *roots)
 {
     const fanuc_crx10ia_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2573,7 +2627,7 @@ static int fanuc_crx10ia_magnify(fanuc_crx10ia_sampler sample, const void *of, d
     double samples[24];
     fanuc_crx10ia_trigonometric f;
     fanuc_crx10ia_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     fanuc_crx10ia_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2584,6 +2638,8 @@ static int fanuc_crx10ia_magnify(fanuc_crx10ia_sampler sample, const void *of, d
     }
     fanuc_crx10ia_behind(&lens, found.simple, found.c, found.s);
     fanuc_crx10ia_behind(&lens, found.doubles, found.double_c, found.double_s);
+    fanuc_crx10ia_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    fanuc_crx10ia_take_lifted(source, &found);
     roots->simple = fanuc_crx10ia_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = fanuc_crx10ia_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2612,11 +2668,11 @@ static int fanuc_crx10ia_any_near(const fanuc_crx10ia_roots *roots, double cosin
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void fanuc_crx10ia_look_closer(fanuc_crx10ia_sampler sample, const void *of,
-    fanuc_crx10ia_roots *roots)
+static void fanuc_crx10ia_look_closer(const fanuc_crx10ia_source *source, fanuc_crx10ia_roots
+    *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == FANUC_CRX10IA_ROOTS || roots->doubles == FANUC_CRX10IA_ROOTS) {
         return;
     }
@@ -2634,18 +2690,23 @@ static void fanuc_crx10ia_look_closer(fanuc_crx10ia_sampler sample, const void *
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = fanuc_crx10ia_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = fanuc_crx10ia_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !fanuc_crx10ia_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < FANUC_CRX10IA_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = fanuc_crx10ia_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < FANUC_CRX10IA_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2661,19 +2722,18 @@ static int fanuc_crx10ia_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of,
-    fanuc_crx10ia_roots *roots)
+static int fanuc_crx10ia_real_roots(const fanuc_crx10ia_source *source, fanuc_crx10ia_roots *roots)
 {
     const fanuc_crx10ia_window all = {0, 128, 5e-09};
     double samples[24];
     fanuc_crx10ia_trigonometric f;
     fanuc_crx10ia_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (fanuc_crx10ia_is_nothing(samples)) {
         return 0;
     }
     if (fanuc_crx10ia_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     fanuc_crx10ia_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2682,7 +2742,9 @@ static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of
     fanuc_crx10ia_find_roots(&f, &all, roots);
     fanuc_crx10ia_behind(&lens, roots->simple, roots->c, roots->s);
     fanuc_crx10ia_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    fanuc_crx10ia_look_closer(sample, of, roots);
+    fanuc_crx10ia_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    fanuc_crx10ia_take_lifted(source, roots);
+    fanuc_crx10ia_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2879,23 +2941,16 @@ static void fanuc_crx10ia_split(double n[2][6], int rows, const int *up, const i
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_crx10ia_candidates
-    *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline fanuc_crx10ia_lane fanuc_crx10ia_smallest(fanuc_crx10ia_lane factor[6][6],
+    fanuc_crx10ia_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    fanuc_crx10ia_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == FANUC_CRX10IA_CANDIDATES) {
-        return;
-    }
-    (void)fanuc_crx10ia_fold(E, fanuc_crx10ia_all(c), fanuc_crx10ia_all(s), factor);
+    fanuc_crx10ia_lane inverse[6], length, second, squares = {0};
     fanuc_crx10ia_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = fanuc_crx10ia_all(start[0][i]);
@@ -2915,8 +2970,25 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = fanuc_crx10ia_largest(length * squares) < 25000000000000.004 &&
-                                fanuc_crx10ia_largest(second * squares) < 1000000000000.0;
+    return fanuc_crx10ia_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          fanuc_crx10ia_all(1.0), fanuc_crx10ia_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_crx10ia_candidates
+    *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    fanuc_crx10ia_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == FANUC_CRX10IA_CANDIDATES) {
+        return;
+    }
+    (void)fanuc_crx10ia_fold(E, fanuc_crx10ia_all(c), fanuc_crx10ia_all(s), factor);
+    out->regular[out->groups] = fanuc_crx10ia_largest(fanuc_crx10ia_smallest(factor, x)) > 0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3581,10 +3653,11 @@ static int fanuc_crx10ia_attempt_closed(int which, const fanuc_crx10ia_loop *loo
     fanuc_crx10ia_found *found)
 {
     fanuc_crx10ia_setting set;
+    const fanuc_crx10ia_source source = { fanuc_crx10ia_sample_closed, 0, &set};
     fanuc_crx10ia_roots roots;
     fanuc_crx10ia_ways ways;
     fanuc_crx10ia_prepare(&set, which, loop);
-    if (!fanuc_crx10ia_real_roots(fanuc_crx10ia_sample_closed, &set, &roots)) {
+    if (!fanuc_crx10ia_real_roots(&source, &roots)) {
         return 0;
     }
     ways.count = 0;
@@ -3669,6 +3742,32 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int fanuc_crx10ia_keep_vanishing(const void *equations, int count, double *cosine, double
+    *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += FANUC_CRX10IA_LANES) {
+        fanuc_crx10ia_lane factor[6][6], x[2][6];
+        double c[FANUC_CRX10IA_LANES], s[FANUC_CRX10IA_LANES], regular[FANUC_CRX10IA_LANES];
+        for (int k = 0; k < FANUC_CRX10IA_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)fanuc_crx10ia_fold(equations, FANUC_CRX10IA_LOAD(c), FANUC_CRX10IA_LOAD(s), factor);
+        FANUC_CRX10IA_STORE(regular, fanuc_crx10ia_smallest(factor, x));
+        for (int k = 0; k < FANUC_CRX10IA_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void fanuc_crx10ia_sample(const void *equations, const fanuc_crx10ia_lens *lens, double
     samples[24])
@@ -3689,13 +3788,14 @@ static int fanuc_crx10ia_attempt(const fanuc_crx10ia_formulation *form, const fa
                            fanuc_crx10ia_found *found)
 {
     double link[6][12], E[192];
+    const fanuc_crx10ia_source source = { fanuc_crx10ia_sample, fanuc_crx10ia_keep_vanishing, E};
     fanuc_crx10ia_roots roots, beside;
     fanuc_crx10ia_candidates all;
     fanuc_crx10ia_around(form, loop, link);
     double left[15][32];
     fanuc_crx10ia_left_side(form, link, left);
     fanuc_crx10ia_equations(form, link, (const double (*)[32])left, E);
-    if (!fanuc_crx10ia_real_roots(fanuc_crx10ia_sample, E, &roots)) {
+    if (!fanuc_crx10ia_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3891,6 +3991,14 @@ static int fanuc_crx10ia_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3911,17 +4019,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

@@ -1623,12 +1623,14 @@ typedef struct {
 } general_4r2p_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[GENERAL_4R2P_ROOTS + 8], s[GENERAL_4R2P_ROOTS + 8];
     double double_c[GENERAL_4R2P_ROOTS], double_s[GENERAL_4R2P_ROOTS];
+    double lifted_c[GENERAL_4R2P_ROOTS], lifted_s[GENERAL_4R2P_ROOTS];
 } general_4r2p_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -1751,25 +1753,45 @@ static unsigned long long general_4r2p_open_cells(const general_4r2p_grid *g, in
     return bits;
 }
 
-static void general_4r2p_add_root(general_4r2p_roots *roots, double c, double s, int twice)
+static void general_4r2p_add_angle(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == GENERAL_4R2P_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void general_4r2p_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    general_4r2p_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void general_4r2p_add_simple(general_4r2p_roots *roots, double c, double s)
+{
+    general_4r2p_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void general_4r2p_add_double(general_4r2p_roots *roots, double c, double s)
+{
+    general_4r2p_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void general_4r2p_add_lifted(general_4r2p_roots *roots, double c, double s)
+{
+    general_4r2p_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted, &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -1933,10 +1955,15 @@ static void general_4r2p_divide(const general_4r2p_trigonometric *f, const gener
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        general_4r2p_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        general_4r2p_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        general_4r2p_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -1978,7 +2005,7 @@ static void general_4r2p_solve_parts(const general_4r2p_trigonometric *f, genera
         GENERAL_4R2P_STORE(c, cosine);
         GENERAL_4R2P_STORE(s, sine);
         for (int k = 0; k < GENERAL_4R2P_LANES && from + k < crossing->count; k++) {
-            general_4r2p_add_root(roots, c[k], s[k], 0);
+            general_4r2p_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2100,7 +2127,7 @@ static void general_4r2p_many(const general_4r2p_trigonometric *f, double low, d
                 general_4r2p_solve_parts(f, waiting, roots); /* of neighbouring double roots the
                     first is kept */
                 roots->complete = 0;
-                general_4r2p_add_root(roots, cosine, sine, 1);
+                general_4r2p_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2196,7 +2223,7 @@ static void general_4r2p_find_roots(const general_4r2p_trigonometric *f, const g
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     general_4r2p_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2284,6 +2311,17 @@ static void general_4r2p_behind(const general_4r2p_lens *a, int count, double *c
 typedef void (*general_4r2p_sampler)(const void *of, const general_4r2p_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*general_4r2p_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    general_4r2p_sampler sample;
+    general_4r2p_keeper keep;
+    const void *of;
+} general_4r2p_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int general_4r2p_near(double c, double s, double cosine, double sine)
 {
@@ -2304,11 +2342,25 @@ static int general_4r2p_keep_roots(int near, double cosine, double sine, const d
     return count;
 }
 
+static int general_4r2p_kept(const general_4r2p_source *source, int count, double *cosine, double
+    *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void general_4r2p_take_lifted(const general_4r2p_source *source, general_4r2p_roots *roots)
+{
+    const int count = general_4r2p_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        general_4r2p_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int general_4r2p_magnify(general_4r2p_sampler sample, const void *of, double cosine, double
-    sine,
-                           general_4r2p_roots *roots)
+static int general_4r2p_magnify(const general_4r2p_source *source, double cosine, double sine,
+    general_4r2p_roots *roots)
 {
     const general_4r2p_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2317,7 +2369,7 @@ static int general_4r2p_magnify(general_4r2p_sampler sample, const void *of, dou
     double samples[24];
     general_4r2p_trigonometric f;
     general_4r2p_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     general_4r2p_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2328,6 +2380,8 @@ static int general_4r2p_magnify(general_4r2p_sampler sample, const void *of, dou
     }
     general_4r2p_behind(&lens, found.simple, found.c, found.s);
     general_4r2p_behind(&lens, found.doubles, found.double_c, found.double_s);
+    general_4r2p_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    general_4r2p_take_lifted(source, &found);
     roots->simple = general_4r2p_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = general_4r2p_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2356,11 +2410,10 @@ static int general_4r2p_any_near(const general_4r2p_roots *roots, double cosine,
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void general_4r2p_look_closer(general_4r2p_sampler sample, const void *of, general_4r2p_roots
-    *roots)
+static void general_4r2p_look_closer(const general_4r2p_source *source, general_4r2p_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == GENERAL_4R2P_ROOTS || roots->doubles == GENERAL_4R2P_ROOTS) {
         return;
     }
@@ -2378,18 +2431,23 @@ static void general_4r2p_look_closer(general_4r2p_sampler sample, const void *of
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = general_4r2p_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = general_4r2p_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !general_4r2p_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < GENERAL_4R2P_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = general_4r2p_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < GENERAL_4R2P_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2405,19 +2463,18 @@ static int general_4r2p_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, general_4r2p_roots
-    *roots)
+static int general_4r2p_real_roots(const general_4r2p_source *source, general_4r2p_roots *roots)
 {
     const general_4r2p_window all = {0, 128, 5e-09};
     double samples[24];
     general_4r2p_trigonometric f;
     general_4r2p_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (general_4r2p_is_nothing(samples)) {
         return 0;
     }
     if (general_4r2p_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     general_4r2p_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2426,7 +2483,9 @@ static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, 
     general_4r2p_find_roots(&f, &all, roots);
     general_4r2p_behind(&lens, roots->simple, roots->c, roots->s);
     general_4r2p_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    general_4r2p_look_closer(sample, of, roots);
+    general_4r2p_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    general_4r2p_take_lifted(source, roots);
+    general_4r2p_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -3113,10 +3172,11 @@ static int general_4r2p_attempt_closed(int which, const general_4r2p_loop *loop,
     *found)
 {
     general_4r2p_setting set;
+    const general_4r2p_source source = { general_4r2p_sample_closed, 0, &set};
     general_4r2p_roots roots;
     general_4r2p_ways ways;
     general_4r2p_prepare(&set, which, loop);
-    if (!general_4r2p_real_roots(general_4r2p_sample_closed, &set, &roots)) {
+    if (!general_4r2p_real_roots(&source, &roots)) {
         return 0;
     }
     ways.count = 0;
@@ -3301,6 +3361,14 @@ static int general_4r2p_general(const double T[16], double q[8][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3317,17 +3385,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

@@ -2063,12 +2063,14 @@ typedef struct {
 } general_5r1p_pair_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[GENERAL_5R1P_PAIR_ROOTS + 8], s[GENERAL_5R1P_PAIR_ROOTS + 8];
     double double_c[GENERAL_5R1P_PAIR_ROOTS], double_s[GENERAL_5R1P_PAIR_ROOTS];
+    double lifted_c[GENERAL_5R1P_PAIR_ROOTS], lifted_s[GENERAL_5R1P_PAIR_ROOTS];
 } general_5r1p_pair_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -2193,26 +2195,46 @@ static unsigned long long general_5r1p_pair_open_cells(const general_5r1p_pair_g
     return bits;
 }
 
-static void general_5r1p_pair_add_root(general_5r1p_pair_roots *roots, double c, double s, int
-    twice)
+static void general_5r1p_pair_add_angle(double c, double s, double *cosine, double *sine, int
+    *count, int *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == GENERAL_5R1P_PAIR_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void general_5r1p_pair_add_once(double c, double s, double *cosine, double *sine, int *count,
+    int *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    general_5r1p_pair_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void general_5r1p_pair_add_simple(general_5r1p_pair_roots *roots, double c, double s)
+{
+    general_5r1p_pair_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void general_5r1p_pair_add_double(general_5r1p_pair_roots *roots, double c, double s)
+{
+    general_5r1p_pair_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void general_5r1p_pair_add_lifted(general_5r1p_pair_roots *roots, double c, double s)
+{
+    general_5r1p_pair_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted,
+        &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2382,10 +2404,15 @@ static void general_5r1p_pair_divide(const general_5r1p_pair_trigonometric *f, c
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        general_5r1p_pair_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        general_5r1p_pair_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        general_5r1p_pair_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2428,7 +2455,7 @@ static void general_5r1p_pair_solve_parts(const general_5r1p_pair_trigonometric 
         GENERAL_5R1P_PAIR_STORE(c, cosine);
         GENERAL_5R1P_PAIR_STORE(s, sine);
         for (int k = 0; k < GENERAL_5R1P_PAIR_LANES && from + k < crossing->count; k++) {
-            general_5r1p_pair_add_root(roots, c[k], s[k], 0);
+            general_5r1p_pair_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2553,7 +2580,7 @@ static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, dou
                 general_5r1p_pair_solve_parts(f, waiting, roots); /* of neighbouring double roots
                     the first is kept */
                 roots->complete = 0;
-                general_5r1p_pair_add_root(roots, cosine, sine, 1);
+                general_5r1p_pair_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2649,7 +2676,7 @@ static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     general_5r1p_pair_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2740,6 +2767,17 @@ static void general_5r1p_pair_behind(const general_5r1p_pair_lens *a, int count,
 typedef void (*general_5r1p_pair_sampler)(const void *of, const general_5r1p_pair_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*general_5r1p_pair_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    general_5r1p_pair_sampler sample;
+    general_5r1p_pair_keeper keep;
+    const void *of;
+} general_5r1p_pair_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int general_5r1p_pair_near(double c, double s, double cosine, double sine)
 {
@@ -2760,11 +2798,27 @@ static int general_5r1p_pair_keep_roots(int near, double cosine, double sine, co
     return count;
 }
 
+static int general_5r1p_pair_kept(const general_5r1p_pair_source *source, int count, double *cosine,
+    double *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void general_5r1p_pair_take_lifted(const general_5r1p_pair_source *source,
+    general_5r1p_pair_roots *roots)
+{
+    const int count = general_5r1p_pair_kept(source, roots->lifted, roots->lifted_c,
+        roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        general_5r1p_pair_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int general_5r1p_pair_magnify(general_5r1p_pair_sampler sample, const void *of, double
-    cosine, double sine,
-                           general_5r1p_pair_roots *roots)
+static int general_5r1p_pair_magnify(const general_5r1p_pair_source *source, double cosine, double
+    sine, general_5r1p_pair_roots *roots)
 {
     const general_5r1p_pair_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2773,7 +2827,7 @@ static int general_5r1p_pair_magnify(general_5r1p_pair_sampler sample, const voi
     double samples[24];
     general_5r1p_pair_trigonometric f;
     general_5r1p_pair_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     general_5r1p_pair_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2784,6 +2838,8 @@ static int general_5r1p_pair_magnify(general_5r1p_pair_sampler sample, const voi
     }
     general_5r1p_pair_behind(&lens, found.simple, found.c, found.s);
     general_5r1p_pair_behind(&lens, found.doubles, found.double_c, found.double_s);
+    general_5r1p_pair_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    general_5r1p_pair_take_lifted(source, &found);
     roots->simple = general_5r1p_pair_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = general_5r1p_pair_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2813,11 +2869,11 @@ static int general_5r1p_pair_any_near(const general_5r1p_pair_roots *roots, doub
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void general_5r1p_pair_look_closer(general_5r1p_pair_sampler sample, const void *of,
+static void general_5r1p_pair_look_closer(const general_5r1p_pair_source *source,
     general_5r1p_pair_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == GENERAL_5R1P_PAIR_ROOTS || roots->doubles == GENERAL_5R1P_PAIR_ROOTS) {
         return;
     }
@@ -2835,18 +2891,23 @@ static void general_5r1p_pair_look_closer(general_5r1p_pair_sampler sample, cons
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = general_5r1p_pair_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = general_5r1p_pair_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !general_5r1p_pair_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < GENERAL_5R1P_PAIR_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = general_5r1p_pair_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < GENERAL_5R1P_PAIR_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2862,19 +2923,19 @@ static int general_5r1p_pair_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const void *of,
+static int general_5r1p_pair_real_roots(const general_5r1p_pair_source *source,
     general_5r1p_pair_roots *roots)
 {
     const general_5r1p_pair_window all = {0, 128, 5e-09};
     double samples[24];
     general_5r1p_pair_trigonometric f;
     general_5r1p_pair_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (general_5r1p_pair_is_nothing(samples)) {
         return 0;
     }
     if (general_5r1p_pair_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     general_5r1p_pair_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2883,7 +2944,9 @@ static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const 
     general_5r1p_pair_find_roots(&f, &all, roots);
     general_5r1p_pair_behind(&lens, roots->simple, roots->c, roots->s);
     general_5r1p_pair_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    general_5r1p_pair_look_closer(sample, of, roots);
+    general_5r1p_pair_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    general_5r1p_pair_take_lifted(source, roots);
+    general_5r1p_pair_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -3085,23 +3148,16 @@ static void general_5r1p_pair_split(double n[2][6], int rows, const int *up, con
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void general_5r1p_pair_null_plane(const double *E, double c, double s,
-    general_5r1p_pair_candidates *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline general_5r1p_pair_lane general_5r1p_pair_smallest(general_5r1p_pair_lane factor[6][6],
+    general_5r1p_pair_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    general_5r1p_pair_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == GENERAL_5R1P_PAIR_CANDIDATES) {
-        return;
-    }
-    (void)general_5r1p_pair_fold(E, general_5r1p_pair_all(c), general_5r1p_pair_all(s), factor);
+    general_5r1p_pair_lane inverse[6], length, second, squares = {0};
     general_5r1p_pair_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = general_5r1p_pair_all(start[0][i]);
@@ -3121,8 +3177,26 @@ static void general_5r1p_pair_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = general_5r1p_pair_largest(length * squares) < 25000000000000.004 &&
-                                general_5r1p_pair_largest(second * squares) < 1000000000000.0;
+    return general_5r1p_pair_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          general_5r1p_pair_all(1.0), general_5r1p_pair_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void general_5r1p_pair_null_plane(const double *E, double c, double s,
+    general_5r1p_pair_candidates *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    general_5r1p_pair_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == GENERAL_5R1P_PAIR_CANDIDATES) {
+        return;
+    }
+    (void)general_5r1p_pair_fold(E, general_5r1p_pair_all(c), general_5r1p_pair_all(s), factor);
+    out->regular[out->groups] = general_5r1p_pair_largest(general_5r1p_pair_smallest(factor, x)) >
+        0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3646,6 +3720,34 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int general_5r1p_pair_keep_vanishing(const void *equations, int count, double *cosine, double
+    *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += GENERAL_5R1P_PAIR_LANES) {
+        general_5r1p_pair_lane factor[6][6], x[2][6];
+        double c[GENERAL_5R1P_PAIR_LANES], s[GENERAL_5R1P_PAIR_LANES],
+            regular[GENERAL_5R1P_PAIR_LANES];
+        for (int k = 0; k < GENERAL_5R1P_PAIR_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)general_5r1p_pair_fold(equations, GENERAL_5R1P_PAIR_LOAD(c),
+            GENERAL_5R1P_PAIR_LOAD(s), factor);
+        GENERAL_5R1P_PAIR_STORE(regular, general_5r1p_pair_smallest(factor, x));
+        for (int k = 0; k < GENERAL_5R1P_PAIR_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void general_5r1p_pair_sample(const void *equations, const general_5r1p_pair_lens *lens,
     double samples[24])
@@ -3666,11 +3768,13 @@ static int general_5r1p_pair_attempt(const general_5r1p_pair_formulation *form, 
                            general_5r1p_pair_found *found)
 {
     double link[6][12], E[192];
+    const general_5r1p_pair_source source = { general_5r1p_pair_sample,
+        general_5r1p_pair_keep_vanishing, E};
     general_5r1p_pair_roots roots, beside;
     general_5r1p_pair_candidates all;
     general_5r1p_pair_around(form, loop, link);
     general_5r1p_pair_equations(form, link, form->left, E);
-    if (!general_5r1p_pair_real_roots(general_5r1p_pair_sample, E, &roots)) {
+    if (!general_5r1p_pair_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3865,6 +3969,14 @@ static int general_5r1p_pair_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3881,17 +3993,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

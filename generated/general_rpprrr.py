@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 8ed0bb25c6af76c2"
+_KEY = "general_rpprrr 047d5f04ed3fb4aa"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1256,15 +1256,15 @@ def _general_rpprrr_between(f, order, low, high, rising):
 
 @_inner
 def _general_rpprrr_few(f, rounding, touching, near, low, at_low, high, at_high, roots, counts):
-    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double).
-    Extrema that are lifted by `touching` count as double."""
+    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double), or
+    [2] where f turns back beside zero: no root, unless rounding of what f is made of lifted it off."""
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _general_rpprrr_between(f, 1, low, high, at_low[1] < 0.0)
         at_middle, _, bend = _general_rpprrr_at(f, middle)
         lifted = at_middle * bend > 0.0 and abs(at_middle) <= max(abs(bend) * near, touching)
         if abs(at_middle) <= rounding or lifted:
-            _general_rpprrr_add_root(roots, counts, 1, middle)
+            _general_rpprrr_add_root(roots, counts, 1 if abs(at_middle) <= rounding else 2, middle)
             return
         if (at_middle < 0.0) != (at_high[0] < 0.0):
             x = _general_rpprrr_between(f, 0, middle, high, at_middle < 0.0)
@@ -1274,27 +1274,27 @@ def _general_rpprrr_few(f, rounding, touching, near, low, at_low, high, at_high,
 
 
 @_apart("void(float64[:, ::1], int64[::1], int64, float64)")
-def _general_rpprrr_add_root(roots, counts, twice, x):
-    """Add a root; counts[2] says that nothing was given up."""
-    if twice:
-        for i in range(counts[1]):
-            gap = abs(x - roots[1, i])
+def _general_rpprrr_add_root(roots, counts, kind, x):
+    """Add a root; counts[3] says that nothing was given up."""
+    if kind:
+        for i in range(counts[kind]):
+            gap = abs(x - roots[kind, i])
             if min(gap, 6.283185307179586 - gap) < 0.02454369260617026 / 64.0:
                 return  # neighbouring cells that were given up together
-    if counts[twice] == 24:
-        counts[2] = 0
+    if counts[kind] == 24:
+        counts[3] = 0
         return
-    roots[twice, counts[twice]] = x
-    counts[twice] += 1
+    roots[kind, counts[kind]] = x
+    counts[kind] += 1
 
 
 @_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64, int64, int64, float64)")
 def _general_rpprrr_find_roots(f, scale, rounding, middle, reach, near):
-    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]], in so many
-    cells on both sides of the middle one. Two complex roots count as a double one where the value of
-    a parabola over its bend is below `near`."""
-    roots = np.empty((2, 24))
-    counts = np.array([0, 0, 1, 0])
+    """The simple roots, roots[0, : counts[0]], the double ones, roots[1, : counts[1]], and the places
+    where f turns back beside zero, roots[2, : counts[2]], in so many cells on both sides of the middle
+    one. These are where the value of a parabola over its bend is below `near`."""
+    roots = np.empty((3, 24))
+    counts = np.array([0, 0, 0, 1, 0])
     grid = _general_rpprrr_grid(f)
     touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
     rootless = _general_rpprrr_rootless(grid, max(rounding + scale * 2e-09, touching))
@@ -1319,7 +1319,7 @@ def _general_rpprrr_find_roots(f, scale, rounding, middle, reach, near):
                     f, rounding, touching, near, low, at_low, edge[top], at[top], roots, counts
                 )
             elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
-                counts[2] = 0
+                counts[3] = 0
                 _general_rpprrr_add_root(roots, counts, 1, low + 0.5 * h)
             elif kind == 3:
                 budget -= 1
@@ -1371,10 +1371,10 @@ def _general_rpprrr_spread(samples):
 @_inner
 def _general_rpprrr_behind(x, y, roots, counts):
     """The roots as they are without the lens."""
-    for twice in range(2):
-        for i in range(counts[twice]):
-            c, s, _ = _general_rpprrr_through(x, y, math.cos(roots[twice, i]), math.sin(roots[twice, i]))
-            roots[twice, i] = math.atan2(s, c)
+    for kind in range(3):
+        for i in range(counts[kind]):
+            c, s, _ = _general_rpprrr_through(x, y, math.cos(roots[kind, i]), math.sin(roots[kind, i]))
+            roots[kind, i] = math.atan2(s, c)
 
 
 @_inner
@@ -1821,6 +1821,19 @@ def _general_rpprrr_sample_closed(setting, x, y, samples):
 
 
 @_inner
+def _general_rpprrr_keep_vanishing_closed(setting, angles, count):
+    """Of angles those where the polynomial may vanish: it is known itself, and nothing tells more."""
+    return count
+
+
+@_inner
+def _general_rpprrr_take_lifted_closed(of, roots, counts):
+    """The places where f turns back beside zero are double roots where there may be any."""
+    for i in range(_general_rpprrr_keep_vanishing_closed(of, roots[2], counts[2])):
+        _general_rpprrr_add_root(roots, counts, 1, roots[2, i])
+
+
+@_inner
 def _general_rpprrr_real_roots_closed(of):
     """All real roots: (whether the polynomial does not vanish identically, roots, counts).
 
@@ -1836,11 +1849,12 @@ def _general_rpprrr_real_roots_closed(of):
     if x != 0.0 or y != 0.0:
         _general_rpprrr_sample_closed(of, x, y, samples)
     noise, roots, counts = _general_rpprrr_seen(samples, x, y, 0, 128, 5e-09)
+    _general_rpprrr_take_lifted_closed(of, roots, counts)
     good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
-    unseen = np.empty(4)
+    unseen, empty = np.empty(4), 0
     i = _general_rpprrr_next_double(roots, counts, seen, looks)
     while i < counts[1] and looks < 4:
         middle = seen[looks] = roots[1, i]
@@ -1852,21 +1866,23 @@ def _general_rpprrr_real_roots_closed(of):
         blur, closer, closer_counts = _general_rpprrr_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if blur <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[3]:
+            _general_rpprrr_take_lifted_closed(of, closer, closer_counts)
             _general_rpprrr_replace(roots, counts, closer, closer_counts, middle)
             if not _general_rpprrr_any_near(roots, counts, middle):
-                unseen[counts[3]] = middle
-                counts[3] += 1
+                unseen[empty] = middle
+                empty += 1
         else:
             clear = False
         i = _general_rpprrr_next_double(roots, counts, seen, looks)
-    counts[3] = min(counts[3], 24 - counts[1])
-    for k in range(counts[3]):
+    empty = _general_rpprrr_keep_vanishing_closed(of, unseen, empty)
+    counts[4] = min(empty, 24 - counts[1])
+    for k in range(counts[4]):
         roots[1, counts[1] + k] = unseen[k]
     if clear and i == counts[1]:
-        counts[2] = 1
+        counts[3] = 1
     if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
-        counts[2] = 0
+        counts[3] = 0
     return good, roots, counts
 
 
@@ -1880,7 +1896,7 @@ def _general_rpprrr_attempt_closed(which, loop, q, residual, singular, doubles_m
     good, roots, counts = _general_rpprrr_real_roots_closed(setting)
     if not good:
         return False, count
-    complete, expected = counts[2] == 1 and _general_rpprrr_tells_all(setting[2], roots, counts), 0
+    complete, expected = counts[3] == 1 and _general_rpprrr_tells_all(setting[2], roots, counts), 0
     doubles_met[0] += counts[1]
     met = np.zeros(64, dtype=np.int64)
     c, s = np.empty(6), np.empty(6)
@@ -2059,7 +2075,8 @@ def _all_joints(pose, seed):
         _take(u, near)
         if _descend(T, joints, u) <= 1e-10:
             count = _keep(T, joints, near, kept, kinds, count, u)
-    for k in range(-1 - known if known < 0 else known):
+    many = -1 - known if known < 0 else known
+    for k in range(many):
         for j in range(6):
             u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
         if known < 0:

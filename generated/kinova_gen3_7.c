@@ -1894,12 +1894,14 @@ typedef struct {
 } kinova_gen3_7_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[KINOVA_GEN3_7_ROOTS + 8], s[KINOVA_GEN3_7_ROOTS + 8];
     double double_c[KINOVA_GEN3_7_ROOTS], double_s[KINOVA_GEN3_7_ROOTS];
+    double lifted_c[KINOVA_GEN3_7_ROOTS], lifted_s[KINOVA_GEN3_7_ROOTS];
 } kinova_gen3_7_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -2022,25 +2024,46 @@ static unsigned long long kinova_gen3_7_open_cells(const kinova_gen3_7_grid *g, 
     return bits;
 }
 
-static void kinova_gen3_7_add_root(kinova_gen3_7_roots *roots, double c, double s, int twice)
+static void kinova_gen3_7_add_angle(double c, double s, double *cosine, double *sine, int *count,
+    int *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == KINOVA_GEN3_7_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void kinova_gen3_7_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    kinova_gen3_7_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void kinova_gen3_7_add_simple(kinova_gen3_7_roots *roots, double c, double s)
+{
+    kinova_gen3_7_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void kinova_gen3_7_add_double(kinova_gen3_7_roots *roots, double c, double s)
+{
+    kinova_gen3_7_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void kinova_gen3_7_add_lifted(kinova_gen3_7_roots *roots, double c, double s)
+{
+    kinova_gen3_7_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted,
+        &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2206,10 +2229,15 @@ static void kinova_gen3_7_divide(const kinova_gen3_7_trigonometric *f, const kin
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        kinova_gen3_7_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        kinova_gen3_7_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        kinova_gen3_7_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2251,7 +2279,7 @@ static void kinova_gen3_7_solve_parts(const kinova_gen3_7_trigonometric *f, kino
         KINOVA_GEN3_7_STORE(c, cosine);
         KINOVA_GEN3_7_STORE(s, sine);
         for (int k = 0; k < KINOVA_GEN3_7_LANES && from + k < crossing->count; k++) {
-            kinova_gen3_7_add_root(roots, c[k], s[k], 0);
+            kinova_gen3_7_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2373,7 +2401,7 @@ static void kinova_gen3_7_many(const kinova_gen3_7_trigonometric *f, double low,
                 kinova_gen3_7_solve_parts(f, waiting, roots); /* of neighbouring double roots the
                     first is kept */
                 roots->complete = 0;
-                kinova_gen3_7_add_root(roots, cosine, sine, 1);
+                kinova_gen3_7_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2469,7 +2497,7 @@ static void kinova_gen3_7_find_roots(const kinova_gen3_7_trigonometric *f, const
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     kinova_gen3_7_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2559,6 +2587,17 @@ static void kinova_gen3_7_behind(const kinova_gen3_7_lens *a, int count, double 
 typedef void (*kinova_gen3_7_sampler)(const void *of, const kinova_gen3_7_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*kinova_gen3_7_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    kinova_gen3_7_sampler sample;
+    kinova_gen3_7_keeper keep;
+    const void *of;
+} kinova_gen3_7_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int kinova_gen3_7_near(double c, double s, double cosine, double sine)
 {
@@ -2579,11 +2618,26 @@ static int kinova_gen3_7_keep_roots(int near, double cosine, double sine, const 
     return count;
 }
 
+static int kinova_gen3_7_kept(const kinova_gen3_7_source *source, int count, double *cosine, double
+    *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void kinova_gen3_7_take_lifted(const kinova_gen3_7_source *source, kinova_gen3_7_roots
+    *roots)
+{
+    const int count = kinova_gen3_7_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        kinova_gen3_7_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int kinova_gen3_7_magnify(kinova_gen3_7_sampler sample, const void *of, double cosine, double
-    sine,
-                           kinova_gen3_7_roots *roots)
+static int kinova_gen3_7_magnify(const kinova_gen3_7_source *source, double cosine, double sine,
+    kinova_gen3_7_roots *roots)
 {
     const kinova_gen3_7_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2592,7 +2646,7 @@ static int kinova_gen3_7_magnify(kinova_gen3_7_sampler sample, const void *of, d
     double samples[24];
     kinova_gen3_7_trigonometric f;
     kinova_gen3_7_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     kinova_gen3_7_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2603,6 +2657,8 @@ static int kinova_gen3_7_magnify(kinova_gen3_7_sampler sample, const void *of, d
     }
     kinova_gen3_7_behind(&lens, found.simple, found.c, found.s);
     kinova_gen3_7_behind(&lens, found.doubles, found.double_c, found.double_s);
+    kinova_gen3_7_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    kinova_gen3_7_take_lifted(source, &found);
     roots->simple = kinova_gen3_7_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = kinova_gen3_7_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2631,11 +2687,11 @@ static int kinova_gen3_7_any_near(const kinova_gen3_7_roots *roots, double cosin
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void kinova_gen3_7_look_closer(kinova_gen3_7_sampler sample, const void *of,
-    kinova_gen3_7_roots *roots)
+static void kinova_gen3_7_look_closer(const kinova_gen3_7_source *source, kinova_gen3_7_roots
+    *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == KINOVA_GEN3_7_ROOTS || roots->doubles == KINOVA_GEN3_7_ROOTS) {
         return;
     }
@@ -2653,18 +2709,23 @@ static void kinova_gen3_7_look_closer(kinova_gen3_7_sampler sample, const void *
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = kinova_gen3_7_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = kinova_gen3_7_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !kinova_gen3_7_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < KINOVA_GEN3_7_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = kinova_gen3_7_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < KINOVA_GEN3_7_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2680,19 +2741,18 @@ static int kinova_gen3_7_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int kinova_gen3_7_real_roots(kinova_gen3_7_sampler sample, const void *of,
-    kinova_gen3_7_roots *roots)
+static int kinova_gen3_7_real_roots(const kinova_gen3_7_source *source, kinova_gen3_7_roots *roots)
 {
     const kinova_gen3_7_window all = {0, 128, 5e-09};
     double samples[24];
     kinova_gen3_7_trigonometric f;
     kinova_gen3_7_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (kinova_gen3_7_is_nothing(samples)) {
         return 0;
     }
     if (kinova_gen3_7_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     kinova_gen3_7_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2701,7 +2761,9 @@ static int kinova_gen3_7_real_roots(kinova_gen3_7_sampler sample, const void *of
     kinova_gen3_7_find_roots(&f, &all, roots);
     kinova_gen3_7_behind(&lens, roots->simple, roots->c, roots->s);
     kinova_gen3_7_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    kinova_gen3_7_look_closer(sample, of, roots);
+    kinova_gen3_7_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    kinova_gen3_7_take_lifted(source, roots);
+    kinova_gen3_7_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2898,23 +2960,16 @@ static void kinova_gen3_7_split(double n[2][6], int rows, const int *up, const i
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void kinova_gen3_7_null_plane(const double *E, double c, double s, kinova_gen3_7_candidates
-    *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline kinova_gen3_7_lane kinova_gen3_7_smallest(kinova_gen3_7_lane factor[6][6],
+    kinova_gen3_7_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    kinova_gen3_7_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == KINOVA_GEN3_7_CANDIDATES) {
-        return;
-    }
-    (void)kinova_gen3_7_fold(E, kinova_gen3_7_all(c), kinova_gen3_7_all(s), factor);
+    kinova_gen3_7_lane inverse[6], length, second, squares = {0};
     kinova_gen3_7_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = kinova_gen3_7_all(start[0][i]);
@@ -2934,8 +2989,25 @@ static void kinova_gen3_7_null_plane(const double *E, double c, double s, kinova
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_gen3_7_largest(length * squares) < 25000000000000.004 &&
-                                kinova_gen3_7_largest(second * squares) < 1000000000000.0;
+    return kinova_gen3_7_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          kinova_gen3_7_all(1.0), kinova_gen3_7_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void kinova_gen3_7_null_plane(const double *E, double c, double s, kinova_gen3_7_candidates
+    *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    kinova_gen3_7_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == KINOVA_GEN3_7_CANDIDATES) {
+        return;
+    }
+    (void)kinova_gen3_7_fold(E, kinova_gen3_7_all(c), kinova_gen3_7_all(s), factor);
+    out->regular[out->groups] = kinova_gen3_7_largest(kinova_gen3_7_smallest(factor, x)) > 0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3428,6 +3500,32 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int kinova_gen3_7_keep_vanishing(const void *equations, int count, double *cosine, double
+    *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += KINOVA_GEN3_7_LANES) {
+        kinova_gen3_7_lane factor[6][6], x[2][6];
+        double c[KINOVA_GEN3_7_LANES], s[KINOVA_GEN3_7_LANES], regular[KINOVA_GEN3_7_LANES];
+        for (int k = 0; k < KINOVA_GEN3_7_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)kinova_gen3_7_fold(equations, KINOVA_GEN3_7_LOAD(c), KINOVA_GEN3_7_LOAD(s), factor);
+        KINOVA_GEN3_7_STORE(regular, kinova_gen3_7_smallest(factor, x));
+        for (int k = 0; k < KINOVA_GEN3_7_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void kinova_gen3_7_sample(const void *equations, const kinova_gen3_7_lens *lens, double
     samples[24])
@@ -3448,13 +3546,14 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
                            kinova_gen3_7_found *found)
 {
     double link[6][12], E[192];
+    const kinova_gen3_7_source source = { kinova_gen3_7_sample, kinova_gen3_7_keep_vanishing, E};
     kinova_gen3_7_roots roots, beside;
     kinova_gen3_7_candidates all;
     kinova_gen3_7_around(form, loop, link);
     double left[15][32];
     kinova_gen3_7_left_side(form, link, left);
     kinova_gen3_7_equations(form, link, (const double (*)[32])left, E);
-    if (!kinova_gen3_7_real_roots(kinova_gen3_7_sample, E, &roots)) {
+    if (!kinova_gen3_7_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3650,6 +3749,14 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3670,17 +3777,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

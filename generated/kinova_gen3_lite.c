@@ -2020,12 +2020,14 @@ typedef struct {
 } kinova_gen3_lite_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[KINOVA_GEN3_LITE_ROOTS + 8], s[KINOVA_GEN3_LITE_ROOTS + 8];
     double double_c[KINOVA_GEN3_LITE_ROOTS], double_s[KINOVA_GEN3_LITE_ROOTS];
+    double lifted_c[KINOVA_GEN3_LITE_ROOTS], lifted_s[KINOVA_GEN3_LITE_ROOTS];
 } kinova_gen3_lite_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -2149,25 +2151,46 @@ static unsigned long long kinova_gen3_lite_open_cells(const kinova_gen3_lite_gri
     return bits;
 }
 
-static void kinova_gen3_lite_add_root(kinova_gen3_lite_roots *roots, double c, double s, int twice)
+static void kinova_gen3_lite_add_angle(double c, double s, double *cosine, double *sine, int *count,
+    int *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == KINOVA_GEN3_LITE_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void kinova_gen3_lite_add_once(double c, double s, double *cosine, double *sine, int *count,
+    int *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    kinova_gen3_lite_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void kinova_gen3_lite_add_simple(kinova_gen3_lite_roots *roots, double c, double s)
+{
+    kinova_gen3_lite_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void kinova_gen3_lite_add_double(kinova_gen3_lite_roots *roots, double c, double s)
+{
+    kinova_gen3_lite_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void kinova_gen3_lite_add_lifted(kinova_gen3_lite_roots *roots, double c, double s)
+{
+    kinova_gen3_lite_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted,
+        &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2337,10 +2360,15 @@ static void kinova_gen3_lite_divide(const kinova_gen3_lite_trigonometric *f, con
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        kinova_gen3_lite_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        kinova_gen3_lite_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        kinova_gen3_lite_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2382,7 +2410,7 @@ static void kinova_gen3_lite_solve_parts(const kinova_gen3_lite_trigonometric *f
         KINOVA_GEN3_LITE_STORE(c, cosine);
         KINOVA_GEN3_LITE_STORE(s, sine);
         for (int k = 0; k < KINOVA_GEN3_LITE_LANES && from + k < crossing->count; k++) {
-            kinova_gen3_lite_add_root(roots, c[k], s[k], 0);
+            kinova_gen3_lite_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2506,7 +2534,7 @@ static void kinova_gen3_lite_many(const kinova_gen3_lite_trigonometric *f, doubl
                 kinova_gen3_lite_solve_parts(f, waiting, roots); /* of neighbouring double roots the
                     first is kept */
                 roots->complete = 0;
-                kinova_gen3_lite_add_root(roots, cosine, sine, 1);
+                kinova_gen3_lite_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2602,7 +2630,7 @@ static void kinova_gen3_lite_find_roots(const kinova_gen3_lite_trigonometric *f,
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     kinova_gen3_lite_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2693,6 +2721,17 @@ static void kinova_gen3_lite_behind(const kinova_gen3_lite_lens *a, int count, d
 typedef void (*kinova_gen3_lite_sampler)(const void *of, const kinova_gen3_lite_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*kinova_gen3_lite_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    kinova_gen3_lite_sampler sample;
+    kinova_gen3_lite_keeper keep;
+    const void *of;
+} kinova_gen3_lite_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int kinova_gen3_lite_near(double c, double s, double cosine, double sine)
 {
@@ -2713,11 +2752,27 @@ static int kinova_gen3_lite_keep_roots(int near, double cosine, double sine, con
     return count;
 }
 
+static int kinova_gen3_lite_kept(const kinova_gen3_lite_source *source, int count, double *cosine,
+    double *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void kinova_gen3_lite_take_lifted(const kinova_gen3_lite_source *source,
+    kinova_gen3_lite_roots *roots)
+{
+    const int count = kinova_gen3_lite_kept(source, roots->lifted, roots->lifted_c,
+        roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        kinova_gen3_lite_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int kinova_gen3_lite_magnify(kinova_gen3_lite_sampler sample, const void *of, double cosine,
-    double sine,
-                           kinova_gen3_lite_roots *roots)
+static int kinova_gen3_lite_magnify(const kinova_gen3_lite_source *source, double cosine, double
+    sine, kinova_gen3_lite_roots *roots)
 {
     const kinova_gen3_lite_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2726,7 +2781,7 @@ static int kinova_gen3_lite_magnify(kinova_gen3_lite_sampler sample, const void 
     double samples[24];
     kinova_gen3_lite_trigonometric f;
     kinova_gen3_lite_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     kinova_gen3_lite_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2737,6 +2792,8 @@ static int kinova_gen3_lite_magnify(kinova_gen3_lite_sampler sample, const void 
     }
     kinova_gen3_lite_behind(&lens, found.simple, found.c, found.s);
     kinova_gen3_lite_behind(&lens, found.doubles, found.double_c, found.double_s);
+    kinova_gen3_lite_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    kinova_gen3_lite_take_lifted(source, &found);
     roots->simple = kinova_gen3_lite_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = kinova_gen3_lite_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2766,11 +2823,11 @@ static int kinova_gen3_lite_any_near(const kinova_gen3_lite_roots *roots, double
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void kinova_gen3_lite_look_closer(kinova_gen3_lite_sampler sample, const void *of,
+static void kinova_gen3_lite_look_closer(const kinova_gen3_lite_source *source,
     kinova_gen3_lite_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == KINOVA_GEN3_LITE_ROOTS || roots->doubles == KINOVA_GEN3_LITE_ROOTS) {
         return;
     }
@@ -2788,18 +2845,23 @@ static void kinova_gen3_lite_look_closer(kinova_gen3_lite_sampler sample, const 
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = kinova_gen3_lite_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = kinova_gen3_lite_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !kinova_gen3_lite_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < KINOVA_GEN3_LITE_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = kinova_gen3_lite_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < KINOVA_GEN3_LITE_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2815,19 +2877,19 @@ static int kinova_gen3_lite_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const void *of,
-    kinova_gen3_lite_roots *roots)
+static int kinova_gen3_lite_real_roots(const kinova_gen3_lite_source *source, kinova_gen3_lite_roots
+    *roots)
 {
     const kinova_gen3_lite_window all = {0, 128, 5e-09};
     double samples[24];
     kinova_gen3_lite_trigonometric f;
     kinova_gen3_lite_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (kinova_gen3_lite_is_nothing(samples)) {
         return 0;
     }
     if (kinova_gen3_lite_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     kinova_gen3_lite_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2836,7 +2898,9 @@ static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const vo
     kinova_gen3_lite_find_roots(&f, &all, roots);
     kinova_gen3_lite_behind(&lens, roots->simple, roots->c, roots->s);
     kinova_gen3_lite_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    kinova_gen3_lite_look_closer(sample, of, roots);
+    kinova_gen3_lite_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    kinova_gen3_lite_take_lifted(source, roots);
+    kinova_gen3_lite_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -3037,23 +3101,16 @@ static void kinova_gen3_lite_split(double n[2][6], int rows, const int *up, cons
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
-    kinova_gen3_lite_candidates *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline kinova_gen3_lite_lane kinova_gen3_lite_smallest(kinova_gen3_lite_lane factor[6][6],
+    kinova_gen3_lite_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    kinova_gen3_lite_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == KINOVA_GEN3_LITE_CANDIDATES) {
-        return;
-    }
-    (void)kinova_gen3_lite_fold(E, kinova_gen3_lite_all(c), kinova_gen3_lite_all(s), factor);
+    kinova_gen3_lite_lane inverse[6], length, second, squares = {0};
     kinova_gen3_lite_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = kinova_gen3_lite_all(start[0][i]);
@@ -3073,8 +3130,26 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = kinova_gen3_lite_largest(length * squares) < 25000000000000.004 &&
-                                kinova_gen3_lite_largest(second * squares) < 1000000000000.0;
+    return kinova_gen3_lite_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          kinova_gen3_lite_all(1.0), kinova_gen3_lite_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
+    kinova_gen3_lite_candidates *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    kinova_gen3_lite_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == KINOVA_GEN3_LITE_CANDIDATES) {
+        return;
+    }
+    (void)kinova_gen3_lite_fold(E, kinova_gen3_lite_all(c), kinova_gen3_lite_all(s), factor);
+    out->regular[out->groups] = kinova_gen3_lite_largest(kinova_gen3_lite_smallest(factor, x)) >
+        0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3571,6 +3646,34 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int kinova_gen3_lite_keep_vanishing(const void *equations, int count, double *cosine, double
+    *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += KINOVA_GEN3_LITE_LANES) {
+        kinova_gen3_lite_lane factor[6][6], x[2][6];
+        double c[KINOVA_GEN3_LITE_LANES], s[KINOVA_GEN3_LITE_LANES],
+            regular[KINOVA_GEN3_LITE_LANES];
+        for (int k = 0; k < KINOVA_GEN3_LITE_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)kinova_gen3_lite_fold(equations, KINOVA_GEN3_LITE_LOAD(c), KINOVA_GEN3_LITE_LOAD(s),
+            factor);
+        KINOVA_GEN3_LITE_STORE(regular, kinova_gen3_lite_smallest(factor, x));
+        for (int k = 0; k < KINOVA_GEN3_LITE_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void kinova_gen3_lite_sample(const void *equations, const kinova_gen3_lite_lens *lens, double
     samples[24])
@@ -3591,11 +3694,13 @@ static int kinova_gen3_lite_attempt(const kinova_gen3_lite_formulation *form, co
                            kinova_gen3_lite_found *found)
 {
     double link[6][12], E[192];
+    const kinova_gen3_lite_source source = { kinova_gen3_lite_sample,
+        kinova_gen3_lite_keep_vanishing, E};
     kinova_gen3_lite_roots roots, beside;
     kinova_gen3_lite_candidates all;
     kinova_gen3_lite_around(form, loop, link);
     kinova_gen3_lite_equations(form, link, form->left, E);
-    if (!kinova_gen3_lite_real_roots(kinova_gen3_lite_sample, E, &roots)) {
+    if (!kinova_gen3_lite_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3792,6 +3897,14 @@ static int kinova_gen3_lite_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3811,17 +3924,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

@@ -1890,12 +1890,14 @@ typedef struct {
 } manseur_doty_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[MANSEUR_DOTY_ROOTS + 8], s[MANSEUR_DOTY_ROOTS + 8];
     double double_c[MANSEUR_DOTY_ROOTS], double_s[MANSEUR_DOTY_ROOTS];
+    double lifted_c[MANSEUR_DOTY_ROOTS], lifted_s[MANSEUR_DOTY_ROOTS];
 } manseur_doty_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -2018,25 +2020,45 @@ static unsigned long long manseur_doty_open_cells(const manseur_doty_grid *g, in
     return bits;
 }
 
-static void manseur_doty_add_root(manseur_doty_roots *roots, double c, double s, int twice)
+static void manseur_doty_add_angle(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == MANSEUR_DOTY_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void manseur_doty_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    manseur_doty_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void manseur_doty_add_simple(manseur_doty_roots *roots, double c, double s)
+{
+    manseur_doty_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void manseur_doty_add_double(manseur_doty_roots *roots, double c, double s)
+{
+    manseur_doty_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void manseur_doty_add_lifted(manseur_doty_roots *roots, double c, double s)
+{
+    manseur_doty_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted, &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2200,10 +2222,15 @@ static void manseur_doty_divide(const manseur_doty_trigonometric *f, const manse
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        manseur_doty_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        manseur_doty_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        manseur_doty_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2245,7 +2272,7 @@ static void manseur_doty_solve_parts(const manseur_doty_trigonometric *f, manseu
         MANSEUR_DOTY_STORE(c, cosine);
         MANSEUR_DOTY_STORE(s, sine);
         for (int k = 0; k < MANSEUR_DOTY_LANES && from + k < crossing->count; k++) {
-            manseur_doty_add_root(roots, c[k], s[k], 0);
+            manseur_doty_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2367,7 +2394,7 @@ static void manseur_doty_many(const manseur_doty_trigonometric *f, double low, d
                 manseur_doty_solve_parts(f, waiting, roots); /* of neighbouring double roots the
                     first is kept */
                 roots->complete = 0;
-                manseur_doty_add_root(roots, cosine, sine, 1);
+                manseur_doty_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2463,7 +2490,7 @@ static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, const m
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     manseur_doty_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2551,6 +2578,17 @@ static void manseur_doty_behind(const manseur_doty_lens *a, int count, double *c
 typedef void (*manseur_doty_sampler)(const void *of, const manseur_doty_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*manseur_doty_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    manseur_doty_sampler sample;
+    manseur_doty_keeper keep;
+    const void *of;
+} manseur_doty_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int manseur_doty_near(double c, double s, double cosine, double sine)
 {
@@ -2571,11 +2609,25 @@ static int manseur_doty_keep_roots(int near, double cosine, double sine, const d
     return count;
 }
 
+static int manseur_doty_kept(const manseur_doty_source *source, int count, double *cosine, double
+    *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void manseur_doty_take_lifted(const manseur_doty_source *source, manseur_doty_roots *roots)
+{
+    const int count = manseur_doty_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        manseur_doty_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int manseur_doty_magnify(manseur_doty_sampler sample, const void *of, double cosine, double
-    sine,
-                           manseur_doty_roots *roots)
+static int manseur_doty_magnify(const manseur_doty_source *source, double cosine, double sine,
+    manseur_doty_roots *roots)
 {
     const manseur_doty_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2584,7 +2636,7 @@ static int manseur_doty_magnify(manseur_doty_sampler sample, const void *of, dou
     double samples[24];
     manseur_doty_trigonometric f;
     manseur_doty_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     manseur_doty_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2595,6 +2647,8 @@ static int manseur_doty_magnify(manseur_doty_sampler sample, const void *of, dou
     }
     manseur_doty_behind(&lens, found.simple, found.c, found.s);
     manseur_doty_behind(&lens, found.doubles, found.double_c, found.double_s);
+    manseur_doty_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    manseur_doty_take_lifted(source, &found);
     roots->simple = manseur_doty_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = manseur_doty_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2623,11 +2677,10 @@ static int manseur_doty_any_near(const manseur_doty_roots *roots, double cosine,
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void manseur_doty_look_closer(manseur_doty_sampler sample, const void *of, manseur_doty_roots
-    *roots)
+static void manseur_doty_look_closer(const manseur_doty_source *source, manseur_doty_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == MANSEUR_DOTY_ROOTS || roots->doubles == MANSEUR_DOTY_ROOTS) {
         return;
     }
@@ -2645,18 +2698,23 @@ static void manseur_doty_look_closer(manseur_doty_sampler sample, const void *of
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = manseur_doty_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = manseur_doty_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !manseur_doty_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < MANSEUR_DOTY_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = manseur_doty_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < MANSEUR_DOTY_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2672,19 +2730,18 @@ static int manseur_doty_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, manseur_doty_roots
-    *roots)
+static int manseur_doty_real_roots(const manseur_doty_source *source, manseur_doty_roots *roots)
 {
     const manseur_doty_window all = {0, 128, 5e-09};
     double samples[24];
     manseur_doty_trigonometric f;
     manseur_doty_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (manseur_doty_is_nothing(samples)) {
         return 0;
     }
     if (manseur_doty_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     manseur_doty_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2693,7 +2750,9 @@ static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, 
     manseur_doty_find_roots(&f, &all, roots);
     manseur_doty_behind(&lens, roots->simple, roots->c, roots->s);
     manseur_doty_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    manseur_doty_look_closer(sample, of, roots);
+    manseur_doty_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    manseur_doty_take_lifted(source, roots);
+    manseur_doty_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2889,23 +2948,16 @@ static void manseur_doty_split(double n[2][6], int rows, const int *up, const in
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void manseur_doty_null_plane(const double *E, double c, double s, manseur_doty_candidates
-    *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline manseur_doty_lane manseur_doty_smallest(manseur_doty_lane factor[6][6],
+    manseur_doty_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    manseur_doty_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == MANSEUR_DOTY_CANDIDATES) {
-        return;
-    }
-    (void)manseur_doty_fold(E, manseur_doty_all(c), manseur_doty_all(s), factor);
+    manseur_doty_lane inverse[6], length, second, squares = {0};
     manseur_doty_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = manseur_doty_all(start[0][i]);
@@ -2925,8 +2977,25 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = manseur_doty_largest(length * squares) < 25000000000000.004 &&
-                                manseur_doty_largest(second * squares) < 1000000000000.0;
+    return manseur_doty_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          manseur_doty_all(1.0), manseur_doty_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void manseur_doty_null_plane(const double *E, double c, double s, manseur_doty_candidates
+    *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    manseur_doty_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == MANSEUR_DOTY_CANDIDATES) {
+        return;
+    }
+    (void)manseur_doty_fold(E, manseur_doty_all(c), manseur_doty_all(s), factor);
+    out->regular[out->groups] = manseur_doty_largest(manseur_doty_smallest(factor, x)) > 0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3415,6 +3484,32 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int manseur_doty_keep_vanishing(const void *equations, int count, double *cosine, double
+    *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += MANSEUR_DOTY_LANES) {
+        manseur_doty_lane factor[6][6], x[2][6];
+        double c[MANSEUR_DOTY_LANES], s[MANSEUR_DOTY_LANES], regular[MANSEUR_DOTY_LANES];
+        for (int k = 0; k < MANSEUR_DOTY_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)manseur_doty_fold(equations, MANSEUR_DOTY_LOAD(c), MANSEUR_DOTY_LOAD(s), factor);
+        MANSEUR_DOTY_STORE(regular, manseur_doty_smallest(factor, x));
+        for (int k = 0; k < MANSEUR_DOTY_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void manseur_doty_sample(const void *equations, const manseur_doty_lens *lens, double
     samples[24])
@@ -3434,6 +3529,7 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
                            manseur_doty_found *found)
 {
     double link[6][12], E[192];
+    const manseur_doty_source source = { manseur_doty_sample, manseur_doty_keep_vanishing, E};
     manseur_doty_roots roots, beside;
     manseur_doty_candidates all;
     manseur_doty_around(form, loop, link);
@@ -3444,7 +3540,7 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
         manseur_doty_left_side(form, link, left);
         manseur_doty_equations(form, link, (const double (*)[32])left, E);
     }
-    if (!manseur_doty_real_roots(manseur_doty_sample, E, &roots)) {
+    if (!manseur_doty_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3637,6 +3733,14 @@ static int manseur_doty_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3653,17 +3757,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

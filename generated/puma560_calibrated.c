@@ -1815,12 +1815,14 @@ typedef struct {
 } puma560_calibrated_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[PUMA560_CALIBRATED_ROOTS + 8], s[PUMA560_CALIBRATED_ROOTS + 8];
     double double_c[PUMA560_CALIBRATED_ROOTS], double_s[PUMA560_CALIBRATED_ROOTS];
+    double lifted_c[PUMA560_CALIBRATED_ROOTS], lifted_s[PUMA560_CALIBRATED_ROOTS];
 } puma560_calibrated_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -1946,26 +1948,46 @@ static unsigned long long puma560_calibrated_open_cells(const puma560_calibrated
     return bits;
 }
 
-static void puma560_calibrated_add_root(puma560_calibrated_roots *roots, double c, double s, int
-    twice)
+static void puma560_calibrated_add_angle(double c, double s, double *cosine, double *sine, int
+    *count, int *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == PUMA560_CALIBRATED_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void puma560_calibrated_add_once(double c, double s, double *cosine, double *sine, int
+    *count, int *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    puma560_calibrated_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void puma560_calibrated_add_simple(puma560_calibrated_roots *roots, double c, double s)
+{
+    puma560_calibrated_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void puma560_calibrated_add_double(puma560_calibrated_roots *roots, double c, double s)
+{
+    puma560_calibrated_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void puma560_calibrated_add_lifted(puma560_calibrated_roots *roots, double c, double s)
+{
+    puma560_calibrated_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted,
+        &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2137,10 +2159,15 @@ static void puma560_calibrated_divide(const puma560_calibrated_trigonometric *f,
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        puma560_calibrated_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        puma560_calibrated_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        puma560_calibrated_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2184,7 +2211,7 @@ static void puma560_calibrated_solve_parts(const puma560_calibrated_trigonometri
         PUMA560_CALIBRATED_STORE(c, cosine);
         PUMA560_CALIBRATED_STORE(s, sine);
         for (int k = 0; k < PUMA560_CALIBRATED_LANES && from + k < crossing->count; k++) {
-            puma560_calibrated_add_root(roots, c[k], s[k], 0);
+            puma560_calibrated_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2310,7 +2337,7 @@ static void puma560_calibrated_many(const puma560_calibrated_trigonometric *f, d
                 puma560_calibrated_solve_parts(f, waiting, roots); /* of neighbouring double roots
                     the first is kept */
                 roots->complete = 0;
-                puma560_calibrated_add_root(roots, cosine, sine, 1);
+                puma560_calibrated_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2406,7 +2433,7 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     puma560_calibrated_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2497,6 +2524,17 @@ static void puma560_calibrated_behind(const puma560_calibrated_lens *a, int coun
 typedef void (*puma560_calibrated_sampler)(const void *of, const puma560_calibrated_lens *lens,
     double samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*puma560_calibrated_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    puma560_calibrated_sampler sample;
+    puma560_calibrated_keeper keep;
+    const void *of;
+} puma560_calibrated_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int puma560_calibrated_near(double c, double s, double cosine, double sine)
 {
@@ -2517,11 +2555,27 @@ static int puma560_calibrated_keep_roots(int near, double cosine, double sine, c
     return count;
 }
 
+static int puma560_calibrated_kept(const puma560_calibrated_source *source, int count, double
+    *cosine, double *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void puma560_calibrated_take_lifted(const puma560_calibrated_source *source,
+    puma560_calibrated_roots *roots)
+{
+    const int count = puma560_calibrated_kept(source, roots->lifted, roots->lifted_c,
+        roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        puma560_calibrated_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const void *of, double
-    cosine, double sine,
-                           puma560_calibrated_roots *roots)
+static int puma560_calibrated_magnify(const puma560_calibrated_source *source, double cosine, double
+    sine, puma560_calibrated_roots *roots)
 {
     const puma560_calibrated_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2530,7 +2584,7 @@ static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const v
     double samples[24];
     puma560_calibrated_trigonometric f;
     puma560_calibrated_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     puma560_calibrated_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2541,6 +2595,8 @@ static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const v
     }
     puma560_calibrated_behind(&lens, found.simple, found.c, found.s);
     puma560_calibrated_behind(&lens, found.doubles, found.double_c, found.double_s);
+    puma560_calibrated_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    puma560_calibrated_take_lifted(source, &found);
     roots->simple = puma560_calibrated_keep_roots(0, cosine, sine, roots->c, roots->s,
         roots->simple,
                                        roots->c, roots->s, 0);
@@ -2572,11 +2628,11 @@ static int puma560_calibrated_any_near(const puma560_calibrated_roots *roots, do
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, const void *of,
+static void puma560_calibrated_look_closer(const puma560_calibrated_source *source,
     puma560_calibrated_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == PUMA560_CALIBRATED_ROOTS || roots->doubles == PUMA560_CALIBRATED_ROOTS) {
         return;
     }
@@ -2594,18 +2650,23 @@ static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, co
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = puma560_calibrated_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = puma560_calibrated_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !puma560_calibrated_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < PUMA560_CALIBRATED_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = puma560_calibrated_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < PUMA560_CALIBRATED_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2621,19 +2682,19 @@ static int puma560_calibrated_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, const void *of,
+static int puma560_calibrated_real_roots(const puma560_calibrated_source *source,
     puma560_calibrated_roots *roots)
 {
     const puma560_calibrated_window all = {0, 128, 5e-09};
     double samples[24];
     puma560_calibrated_trigonometric f;
     puma560_calibrated_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (puma560_calibrated_is_nothing(samples)) {
         return 0;
     }
     if (puma560_calibrated_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     puma560_calibrated_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2642,7 +2703,9 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
     puma560_calibrated_find_roots(&f, &all, roots);
     puma560_calibrated_behind(&lens, roots->simple, roots->c, roots->s);
     puma560_calibrated_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    puma560_calibrated_look_closer(sample, of, roots);
+    puma560_calibrated_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    puma560_calibrated_take_lifted(source, roots);
+    puma560_calibrated_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2844,23 +2907,16 @@ static void puma560_calibrated_split(double n[2][6], int rows, const int *up, co
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void puma560_calibrated_null_plane(const double *E, double c, double s,
-    puma560_calibrated_candidates *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline puma560_calibrated_lane puma560_calibrated_smallest(puma560_calibrated_lane
+    factor[6][6], puma560_calibrated_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    puma560_calibrated_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == PUMA560_CALIBRATED_CANDIDATES) {
-        return;
-    }
-    (void)puma560_calibrated_fold(E, puma560_calibrated_all(c), puma560_calibrated_all(s), factor);
+    puma560_calibrated_lane inverse[6], length, second, squares = {0};
     puma560_calibrated_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = puma560_calibrated_all(start[0][i]);
@@ -2880,8 +2936,26 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = puma560_calibrated_largest(length * squares) < 25000000000000.004 &&
-                                puma560_calibrated_largest(second * squares) < 1000000000000.0;
+    return puma560_calibrated_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          puma560_calibrated_all(1.0), puma560_calibrated_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void puma560_calibrated_null_plane(const double *E, double c, double s,
+    puma560_calibrated_candidates *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    puma560_calibrated_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == PUMA560_CALIBRATED_CANDIDATES) {
+        return;
+    }
+    (void)puma560_calibrated_fold(E, puma560_calibrated_all(c), puma560_calibrated_all(s), factor);
+    out->regular[out->groups] = puma560_calibrated_largest(puma560_calibrated_smallest(factor, x)) >
+        0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3380,6 +3454,34 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int puma560_calibrated_keep_vanishing(const void *equations, int count, double *cosine,
+    double *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += PUMA560_CALIBRATED_LANES) {
+        puma560_calibrated_lane factor[6][6], x[2][6];
+        double c[PUMA560_CALIBRATED_LANES], s[PUMA560_CALIBRATED_LANES],
+            regular[PUMA560_CALIBRATED_LANES];
+        for (int k = 0; k < PUMA560_CALIBRATED_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)puma560_calibrated_fold(equations, PUMA560_CALIBRATED_LOAD(c),
+            PUMA560_CALIBRATED_LOAD(s), factor);
+        PUMA560_CALIBRATED_STORE(regular, puma560_calibrated_smallest(factor, x));
+        for (int k = 0; k < PUMA560_CALIBRATED_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void puma560_calibrated_sample(const void *equations, const puma560_calibrated_lens *lens,
     double samples[24])
@@ -3401,13 +3503,15 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
                            puma560_calibrated_found *found)
 {
     double link[6][12], E[192];
+    const puma560_calibrated_source source = { puma560_calibrated_sample,
+        puma560_calibrated_keep_vanishing, E};
     puma560_calibrated_roots roots, beside;
     puma560_calibrated_candidates all;
     puma560_calibrated_around(form, loop, link);
     double left[15][32];
     puma560_calibrated_left_side(form, link, left);
     puma560_calibrated_equations(form, link, (const double (*)[32])left, E);
-    if (!puma560_calibrated_real_roots(puma560_calibrated_sample, E, &roots)) {
+    if (!puma560_calibrated_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3605,6 +3709,14 @@ static int puma560_calibrated_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3624,17 +3736,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

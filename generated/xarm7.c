@@ -1791,12 +1791,14 @@ typedef struct {
 } xarm7_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[XARM7_ROOTS + 8], s[XARM7_ROOTS + 8];
     double double_c[XARM7_ROOTS], double_s[XARM7_ROOTS];
+    double lifted_c[XARM7_ROOTS], lifted_s[XARM7_ROOTS];
 } xarm7_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -1913,25 +1915,44 @@ static unsigned long long xarm7_open_cells(const xarm7_grid *g, int from, double
     return bits;
 }
 
-static void xarm7_add_root(xarm7_roots *roots, double c, double s, int twice)
+static void xarm7_add_angle(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == XARM7_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void xarm7_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    xarm7_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void xarm7_add_simple(xarm7_roots *roots, double c, double s)
+{
+    xarm7_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void xarm7_add_double(xarm7_roots *roots, double c, double s)
+{
+    xarm7_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles, &roots->complete);
+}
+
+static void xarm7_add_lifted(xarm7_roots *roots, double c, double s)
+{
+    xarm7_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted, &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2087,10 +2108,15 @@ static void xarm7_divide(const xarm7_trigonometric *f, const xarm7_parts *parts,
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        xarm7_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        xarm7_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        xarm7_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2131,7 +2157,7 @@ static void xarm7_solve_parts(const xarm7_trigonometric *f, xarm7_waiting *waiti
         XARM7_STORE(c, cosine);
         XARM7_STORE(s, sine);
         for (int k = 0; k < XARM7_LANES && from + k < crossing->count; k++) {
-            xarm7_add_root(roots, c[k], s[k], 0);
+            xarm7_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2248,7 +2274,7 @@ static void xarm7_many(const xarm7_trigonometric *f, double low, double c, doubl
                 xarm7_solve_parts(f, waiting, roots); /* of neighbouring double roots the first is
                     kept */
                 roots->complete = 0;
-                xarm7_add_root(roots, cosine, sine, 1);
+                xarm7_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2340,7 +2366,7 @@ static void xarm7_find_roots(const xarm7_trigonometric *f, const xarm7_window *w
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     xarm7_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2426,6 +2452,17 @@ static void xarm7_behind(const xarm7_lens *a, int count, double *cosine, double 
 /* Samples of a polynomial through a lens; `of` is what it is made of. */
 typedef void (*xarm7_sampler)(const void *of, const xarm7_lens *lens, double samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*xarm7_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    xarm7_sampler sample;
+    xarm7_keeper keep;
+    const void *of;
+} xarm7_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int xarm7_near(double c, double s, double cosine, double sine)
 {
@@ -2446,10 +2483,23 @@ static int xarm7_keep_roots(int near, double cosine, double sine, const double *
     return count;
 }
 
+static int xarm7_kept(const xarm7_source *source, int count, double *cosine, double *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void xarm7_take_lifted(const xarm7_source *source, xarm7_roots *roots)
+{
+    const int count = xarm7_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        xarm7_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int xarm7_magnify(xarm7_sampler sample, const void *of, double cosine, double sine,
-                           xarm7_roots *roots)
+static int xarm7_magnify(const xarm7_source *source, double cosine, double sine, xarm7_roots *roots)
 {
     const xarm7_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2458,7 +2508,7 @@ static int xarm7_magnify(xarm7_sampler sample, const void *of, double cosine, do
     double samples[24];
     xarm7_trigonometric f;
     xarm7_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     xarm7_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2469,6 +2519,8 @@ static int xarm7_magnify(xarm7_sampler sample, const void *of, double cosine, do
     }
     xarm7_behind(&lens, found.simple, found.c, found.s);
     xarm7_behind(&lens, found.doubles, found.double_c, found.double_s);
+    xarm7_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    xarm7_take_lifted(source, &found);
     roots->simple = xarm7_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = xarm7_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2497,10 +2549,10 @@ static int xarm7_any_near(const xarm7_roots *roots, double cosine, double sine)
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void xarm7_look_closer(xarm7_sampler sample, const void *of, xarm7_roots *roots)
+static void xarm7_look_closer(const xarm7_source *source, xarm7_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == XARM7_ROOTS || roots->doubles == XARM7_ROOTS) {
         return;
     }
@@ -2518,18 +2570,23 @@ static void xarm7_look_closer(xarm7_sampler sample, const void *of, xarm7_roots 
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = xarm7_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = xarm7_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !xarm7_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < XARM7_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = xarm7_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < XARM7_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2545,18 +2602,18 @@ static int xarm7_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *roots)
+static int xarm7_real_roots(const xarm7_source *source, xarm7_roots *roots)
 {
     const xarm7_window all = {0, 128, 5e-09};
     double samples[24];
     xarm7_trigonometric f;
     xarm7_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (xarm7_is_nothing(samples)) {
         return 0;
     }
     if (xarm7_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     xarm7_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2565,7 +2622,9 @@ static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *r
     xarm7_find_roots(&f, &all, roots);
     xarm7_behind(&lens, roots->simple, roots->c, roots->s);
     xarm7_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    xarm7_look_closer(sample, of, roots);
+    xarm7_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    xarm7_take_lifted(source, roots);
+    xarm7_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2758,22 +2817,15 @@ static void xarm7_split(double n[2][6], int rows, const int *up, const int *down
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidates *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline xarm7_lane xarm7_smallest(xarm7_lane factor[6][6], xarm7_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    xarm7_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == XARM7_CANDIDATES) {
-        return;
-    }
-    (void)xarm7_fold(E, xarm7_all(c), xarm7_all(s), factor);
+    xarm7_lane inverse[6], length, second, squares = {0};
     xarm7_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = xarm7_all(start[0][i]);
@@ -2793,8 +2845,24 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = xarm7_largest(length * squares) < 25000000000000.004 &&
-                                xarm7_largest(second * squares) < 1000000000000.0;
+    return xarm7_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          xarm7_all(1.0), xarm7_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidates *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    xarm7_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == XARM7_CANDIDATES) {
+        return;
+    }
+    (void)xarm7_fold(E, xarm7_all(c), xarm7_all(s), factor);
+    out->regular[out->groups] = xarm7_largest(xarm7_smallest(factor, x)) > 0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3272,6 +3340,31 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int xarm7_keep_vanishing(const void *equations, int count, double *cosine, double *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += XARM7_LANES) {
+        xarm7_lane factor[6][6], x[2][6];
+        double c[XARM7_LANES], s[XARM7_LANES], regular[XARM7_LANES];
+        for (int k = 0; k < XARM7_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)xarm7_fold(equations, XARM7_LOAD(c), XARM7_LOAD(s), factor);
+        XARM7_STORE(regular, xarm7_smallest(factor, x));
+        for (int k = 0; k < XARM7_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void xarm7_sample(const void *equations, const xarm7_lens *lens, double samples[24])
 {
@@ -3289,13 +3382,14 @@ static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
                            xarm7_found *found)
 {
     double link[6][12], E[192];
+    const xarm7_source source = { xarm7_sample, xarm7_keep_vanishing, E};
     xarm7_roots roots, beside;
     xarm7_candidates all;
     xarm7_around(form, loop, link);
     double left[15][32];
     xarm7_left_side(form, link, left);
     xarm7_equations(form, link, (const double (*)[32])left, E);
-    if (!xarm7_real_roots(xarm7_sample, E, &roots)) {
+    if (!xarm7_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3485,6 +3579,14 @@ static int xarm7_general(const double T[16], const double free_joints[1], double
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3502,17 +3604,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

@@ -1873,12 +1873,14 @@ typedef struct {
 } yaskawa_hc10_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
- * where a closer look shows no root. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
+ * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
+ * of what f is made of has lifted it off. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, unseen, complete;
+    int simple, doubles, unseen, lifted, complete;
     double c[YASKAWA_HC10_ROOTS + 8], s[YASKAWA_HC10_ROOTS + 8];
     double double_c[YASKAWA_HC10_ROOTS], double_s[YASKAWA_HC10_ROOTS];
+    double lifted_c[YASKAWA_HC10_ROOTS], lifted_s[YASKAWA_HC10_ROOTS];
 } yaskawa_hc10_roots;
 
 /* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
@@ -2001,25 +2003,45 @@ static unsigned long long yaskawa_hc10_open_cells(const yaskawa_hc10_grid *g, in
     return bits;
 }
 
-static void yaskawa_hc10_add_root(yaskawa_hc10_roots *roots, double c, double s, int twice)
+static void yaskawa_hc10_add_angle(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
 {
-    int *const count = twice ? &roots->doubles : &roots->simple;
-    if (twice) {
-        for (int i = 0; i < roots->doubles; i++) {
-            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
-            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
-                > 0.0) {
-                return; /* neighbouring cells that were given up together */
-            }
-        }
-    }
     if (*count == YASKAWA_HC10_ROOTS) {
-        roots->complete = 0;
+        *complete = 0;
         return;
     }
-    (twice ? roots->double_c : roots->c)[*count] = c;
-    (twice ? roots->double_s : roots->s)[*count] = s;
+    cosine[*count] = c;
+    sine[*count] = s;
     *count += 1;
+}
+
+/* The same unless it is there: neighbouring cells may be given up together. */
+static void yaskawa_hc10_add_once(double c, double s, double *cosine, double *sine, int *count, int
+    *complete)
+{
+    for (int i = 0; i < *count; i++) {
+        const double gap = fabs(s * cosine[i] - c * sine[i]);
+        if (gap < 0.02454369260617026 / 64.0 && c * cosine[i] + s * sine[i] > 0.0) {
+            return;
+        }
+    }
+    yaskawa_hc10_add_angle(c, s, cosine, sine, count, complete);
+}
+
+static void yaskawa_hc10_add_simple(yaskawa_hc10_roots *roots, double c, double s)
+{
+    yaskawa_hc10_add_angle(c, s, roots->c, roots->s, &roots->simple, &roots->complete);
+}
+
+static void yaskawa_hc10_add_double(yaskawa_hc10_roots *roots, double c, double s)
+{
+    yaskawa_hc10_add_once(c, s, roots->double_c, roots->double_s, &roots->doubles,
+        &roots->complete);
+}
+
+static void yaskawa_hc10_add_lifted(yaskawa_hc10_roots *roots, double c, double s)
+{
+    yaskawa_hc10_add_once(c, s, roots->lifted_c, roots->lifted_s, &roots->lifted, &roots->complete);
 }
 
 /* Parts of the circle: cosine and sine where each begins, its width, f, f', f'' at both ends, and
@@ -2183,10 +2205,15 @@ static void yaskawa_hc10_divide(const yaskawa_hc10_trigonometric *f, const yaska
 {
     const double bend = fabs(at[2]) * waiting->lifted, near = bend > f->touching ? bend :
         f->touching;
+    const double beside = fabs(at[0]);
     const double low[3] = {parts->low[0][i], parts->low[1][i], parts->low[2][i]};
     const double high[3] = {parts->high[0][i], parts->high[1][i], parts->high[2][i]};
-    if (fabs(at[0]) <= f->rounding || (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
-        yaskawa_hc10_add_root(roots, c, s, 1);
+    if (beside <= f->rounding) {
+        yaskawa_hc10_add_double(roots, c, s);
+        return;
+    }
+    if (at[0] * at[2] > 0.0 && beside <= near) {
+        yaskawa_hc10_add_lifted(roots, c, s);
         return;
     }
     /* where a parabola with its summit at the extremum has its roots */
@@ -2228,7 +2255,7 @@ static void yaskawa_hc10_solve_parts(const yaskawa_hc10_trigonometric *f, yaskaw
         YASKAWA_HC10_STORE(c, cosine);
         YASKAWA_HC10_STORE(s, sine);
         for (int k = 0; k < YASKAWA_HC10_LANES && from + k < crossing->count; k++) {
-            yaskawa_hc10_add_root(roots, c[k], s[k], 0);
+            yaskawa_hc10_add_simple(roots, c[k], s[k]);
         }
     }
     bent->count = crossing->count = 0;
@@ -2350,7 +2377,7 @@ static void yaskawa_hc10_many(const yaskawa_hc10_trigonometric *f, double low, d
                 yaskawa_hc10_solve_parts(f, waiting, roots); /* of neighbouring double roots the
                     first is kept */
                 roots->complete = 0;
-                yaskawa_hc10_add_root(roots, cosine, sine, 1);
+                yaskawa_hc10_add_double(roots, cosine, sine);
             } else {
                 *budget -= 1;
                 edge[open] = middle;
@@ -2446,7 +2473,7 @@ static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, const y
     int open[256], count = 0;
     int budget = 100; /* against an f that is next to nothing for long stretches */
     yaskawa_hc10_fill_grid(f, &g);
-    roots->simple = roots->doubles = roots->unseen = 0;
+    roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2534,6 +2561,17 @@ static void yaskawa_hc10_behind(const yaskawa_hc10_lens *a, int count, double *c
 typedef void (*yaskawa_hc10_sampler)(const void *of, const yaskawa_hc10_lens *lens, double
     samples[24]);
 
+/* Keeps of angles beside which there is no root, as far as f tells, those where what it is made of
+ * allows one; returns how many. */
+typedef int (*yaskawa_hc10_keeper)(const void *of, int count, double *cosine, double *sine);
+
+/* What f is made of, and what tells of it; `keep` may be 0, where nothing tells. */
+typedef struct {
+    yaskawa_hc10_sampler sample;
+    yaskawa_hc10_keeper keep;
+    const void *of;
+} yaskawa_hc10_source;
+
 /* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
 static int yaskawa_hc10_near(double c, double s, double cosine, double sine)
 {
@@ -2554,11 +2592,25 @@ static int yaskawa_hc10_keep_roots(int near, double cosine, double sine, const d
     return count;
 }
 
+static int yaskawa_hc10_kept(const yaskawa_hc10_source *source, int count, double *cosine, double
+    *sine)
+{
+    return source->keep ? source->keep(source->of, count, cosine, sine) : count;
+}
+
+/* The places where f turns back beside zero are double roots where there may be any. */
+static void yaskawa_hc10_take_lifted(const yaskawa_hc10_source *source, yaskawa_hc10_roots *roots)
+{
+    const int count = yaskawa_hc10_kept(source, roots->lifted, roots->lifted_c, roots->lifted_s);
+    for (int i = 0; i < count; i++) {
+        yaskawa_hc10_add_double(roots, roots->lifted_c[i], roots->lifted_s[i]);
+    }
+}
+
 /* The roots around an angle, through a lens that magnifies what is there, instead of those that
  * were known. Returns 0, and leaves these, where that does not show all. */
-static int yaskawa_hc10_magnify(yaskawa_hc10_sampler sample, const void *of, double cosine, double
-    sine,
-                           yaskawa_hc10_roots *roots)
+static int yaskawa_hc10_magnify(const yaskawa_hc10_source *source, double cosine, double sine,
+    yaskawa_hc10_roots *roots)
 {
     const yaskawa_hc10_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
     const double turns = atan2(sine, cosine) / 6.283185307179586;
@@ -2567,7 +2619,7 @@ static int yaskawa_hc10_magnify(yaskawa_hc10_sampler sample, const void *of, dou
     double samples[24];
     yaskawa_hc10_trigonometric f;
     yaskawa_hc10_roots found;
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     yaskawa_hc10_fit(samples, &f);
     if (!(f.noise <= 1e-10)) {
         return 0;
@@ -2578,6 +2630,8 @@ static int yaskawa_hc10_magnify(yaskawa_hc10_sampler sample, const void *of, dou
     }
     yaskawa_hc10_behind(&lens, found.simple, found.c, found.s);
     yaskawa_hc10_behind(&lens, found.doubles, found.double_c, found.double_s);
+    yaskawa_hc10_behind(&lens, found.lifted, found.lifted_c, found.lifted_s);
+    yaskawa_hc10_take_lifted(source, &found);
     roots->simple = yaskawa_hc10_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
                                        roots->c, roots->s, 0);
     roots->doubles = yaskawa_hc10_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
@@ -2606,11 +2660,10 @@ static int yaskawa_hc10_any_near(const yaskawa_hc10_roots *roots, double cosine,
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
  * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
  * was given up stands among them. */
-static void yaskawa_hc10_look_closer(yaskawa_hc10_sampler sample, const void *of, yaskawa_hc10_roots
-    *roots)
+static void yaskawa_hc10_look_closer(const yaskawa_hc10_source *source, yaskawa_hc10_roots *roots)
 {
-    double c[4], s[4];
-    int looks = 0, clear = 1, i = 0, emptied[4];
+    double c[4], s[4], empty_c[4], empty_s[4];
+    int looks = 0, clear = 1, i = 0, empty = 0, emptied[4];
     if (roots->simple == YASKAWA_HC10_ROOTS || roots->doubles == YASKAWA_HC10_ROOTS) {
         return;
     }
@@ -2628,18 +2681,23 @@ static void yaskawa_hc10_look_closer(yaskawa_hc10_sampler sample, const void *of
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        emptied[looks] = yaskawa_hc10_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = yaskawa_hc10_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
         emptied[looks] &= !yaskawa_hc10_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }
     for (int k = 0; k < looks; k++) {
-        if (emptied[k] && roots->doubles + roots->unseen < YASKAWA_HC10_ROOTS) {
-            roots->double_c[roots->doubles + roots->unseen] = c[k];
-            roots->double_s[roots->doubles + roots->unseen] = s[k];
-            roots->unseen++;
+        if (emptied[k]) {
+            empty_c[empty] = c[k];
+            empty_s[empty++] = s[k];
         }
+    }
+    empty = yaskawa_hc10_kept(source, empty, empty_c, empty_s);
+    for (int k = 0; k < empty && roots->doubles + k < YASKAWA_HC10_ROOTS; k++) {
+        roots->double_c[roots->doubles + k] = empty_c[k];
+        roots->double_s[roots->doubles + k] = empty_s[k];
+        roots->unseen++;
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2655,19 +2713,18 @@ static int yaskawa_hc10_is_nothing(const double samples[24])
 }
 
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
-static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, yaskawa_hc10_roots
-    *roots)
+static int yaskawa_hc10_real_roots(const yaskawa_hc10_source *source, yaskawa_hc10_roots *roots)
 {
     const yaskawa_hc10_window all = {0, 128, 5e-09};
     double samples[24];
     yaskawa_hc10_trigonometric f;
     yaskawa_hc10_lens lens = {0.0, 0.0};
-    sample(of, &lens, samples);
+    source->sample(source->of, &lens, samples);
     if (yaskawa_hc10_is_nothing(samples)) {
         return 0;
     }
     if (yaskawa_hc10_spread(samples, &lens)) {
-        sample(of, &lens, samples);
+        source->sample(source->of, &lens, samples);
     }
     yaskawa_hc10_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
@@ -2676,7 +2733,9 @@ static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, 
     yaskawa_hc10_find_roots(&f, &all, roots);
     yaskawa_hc10_behind(&lens, roots->simple, roots->c, roots->s);
     yaskawa_hc10_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
-    yaskawa_hc10_look_closer(sample, of, roots);
+    yaskawa_hc10_behind(&lens, roots->lifted, roots->lifted_c, roots->lifted_s);
+    yaskawa_hc10_take_lifted(source, roots);
+    yaskawa_hc10_look_closer(source, roots);
     /* where f nearly vanishes identically it does not tell what there is not */
     roots->complete &= f.noise <= 1e-10;
     return 1;
@@ -2872,23 +2931,16 @@ static void yaskawa_hc10_split(double n[2][6], int rows, const int *up, const in
     }
 }
 
-/* Candidates where two roots may have met: the null space may be a plane, which is split where one
- * of the two shifts, x3 or x2, has an eigenvalue. */
-static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa_hc10_candidates
-    *out)
+/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
+ * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+static inline yaskawa_hc10_lane yaskawa_hc10_smallest(yaskawa_hc10_lane factor[6][6],
+    yaskawa_hc10_lane x[2][6])
 {
-    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
-    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
     static const double start[2][6] = {
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    yaskawa_hc10_lane factor[6][6], inverse[6], x[2][6], length, second, squares = {0};
-    double n[2][6];
-    if (out->groups == YASKAWA_HC10_CANDIDATES) {
-        return;
-    }
-    (void)yaskawa_hc10_fold(E, yaskawa_hc10_all(c), yaskawa_hc10_all(s), factor);
+    yaskawa_hc10_lane inverse[6], length, second, squares = {0};
     yaskawa_hc10_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = yaskawa_hc10_all(start[0][i]);
@@ -2908,8 +2960,25 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
             x[1][i] -= along * x[0][i];
         }
     }
-    out->regular[out->groups] = yaskawa_hc10_largest(length * squares) < 25000000000000.004 &&
-                                yaskawa_hc10_largest(second * squares) < 1000000000000.0;
+    return yaskawa_hc10_select((length * squares < 25000000000000.004) & (second * squares <
+        1000000000000.0),
+                          yaskawa_hc10_all(1.0), yaskawa_hc10_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa_hc10_candidates
+    *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    yaskawa_hc10_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == YASKAWA_HC10_CANDIDATES) {
+        return;
+    }
+    (void)yaskawa_hc10_fold(E, yaskawa_hc10_all(c), yaskawa_hc10_all(s), factor);
+    out->regular[out->groups] = yaskawa_hc10_largest(yaskawa_hc10_smallest(factor, x)) > 0.0;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3568,10 +3637,11 @@ static int yaskawa_hc10_attempt_closed(int which, const yaskawa_hc10_loop *loop,
     *found)
 {
     yaskawa_hc10_setting set;
+    const yaskawa_hc10_source source = { yaskawa_hc10_sample_closed, 0, &set};
     yaskawa_hc10_roots roots;
     yaskawa_hc10_ways ways;
     yaskawa_hc10_prepare(&set, which, loop);
-    if (!yaskawa_hc10_real_roots(yaskawa_hc10_sample_closed, &set, &roots)) {
+    if (!yaskawa_hc10_real_roots(&source, &roots)) {
         return 0;
     }
     ways.count = 0;
@@ -3655,6 +3725,32 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
     return complete;
 }
 
+/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+ * not. */
+static int yaskawa_hc10_keep_vanishing(const void *equations, int count, double *cosine, double
+    *sine)
+{
+    int kept = 0;
+    for (int from = 0; from < count; from += YASKAWA_HC10_LANES) {
+        yaskawa_hc10_lane factor[6][6], x[2][6];
+        double c[YASKAWA_HC10_LANES], s[YASKAWA_HC10_LANES], regular[YASKAWA_HC10_LANES];
+        for (int k = 0; k < YASKAWA_HC10_LANES; k++) {
+            const int i = from + k < count ? from + k : from;
+            c[k] = cosine[i];
+            s[k] = sine[i];
+        }
+        (void)yaskawa_hc10_fold(equations, YASKAWA_HC10_LOAD(c), YASKAWA_HC10_LOAD(s), factor);
+        YASKAWA_HC10_STORE(regular, yaskawa_hc10_smallest(factor, x));
+        for (int k = 0; k < YASKAWA_HC10_LANES && from + k < count; k++) {
+            if (regular[k] < 1.0) {
+                cosine[kept] = c[k];
+                sine[kept++] = s[k];
+            }
+        }
+    }
+    return kept;
+}
+
 /* The determinant at the sample angles, through a lens. */
 static void yaskawa_hc10_sample(const void *equations, const yaskawa_hc10_lens *lens, double
     samples[24])
@@ -3674,13 +3770,14 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
                            yaskawa_hc10_found *found)
 {
     double link[6][12], E[192];
+    const yaskawa_hc10_source source = { yaskawa_hc10_sample, yaskawa_hc10_keep_vanishing, E};
     yaskawa_hc10_roots roots, beside;
     yaskawa_hc10_candidates all;
     yaskawa_hc10_around(form, loop, link);
     double left[15][32];
     yaskawa_hc10_left_side(form, link, left);
     yaskawa_hc10_equations(form, link, (const double (*)[32])left, E);
-    if (!yaskawa_hc10_real_roots(yaskawa_hc10_sample, E, &roots)) {
+    if (!yaskawa_hc10_real_roots(&source, &roots)) {
         return 0;
     }
     beside.simple = all.count = all.groups = 0;
@@ -3876,6 +3973,14 @@ static int yaskawa_hc10_general(const double T[16], double q[16][6],
         found.count;
 }
 
+/* A solution that is exact and unlike all others needs no descent. */
+static void add_regular(struct kept *kept, double u[6])
+{
+    wrap_angles(u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    copy(u, kept->u[kept->count++]);
+}
+
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
  * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
@@ -3896,17 +4001,16 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-10)
         keep(&d, &kept, u);
-    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+    const int many = count < 0 ? -1 - count : count;
+    for (int k = 0; k < many; k++) {
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
             (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
-            continue;
+        } else {
+            add_regular(&kept, u);
         }
-        wrap_angles(u);
-        kept.singular[k] = kept.chosen[k] = 0;
-        copy(u, kept.u[kept.count++]);
     }
     for (int k = 1; count < 0 && k < 12; k++) {
         start_of(&d, k, u);

@@ -11,7 +11,7 @@ from enum import Enum
 from functools import cache
 from itertools import pairwise
 from math import cos, pi, sin, sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -40,7 +40,7 @@ CUBIC = 2e-5
 ROUNDING = 3e-15
 NOISE_FACTOR = 64.0
 # An extremum beside zero may be a double root that rounding has lifted off, also that of the
-# equations behind f, which nothing measures: when a complex pair is this near to the circle [rad].
+# equations behind f, which f does not show: when a complex pair is this near to the circle [rad].
 LIFTED = 1e-4
 # Where four roots meet the bend is next to nothing, too, and rounding of the equations, which no
 # harmonic tells, lifts f by up to this part of its largest value.
@@ -115,8 +115,10 @@ class Roots:
 
     Attributes:
         simple: Where f changes its sign.
-        double: Where f touches zero within its rounding, or nearly: two roots, or none, or one.
+        double: Where f touches zero within its rounding: two roots, or none, or one.
         complete: Whether no cell was left undecided.
+        lifted: Where f turns back beside zero: no root, unless rounding of what f is made of has
+            lifted it off.
         unseen: Where f comes near to zero and a closer look shows no root. It has the digits of f,
             not those of what f is made of.
     """
@@ -124,6 +126,7 @@ class Roots:
     simple: tuple[float, ...]
     double: tuple[float, ...]
     complete: bool
+    lifted: tuple[float, ...] = ()
     unseen: tuple[float, ...] = ()
 
 
@@ -175,8 +178,7 @@ def trigonometric(samples: FloatArray) -> Trigonometric:
 
 def roots(f: Trigonometric, window: Window = ALL_AROUND) -> Roots:
     """All real roots in a window, in [0, 2π)."""
-    simple: list[float] = []
-    double: list[float] = []
+    some = _Some([], [], [])
     complete = True
     halvings = 0
     edges = [i * WIDTH for i in range(CELLS + 1)]
@@ -194,20 +196,29 @@ def roots(f: Trigonometric, window: Window = ALL_AROUND) -> Roots:
             continue
         if kind is Kind.TAME:
             ends = (low, at_low), (high, at_high)
-            _in_simple_cell(f, ends, window.lifted, simple, double)
+            _in_simple_cell(f, ends, window.lifted, some)
         elif kind is Kind.FLAT or depth == DEEPEST or halvings == HALVINGS:
             complete = False
-            double.append((low + high) / 2)
+            some.double.append((low + high) / 2)
         else:
             halvings += 1
             middle = (low + high) / 2
             at_middle = f.at(cos(middle), sin(middle))
             cells.append((middle, at_middle, high, at_high, depth + 1))
             cells.append((low, at_low, middle, at_middle, depth + 1))
-    return Roots(tuple(simple), tuple(_merged(double)), complete)
+    double, lifted = (tuple(_merged(angles)) for angles in (some.double, some.lifted))
+    return Roots(tuple(some.simple), double, complete, lifted)
 
 
 Values = tuple[float, float, float]
+
+
+class _Some(NamedTuple):
+    """Roots found so far, as in `Roots`."""
+
+    simple: list[float]
+    double: list[float]
+    lifted: list[float]
 
 
 def _kind(f: Trigonometric, low: Values, high: Values, h: float) -> Kind:
@@ -247,25 +258,26 @@ def _in_simple_cell(
     f: Trigonometric,
     ends: tuple[tuple[float, Values], tuple[float, Values]],
     near: float,
-    simple: list[float],
-    double: list[float],
+    some: _Some,
 ) -> None:
     """The roots of a cell where f has one extremum at most."""
     (low, at_low), (high, at_high) = ends
     if at_low[1] * at_high[1] >= 0:
         if (at_low[0] < 0) != (at_high[0] < 0):
-            simple.append(_between(f, 0, low, high, at_low))
+            some.simple.append(_between(f, 0, low, high, at_low))
         return
     x = _between(f, 1, low, high, at_low)
     at = f.at(cos(x), sin(x))
-    lifted = at[0] * at[2] > 0 and abs(at[0]) <= max(abs(at[2]) * near**2 / 2, f.touching)
-    if abs(at[0]) <= f.rounding or lifted:
-        double.append(x)
+    if abs(at[0]) <= f.rounding:
+        some.double.append(x)
+        return
+    if at[0] * at[2] > 0 and abs(at[0]) <= max(abs(at[2]) * near**2 / 2, f.touching):
+        some.lifted.append(x)
         return
     if (at_low[0] < 0) != (at[0] < 0):
-        simple.append(_between(f, 0, low, x, at_low))
+        some.simple.append(_between(f, 0, low, x, at_low))
     if (at_high[0] < 0) != (at[0] < 0):
-        simple.append(_between(f, 0, x, high, at))
+        some.simple.append(_between(f, 0, x, high, at))
 
 
 def _between(f: Trigonometric, order: int, low: float, high: float, at_low: Values) -> float:

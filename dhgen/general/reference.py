@@ -234,14 +234,14 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     The certificate: every simple root leads to a solution, there is another one for each of them
     and two more for each double root, or a singular one; and regular solutions come in pairs.
     Where f nearly vanishes all around, rounding of the equations may lift it off a double root, and
-    a closer look shows none: the equations themselves tell. What a formulation before took for
+    f shows none: the equations themselves tell. What a formulation before took for
     double roots is none then; whether the arm is singular there is looked at.
     """
     target = search.target
     around = formulation.links(target.links, target.P)
     slides = formulation.slides(target.slides)
     E = equations([link[None] for link in around], slides)
-    found = real_roots(partial(formulation.polynomial, E))
+    found = real_roots(partial(formulation.polynomial, E), partial(_may_vanish, E))
     if found is None:
         return False
     met: set[int | None] = set()
@@ -257,7 +257,7 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     for angle in (*_nearly_double(found.simple), *beside, *touching):
         starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
-        if angle in touching and (places or _vanishes(E, angle)):
+        if angle in touching and (places or _may_vanish(E, angle)):
             expected += 1 if places & search.singular else 2
             doubles += 1
         met |= places
@@ -266,7 +266,7 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     return complete
 
 
-def _vanishes(E: FloatArray, angle: float) -> bool:
+def _may_vanish(E: FloatArray, angle: float) -> bool:
     """Whether the determinant may be zero: where f only comes near to zero it is not."""
     _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
     second, smallest = least_values(factor[..., 0])

@@ -2,7 +2,8 @@
 
 Its fit has a rounding of 1e-15 of its largest value, all around the circle; where roots crowd, or
 come near to the circle, that hides whether there are any. Values that are computed there have their
-digits: what may be a double root is looked at again, through a lens of its own.
+digits: what may be a double root is looked at again, through a lens of its own. Values lack the
+digits that what they are computed from lacks: where they come near to zero, that is asked.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from dhgen.general.circle import (
 from dhgen.general.lens import Lens, sampled
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from dhgen.general.lens import At
 
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
@@ -38,21 +41,29 @@ STRENGTH = (1 - NEAR) / (1 + NEAR)
 REACH = 38
 
 
-def real_roots(at: At) -> Roots | None:
+def real_roots(at: At, vanishes: Callable[[float], bool] = lambda _: True) -> Roots | None:
     """All real roots [rad], None of a polynomial that vanishes identically.
 
     Args:
         at: Values from the cosines and sines of angles, (24,) each.
+        vanishes: Whether what they are computed from allows a root at an angle beside which they
+            show none.
     """
     samples, lens = sampled(at)
     f = trigonometric(samples)
     if not f.noise <= NOISE or not samples.any():
         return None
-    found = _closer(at, _through(lens, roots(f)))
+    found = _closer(at, vanishes, _with_lifted(_through(lens, roots(f)), vanishes))
     return replace(found, complete=found.complete and f.noise <= CLEAR)
 
 
-def _closer(at: At, found: Roots) -> Roots:
+def _with_lifted(found: Roots, vanishes: Callable[[float], bool]) -> Roots:
+    """The places where f turns back beside zero are double roots where there may be any."""
+    lifted = filter(vanishes, found.lifted)
+    return Roots(found.simple, (*found.double, *lifted), found.complete)
+
+
+def _closer(at: At, vanishes: Callable[[float], bool], found: Roots) -> Roots:
     """Where roots may be double they are replaced by what a closer look shows, if it shows all."""
     looks: list[float] = []
     unseen: list[float] = []
@@ -62,7 +73,7 @@ def _closer(at: At, found: Roots) -> Roots:
         if not places:
             break
         looks.append(places[0])
-        near = _magnified(at, places[0])
+        near = _magnified(at, vanishes, places[0])
         clear = clear and near.complete
         if near.complete:
             found = Roots(
@@ -70,28 +81,30 @@ def _closer(at: At, found: Roots) -> Roots:
                 _replaced(found.double, near.double, places[0]),
                 found.complete,
             )
-            if not any(_near(x, places[0]) for x in (*found.simple, *found.double)):
+            shown = any(_near(x, places[0]) for x in (*found.simple, *found.double))
+            if not shown and vanishes(places[0]):
                 unseen.append(places[0])
     # what was given up stands among the double roots
     every = all(any(_near(x, seen) for seen in looks) for x in found.double)
     complete = found.complete or (clear and every)
-    return Roots(found.simple, found.double, complete, tuple(unseen))
+    return Roots(found.simple, found.double, complete, unseen=tuple(unseen))
 
 
-def _magnified(at: At, middle: float) -> Roots:
+def _magnified(at: At, vanishes: Callable[[float], bool], middle: float) -> Roots:
     """The roots around an angle, through a lens that magnifies what is there."""
     lens = Lens(STRENGTH * cos(middle), STRENGTH * sin(middle))
     f = trigonometric(lens.samples(at))
     if not f.noise <= CLEAR:
         return Roots((), (), complete=False)
     window = Window(int(middle % (2 * pi) / WIDTH) % CELLS, REACH, LIFTED / NEAR)
-    return _through(lens, roots(f, window))
+    return _with_lifted(_through(lens, roots(f, window)), vanishes)
 
 
 def _through(lens: Lens, found: Roots) -> Roots:
     """Roots as they are without the lens."""
-    simple, double = (tuple(map(lens.angle, some)) for some in (found.simple, found.double))
-    return Roots(simple, double, found.complete)
+    every = found.simple, found.double, found.lifted
+    simple, double, lifted = (tuple(map(lens.angle, angles)) for angles in every)
+    return Roots(simple, double, found.complete, lifted)
 
 
 def _replaced(

@@ -57,3 +57,45 @@ def test_a_double_root_stays_one() -> None:
 
 def test_nothing_at_all() -> None:
     assert real_roots(lambda cosine, sine: 0.0 * cosine * sine) is None
+
+
+BESIDE = product((1.0, 1e-5), (2.0, 0.5))  # a pair that hardly differs from a double root
+
+
+def test_what_f_turns_back_beside_is_lifted() -> None:
+    found = plain(BESIDE)
+    assert found.complete
+    assert not found.double
+    np.testing.assert_allclose(found.lifted, [1.0], atol=1e-6)
+
+
+def test_what_f_is_made_of_denies_a_root_without_a_closer_look() -> None:
+    looks = []
+
+    def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
+        looks.append(1)
+        return BESIDE(cosine, sine)
+
+    asked: list[float] = []
+
+    def none(angle: float) -> bool:
+        asked.append(angle)
+        return False
+
+    alone = real_roots(BESIDE)
+    denied = real_roots(at, none)
+    assert alone is not None
+    assert denied is not None
+    np.testing.assert_allclose(asked, [1.0], atol=1e-6)
+    assert len(looks) == 1
+    assert denied.complete
+    assert not denied.double
+    assert not denied.unseen
+    np.testing.assert_allclose(alone.double, [1.0], atol=1e-6)
+    assert denied.simple == alone.simple
+
+
+def test_what_f_is_made_of_cannot_deny_a_double_root() -> None:
+    found = real_roots(product((1.0, 0.0), (2.0, 0.5)), lambda _: False)
+    assert found is not None
+    np.testing.assert_allclose(found.double, [1.0], atol=1e-6)

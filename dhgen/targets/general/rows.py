@@ -28,6 +28,7 @@ class Rows:
         checked: Whether the joint behind these is none of the arm's, and has to come out as zero.
         nearly_none: Beyond this [rad] it does not.
         in_doubt: The same where the certificate fails.
+        exact: Within this [rad] it is zero, and the solution needs no descent.
         pose: The pose that the algorithm gets.
         residual: What counts as a solution of the descent [arm sizes, rad].
         starts: Of the descent.
@@ -41,6 +42,7 @@ class Rows:
     checked: bool
     nearly_none: float
     in_doubt: float
+    exact: float
     pose: str
     residual: float
     starts: int
@@ -57,6 +59,7 @@ def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
         checked=kernel.checked,
         nearly_none=NEARLY_NONE,
         in_doubt=NEARLY_NONE_IN_DOUBT,
+        exact=TOLERANCES.exact,
         pose="whole" if kernel.pointing else "T",
         residual=TOLERANCES.consistent if kernel.checked else TOLERANCES.polished,
         starts=FEW_STARTS,
