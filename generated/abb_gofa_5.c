@@ -1856,6 +1856,41 @@ static inline abb_gofa_5_lane abb_gofa_5_fold(const double *E, abb_gofa_5_lane c
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline abb_gofa_5_lane abb_gofa_5_independence(const double *E, abb_gofa_5_lane c,
+    abb_gofa_5_lane s)
+{
+    abb_gofa_5_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const abb_gofa_5_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const abb_gofa_5_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const abb_gofa_5_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] * G[1][1]
+        - G[0][1] * G[0][1];
+    const abb_gofa_5_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] * G[0][2])
+        +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2917,8 +2952,8 @@ static void abb_gofa_5_split(double n[2][6], int rows, const int *up, const int 
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline abb_gofa_5_lane abb_gofa_5_smallest(abb_gofa_5_lane factor[6][6], abb_gofa_5_lane
     x[2][6])
 {
@@ -2963,7 +2998,10 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
         return;
     }
     (void)abb_gofa_5_fold(E, abb_gofa_5_all(c), abb_gofa_5_all(s), factor);
-    out->regular[out->groups] = abb_gofa_5_largest(abb_gofa_5_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        abb_gofa_5_largest(abb_gofa_5_smallest(factor, x)) > 0.0 &&
+        abb_gofa_5_largest(abb_gofa_5_independence(E, abb_gofa_5_all(c), abb_gofa_5_all(s))) >
+            8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3716,7 +3754,8 @@ static int abb_gofa_5_keep_vanishing(const void *equations, int count, double *c
     int kept = 0;
     for (int from = 0; from < count; from += ABB_GOFA_5_LANES) {
         abb_gofa_5_lane factor[6][6], x[2][6];
-        double c[ABB_GOFA_5_LANES], s[ABB_GOFA_5_LANES], regular[ABB_GOFA_5_LANES];
+        double c[ABB_GOFA_5_LANES], s[ABB_GOFA_5_LANES], regular[ABB_GOFA_5_LANES],
+            apart[ABB_GOFA_5_LANES];
         for (int k = 0; k < ABB_GOFA_5_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3724,8 +3763,10 @@ static int abb_gofa_5_keep_vanishing(const void *equations, int count, double *c
         }
         (void)abb_gofa_5_fold(equations, ABB_GOFA_5_LOAD(c), ABB_GOFA_5_LOAD(s), factor);
         ABB_GOFA_5_STORE(regular, abb_gofa_5_smallest(factor, x));
+        ABB_GOFA_5_STORE(apart, abb_gofa_5_independence(equations, ABB_GOFA_5_LOAD(c),
+            ABB_GOFA_5_LOAD(s)));
         for (int k = 0; k < ABB_GOFA_5_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

@@ -1860,6 +1860,41 @@ static inline fanuc_crx10ia_lane fanuc_crx10ia_fold(const double *E, fanuc_crx10
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline fanuc_crx10ia_lane fanuc_crx10ia_independence(const double *E, fanuc_crx10ia_lane c,
+    fanuc_crx10ia_lane s)
+{
+    fanuc_crx10ia_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const fanuc_crx10ia_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const fanuc_crx10ia_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const fanuc_crx10ia_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const fanuc_crx10ia_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2941,8 +2976,8 @@ static void fanuc_crx10ia_split(double n[2][6], int rows, const int *up, const i
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline fanuc_crx10ia_lane fanuc_crx10ia_smallest(fanuc_crx10ia_lane factor[6][6],
     fanuc_crx10ia_lane x[2][6])
 {
@@ -2988,7 +3023,10 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
         return;
     }
     (void)fanuc_crx10ia_fold(E, fanuc_crx10ia_all(c), fanuc_crx10ia_all(s), factor);
-    out->regular[out->groups] = fanuc_crx10ia_largest(fanuc_crx10ia_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        fanuc_crx10ia_largest(fanuc_crx10ia_smallest(factor, x)) > 0.0 &&
+        fanuc_crx10ia_largest(fanuc_crx10ia_independence(E, fanuc_crx10ia_all(c),
+            fanuc_crx10ia_all(s))) > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3750,7 +3788,8 @@ static int fanuc_crx10ia_keep_vanishing(const void *equations, int count, double
     int kept = 0;
     for (int from = 0; from < count; from += FANUC_CRX10IA_LANES) {
         fanuc_crx10ia_lane factor[6][6], x[2][6];
-        double c[FANUC_CRX10IA_LANES], s[FANUC_CRX10IA_LANES], regular[FANUC_CRX10IA_LANES];
+        double c[FANUC_CRX10IA_LANES], s[FANUC_CRX10IA_LANES], regular[FANUC_CRX10IA_LANES],
+            apart[FANUC_CRX10IA_LANES];
         for (int k = 0; k < FANUC_CRX10IA_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3758,8 +3797,10 @@ static int fanuc_crx10ia_keep_vanishing(const void *equations, int count, double
         }
         (void)fanuc_crx10ia_fold(equations, FANUC_CRX10IA_LOAD(c), FANUC_CRX10IA_LOAD(s), factor);
         FANUC_CRX10IA_STORE(regular, fanuc_crx10ia_smallest(factor, x));
+        FANUC_CRX10IA_STORE(apart, fanuc_crx10ia_independence(equations, FANUC_CRX10IA_LOAD(c),
+            FANUC_CRX10IA_LOAD(s)));
         for (int k = 0; k < FANUC_CRX10IA_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

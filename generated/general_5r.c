@@ -1873,6 +1873,41 @@ static inline general_5r_lane general_5r_fold(const double *E, general_5r_lane c
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline general_5r_lane general_5r_independence(const double *E, general_5r_lane c,
+    general_5r_lane s)
+{
+    general_5r_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const general_5r_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const general_5r_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const general_5r_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] * G[1][1]
+        - G[0][1] * G[0][1];
+    const general_5r_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] * G[0][2])
+        +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2934,8 +2969,8 @@ static void general_5r_split(double n[2][6], int rows, const int *up, const int 
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline general_5r_lane general_5r_smallest(general_5r_lane factor[6][6], general_5r_lane
     x[2][6])
 {
@@ -2980,7 +3015,10 @@ static void general_5r_null_plane(const double *E, double c, double s, general_5
         return;
     }
     (void)general_5r_fold(E, general_5r_all(c), general_5r_all(s), factor);
-    out->regular[out->groups] = general_5r_largest(general_5r_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        general_5r_largest(general_5r_smallest(factor, x)) > 0.0 &&
+        general_5r_largest(general_5r_independence(E, general_5r_all(c), general_5r_all(s))) >
+            8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3473,7 +3511,8 @@ static int general_5r_keep_vanishing(const void *equations, int count, double *c
     int kept = 0;
     for (int from = 0; from < count; from += GENERAL_5R_LANES) {
         general_5r_lane factor[6][6], x[2][6];
-        double c[GENERAL_5R_LANES], s[GENERAL_5R_LANES], regular[GENERAL_5R_LANES];
+        double c[GENERAL_5R_LANES], s[GENERAL_5R_LANES], regular[GENERAL_5R_LANES],
+            apart[GENERAL_5R_LANES];
         for (int k = 0; k < GENERAL_5R_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3481,8 +3520,10 @@ static int general_5r_keep_vanishing(const void *equations, int count, double *c
         }
         (void)general_5r_fold(equations, GENERAL_5R_LOAD(c), GENERAL_5R_LOAD(s), factor);
         GENERAL_5R_STORE(regular, general_5r_smallest(factor, x));
+        GENERAL_5R_STORE(apart, general_5r_independence(equations, GENERAL_5R_LOAD(c),
+            GENERAL_5R_LOAD(s)));
         for (int k = 0; k < GENERAL_5R_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

@@ -56,7 +56,7 @@ except RuntimeError:
     )
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p 62e1c97cbadc7d21"
+_KEY = "general_5r1p 7f7c26cb1cf4b66c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
 
@@ -1344,6 +1344,30 @@ def _general_5r1p_fold(E, c, s, determinant):
 
 
 @_inner
+def _general_5r1p_independence(E, c, s):
+    """How far the columns that are cleared first are from depending on each other: the square of the
+    least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and minors
+    of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is singular,
+    and the factor does not show it."""
+    A, G, squares = np.empty((6, 3)), np.zeros((3, 3)), 0.0
+    for r in range(6):
+        for k in range(9):
+            x = E[r, k] + E[r, 9 + k] * c + E[r, 18 + k] * s
+            squares += x * x
+            if k % 3 == 0:
+                A[r, k // 3] = x
+    for r in range(6):
+        for i in range(3):
+            for j in range(3):
+                G[i, j] += A[r, i] * A[r, j]
+    first = G[1, 1] * G[2, 2] - G[1, 2] * G[1, 2]
+    minors = first + G[0, 0] * G[2, 2] - G[0, 2] * G[0, 2] + G[0, 0] * G[1, 1] - G[0, 1] * G[0, 1]
+    det = G[0, 0] * first - G[0, 1] * (G[0, 1] * G[2, 2] - G[1, 2] * G[0, 2])
+    det += G[0, 2] * (G[0, 1] * G[1, 2] - G[1, 1] * G[0, 2])
+    return det / (minors * squares + 1e-300)
+
+
+@_inner
 def _general_5r1p_at(f, x):
     """f, f', f'' at an angle; f holds a_0 ... a_8, b_1 ... b_8."""
     value, slope, bend = f[0], 0.0, 0.0
@@ -2046,7 +2070,7 @@ def _general_5r1p_keep_vanishing(E, angles, count):
     vectors, kept = np.empty((5, 6)), 0
     for i in range(count):
         _, regular = _general_5r1p_null_vectors(factors, i, True, vectors)
-        if not regular:
+        if not regular or not _general_5r1p_independence(E, c[i], s[i]) > 8.999999999999999e-08:
             angles[kept] = angles[i]
             kept += 1
     return kept
@@ -2185,6 +2209,8 @@ def _general_5r1p_attempt(form, loop, q, residual, singular, doubles_met, count)
         cosine, sine = cosines[at], sines[at]
         met_here = singular_here = False
         ways, regular = _general_5r1p_null_vectors(factors, at, i >= simple, vectors)
+        if i >= first_double:
+            regular = regular and _general_5r1p_independence(E, cosine, sine) > 8.999999999999999e-08
         for n in range(ways):
             c[0], s[0] = cosine, sine
             _general_5r1p_angles(joints, links, vectors[n], c, s)

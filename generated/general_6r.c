@@ -1884,6 +1884,41 @@ static inline general_6r_lane general_6r_fold(const double *E, general_6r_lane c
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline general_6r_lane general_6r_independence(const double *E, general_6r_lane c,
+    general_6r_lane s)
+{
+    general_6r_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const general_6r_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const general_6r_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const general_6r_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] * G[1][1]
+        - G[0][1] * G[0][1];
+    const general_6r_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] * G[0][2])
+        +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2945,8 +2980,8 @@ static void general_6r_split(double n[2][6], int rows, const int *up, const int 
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline general_6r_lane general_6r_smallest(general_6r_lane factor[6][6], general_6r_lane
     x[2][6])
 {
@@ -2991,7 +3026,10 @@ static void general_6r_null_plane(const double *E, double c, double s, general_6
         return;
     }
     (void)general_6r_fold(E, general_6r_all(c), general_6r_all(s), factor);
-    out->regular[out->groups] = general_6r_largest(general_6r_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        general_6r_largest(general_6r_smallest(factor, x)) > 0.0 &&
+        general_6r_largest(general_6r_independence(E, general_6r_all(c), general_6r_all(s))) >
+            8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3484,7 +3522,8 @@ static int general_6r_keep_vanishing(const void *equations, int count, double *c
     int kept = 0;
     for (int from = 0; from < count; from += GENERAL_6R_LANES) {
         general_6r_lane factor[6][6], x[2][6];
-        double c[GENERAL_6R_LANES], s[GENERAL_6R_LANES], regular[GENERAL_6R_LANES];
+        double c[GENERAL_6R_LANES], s[GENERAL_6R_LANES], regular[GENERAL_6R_LANES],
+            apart[GENERAL_6R_LANES];
         for (int k = 0; k < GENERAL_6R_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3492,8 +3531,10 @@ static int general_6r_keep_vanishing(const void *equations, int count, double *c
         }
         (void)general_6r_fold(equations, GENERAL_6R_LOAD(c), GENERAL_6R_LOAD(s), factor);
         GENERAL_6R_STORE(regular, general_6r_smallest(factor, x));
+        GENERAL_6R_STORE(apart, general_6r_independence(equations, GENERAL_6R_LOAD(c),
+            GENERAL_6R_LOAD(s)));
         for (int k = 0; k < GENERAL_6R_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

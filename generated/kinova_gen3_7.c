@@ -1879,6 +1879,41 @@ static inline kinova_gen3_7_lane kinova_gen3_7_fold(const double *E, kinova_gen3
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline kinova_gen3_7_lane kinova_gen3_7_independence(const double *E, kinova_gen3_7_lane c,
+    kinova_gen3_7_lane s)
+{
+    kinova_gen3_7_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const kinova_gen3_7_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const kinova_gen3_7_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const kinova_gen3_7_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const kinova_gen3_7_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2960,8 +2995,8 @@ static void kinova_gen3_7_split(double n[2][6], int rows, const int *up, const i
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline kinova_gen3_7_lane kinova_gen3_7_smallest(kinova_gen3_7_lane factor[6][6],
     kinova_gen3_7_lane x[2][6])
 {
@@ -3007,7 +3042,10 @@ static void kinova_gen3_7_null_plane(const double *E, double c, double s, kinova
         return;
     }
     (void)kinova_gen3_7_fold(E, kinova_gen3_7_all(c), kinova_gen3_7_all(s), factor);
-    out->regular[out->groups] = kinova_gen3_7_largest(kinova_gen3_7_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        kinova_gen3_7_largest(kinova_gen3_7_smallest(factor, x)) > 0.0 &&
+        kinova_gen3_7_largest(kinova_gen3_7_independence(E, kinova_gen3_7_all(c),
+            kinova_gen3_7_all(s))) > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3508,7 +3546,8 @@ static int kinova_gen3_7_keep_vanishing(const void *equations, int count, double
     int kept = 0;
     for (int from = 0; from < count; from += KINOVA_GEN3_7_LANES) {
         kinova_gen3_7_lane factor[6][6], x[2][6];
-        double c[KINOVA_GEN3_7_LANES], s[KINOVA_GEN3_7_LANES], regular[KINOVA_GEN3_7_LANES];
+        double c[KINOVA_GEN3_7_LANES], s[KINOVA_GEN3_7_LANES], regular[KINOVA_GEN3_7_LANES],
+            apart[KINOVA_GEN3_7_LANES];
         for (int k = 0; k < KINOVA_GEN3_7_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3516,8 +3555,10 @@ static int kinova_gen3_7_keep_vanishing(const void *equations, int count, double
         }
         (void)kinova_gen3_7_fold(equations, KINOVA_GEN3_7_LOAD(c), KINOVA_GEN3_7_LOAD(s), factor);
         KINOVA_GEN3_7_STORE(regular, kinova_gen3_7_smallest(factor, x));
+        KINOVA_GEN3_7_STORE(apart, kinova_gen3_7_independence(equations, KINOVA_GEN3_7_LOAD(c),
+            KINOVA_GEN3_7_LOAD(s)));
         for (int k = 0; k < KINOVA_GEN3_7_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

@@ -2005,6 +2005,41 @@ static inline kinova_gen3_lite_lane kinova_gen3_lite_fold(const double *E, kinov
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline kinova_gen3_lite_lane kinova_gen3_lite_independence(const double *E,
+    kinova_gen3_lite_lane c, kinova_gen3_lite_lane s)
+{
+    kinova_gen3_lite_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const kinova_gen3_lite_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const kinova_gen3_lite_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const kinova_gen3_lite_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const kinova_gen3_lite_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -3101,8 +3136,8 @@ static void kinova_gen3_lite_split(double n[2][6], int rows, const int *up, cons
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline kinova_gen3_lite_lane kinova_gen3_lite_smallest(kinova_gen3_lite_lane factor[6][6],
     kinova_gen3_lite_lane x[2][6])
 {
@@ -3148,8 +3183,10 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
         return;
     }
     (void)kinova_gen3_lite_fold(E, kinova_gen3_lite_all(c), kinova_gen3_lite_all(s), factor);
-    out->regular[out->groups] = kinova_gen3_lite_largest(kinova_gen3_lite_smallest(factor, x)) >
-        0.0;
+    out->regular[out->groups] =
+        kinova_gen3_lite_largest(kinova_gen3_lite_smallest(factor, x)) > 0.0 &&
+        kinova_gen3_lite_largest(kinova_gen3_lite_independence(E, kinova_gen3_lite_all(c),
+            kinova_gen3_lite_all(s))) > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3655,7 +3692,7 @@ static int kinova_gen3_lite_keep_vanishing(const void *equations, int count, dou
     for (int from = 0; from < count; from += KINOVA_GEN3_LITE_LANES) {
         kinova_gen3_lite_lane factor[6][6], x[2][6];
         double c[KINOVA_GEN3_LITE_LANES], s[KINOVA_GEN3_LITE_LANES],
-            regular[KINOVA_GEN3_LITE_LANES];
+            regular[KINOVA_GEN3_LITE_LANES], apart[KINOVA_GEN3_LITE_LANES];
         for (int k = 0; k < KINOVA_GEN3_LITE_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3664,8 +3701,10 @@ static int kinova_gen3_lite_keep_vanishing(const void *equations, int count, dou
         (void)kinova_gen3_lite_fold(equations, KINOVA_GEN3_LITE_LOAD(c), KINOVA_GEN3_LITE_LOAD(s),
             factor);
         KINOVA_GEN3_LITE_STORE(regular, kinova_gen3_lite_smallest(factor, x));
+        KINOVA_GEN3_LITE_STORE(apart, kinova_gen3_lite_independence(equations,
+            KINOVA_GEN3_LITE_LOAD(c), KINOVA_GEN3_LITE_LOAD(s)));
         for (int k = 0; k < KINOVA_GEN3_LITE_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

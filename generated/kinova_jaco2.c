@@ -1933,6 +1933,41 @@ static inline kinova_jaco2_lane kinova_jaco2_fold(const double *E, kinova_jaco2_
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline kinova_jaco2_lane kinova_jaco2_independence(const double *E, kinova_jaco2_lane c,
+    kinova_jaco2_lane s)
+{
+    kinova_jaco2_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const kinova_jaco2_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const kinova_jaco2_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const kinova_jaco2_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const kinova_jaco2_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -3006,8 +3041,8 @@ static void kinova_jaco2_split(double n[2][6], int rows, const int *up, const in
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline kinova_jaco2_lane kinova_jaco2_smallest(kinova_jaco2_lane factor[6][6],
     kinova_jaco2_lane x[2][6])
 {
@@ -3053,7 +3088,10 @@ static void kinova_jaco2_null_plane(const double *E, double c, double s, kinova_
         return;
     }
     (void)kinova_jaco2_fold(E, kinova_jaco2_all(c), kinova_jaco2_all(s), factor);
-    out->regular[out->groups] = kinova_jaco2_largest(kinova_jaco2_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        kinova_jaco2_largest(kinova_jaco2_smallest(factor, x)) > 0.0 &&
+        kinova_jaco2_largest(kinova_jaco2_independence(E, kinova_jaco2_all(c), kinova_jaco2_all(s)))
+            > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3550,7 +3588,8 @@ static int kinova_jaco2_keep_vanishing(const void *equations, int count, double 
     int kept = 0;
     for (int from = 0; from < count; from += KINOVA_JACO2_LANES) {
         kinova_jaco2_lane factor[6][6], x[2][6];
-        double c[KINOVA_JACO2_LANES], s[KINOVA_JACO2_LANES], regular[KINOVA_JACO2_LANES];
+        double c[KINOVA_JACO2_LANES], s[KINOVA_JACO2_LANES], regular[KINOVA_JACO2_LANES],
+            apart[KINOVA_JACO2_LANES];
         for (int k = 0; k < KINOVA_JACO2_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3558,8 +3597,10 @@ static int kinova_jaco2_keep_vanishing(const void *equations, int count, double 
         }
         (void)kinova_jaco2_fold(equations, KINOVA_JACO2_LOAD(c), KINOVA_JACO2_LOAD(s), factor);
         KINOVA_JACO2_STORE(regular, kinova_jaco2_smallest(factor, x));
+        KINOVA_JACO2_STORE(apart, kinova_jaco2_independence(equations, KINOVA_JACO2_LOAD(c),
+            KINOVA_JACO2_LOAD(s)));
         for (int k = 0; k < KINOVA_JACO2_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

@@ -1875,6 +1875,41 @@ static inline manseur_doty_lane manseur_doty_fold(const double *E, manseur_doty_
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline manseur_doty_lane manseur_doty_independence(const double *E, manseur_doty_lane c,
+    manseur_doty_lane s)
+{
+    manseur_doty_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const manseur_doty_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const manseur_doty_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const manseur_doty_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const manseur_doty_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2948,8 +2983,8 @@ static void manseur_doty_split(double n[2][6], int rows, const int *up, const in
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline manseur_doty_lane manseur_doty_smallest(manseur_doty_lane factor[6][6],
     manseur_doty_lane x[2][6])
 {
@@ -2995,7 +3030,10 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
         return;
     }
     (void)manseur_doty_fold(E, manseur_doty_all(c), manseur_doty_all(s), factor);
-    out->regular[out->groups] = manseur_doty_largest(manseur_doty_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        manseur_doty_largest(manseur_doty_smallest(factor, x)) > 0.0 &&
+        manseur_doty_largest(manseur_doty_independence(E, manseur_doty_all(c), manseur_doty_all(s)))
+            > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3492,7 +3530,8 @@ static int manseur_doty_keep_vanishing(const void *equations, int count, double 
     int kept = 0;
     for (int from = 0; from < count; from += MANSEUR_DOTY_LANES) {
         manseur_doty_lane factor[6][6], x[2][6];
-        double c[MANSEUR_DOTY_LANES], s[MANSEUR_DOTY_LANES], regular[MANSEUR_DOTY_LANES];
+        double c[MANSEUR_DOTY_LANES], s[MANSEUR_DOTY_LANES], regular[MANSEUR_DOTY_LANES],
+            apart[MANSEUR_DOTY_LANES];
         for (int k = 0; k < MANSEUR_DOTY_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3500,8 +3539,10 @@ static int manseur_doty_keep_vanishing(const void *equations, int count, double 
         }
         (void)manseur_doty_fold(equations, MANSEUR_DOTY_LOAD(c), MANSEUR_DOTY_LOAD(s), factor);
         MANSEUR_DOTY_STORE(regular, manseur_doty_smallest(factor, x));
+        MANSEUR_DOTY_STORE(apart, manseur_doty_independence(equations, MANSEUR_DOTY_LOAD(c),
+            MANSEUR_DOTY_LOAD(s)));
         for (int k = 0; k < MANSEUR_DOTY_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

@@ -1800,6 +1800,41 @@ static inline puma560_calibrated_lane puma560_calibrated_fold(const double *E,
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline puma560_calibrated_lane puma560_calibrated_independence(const double *E,
+    puma560_calibrated_lane c, puma560_calibrated_lane s)
+{
+    puma560_calibrated_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const puma560_calibrated_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const puma560_calibrated_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const puma560_calibrated_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const puma560_calibrated_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2907,8 +2942,8 @@ static void puma560_calibrated_split(double n[2][6], int rows, const int *up, co
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline puma560_calibrated_lane puma560_calibrated_smallest(puma560_calibrated_lane
     factor[6][6], puma560_calibrated_lane x[2][6])
 {
@@ -2954,8 +2989,10 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
         return;
     }
     (void)puma560_calibrated_fold(E, puma560_calibrated_all(c), puma560_calibrated_all(s), factor);
-    out->regular[out->groups] = puma560_calibrated_largest(puma560_calibrated_smallest(factor, x)) >
-        0.0;
+    out->regular[out->groups] =
+        puma560_calibrated_largest(puma560_calibrated_smallest(factor, x)) > 0.0 &&
+        puma560_calibrated_largest(puma560_calibrated_independence(E, puma560_calibrated_all(c),
+            puma560_calibrated_all(s))) > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3463,7 +3500,7 @@ static int puma560_calibrated_keep_vanishing(const void *equations, int count, d
     for (int from = 0; from < count; from += PUMA560_CALIBRATED_LANES) {
         puma560_calibrated_lane factor[6][6], x[2][6];
         double c[PUMA560_CALIBRATED_LANES], s[PUMA560_CALIBRATED_LANES],
-            regular[PUMA560_CALIBRATED_LANES];
+            regular[PUMA560_CALIBRATED_LANES], apart[PUMA560_CALIBRATED_LANES];
         for (int k = 0; k < PUMA560_CALIBRATED_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3472,8 +3509,10 @@ static int puma560_calibrated_keep_vanishing(const void *equations, int count, d
         (void)puma560_calibrated_fold(equations, PUMA560_CALIBRATED_LOAD(c),
             PUMA560_CALIBRATED_LOAD(s), factor);
         PUMA560_CALIBRATED_STORE(regular, puma560_calibrated_smallest(factor, x));
+        PUMA560_CALIBRATED_STORE(apart, puma560_calibrated_independence(equations,
+            PUMA560_CALIBRATED_LOAD(c), PUMA560_CALIBRATED_LOAD(s)));
         for (int k = 0; k < PUMA560_CALIBRATED_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

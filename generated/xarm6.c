@@ -1761,6 +1761,39 @@ static inline xarm6_lane xarm6_fold(const double *E, xarm6_lane c, xarm6_lane s,
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline xarm6_lane xarm6_independence(const double *E, xarm6_lane c, xarm6_lane s)
+{
+    xarm6_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const xarm6_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const xarm6_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const xarm6_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] * G[1][1] -
+        G[0][1] * G[0][1];
+    const xarm6_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] * G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2802,8 +2835,8 @@ static void xarm6_split(double n[2][6], int rows, const int *up, const int *down
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline xarm6_lane xarm6_smallest(xarm6_lane factor[6][6], xarm6_lane x[2][6])
 {
     static const double start[2][6] = {
@@ -2847,7 +2880,9 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
         return;
     }
     (void)xarm6_fold(E, xarm6_all(c), xarm6_all(s), factor);
-    out->regular[out->groups] = xarm6_largest(xarm6_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        xarm6_largest(xarm6_smallest(factor, x)) > 0.0 &&
+        xarm6_largest(xarm6_independence(E, xarm6_all(c), xarm6_all(s))) > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3582,7 +3617,7 @@ static int xarm6_keep_vanishing(const void *equations, int count, double *cosine
     int kept = 0;
     for (int from = 0; from < count; from += XARM6_LANES) {
         xarm6_lane factor[6][6], x[2][6];
-        double c[XARM6_LANES], s[XARM6_LANES], regular[XARM6_LANES];
+        double c[XARM6_LANES], s[XARM6_LANES], regular[XARM6_LANES], apart[XARM6_LANES];
         for (int k = 0; k < XARM6_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3590,8 +3625,9 @@ static int xarm6_keep_vanishing(const void *equations, int count, double *cosine
         }
         (void)xarm6_fold(equations, XARM6_LOAD(c), XARM6_LOAD(s), factor);
         XARM6_STORE(regular, xarm6_smallest(factor, x));
+        XARM6_STORE(apart, xarm6_independence(equations, XARM6_LOAD(c), XARM6_LOAD(s)));
         for (int k = 0; k < XARM6_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

@@ -1858,6 +1858,41 @@ static inline yaskawa_hc10_lane yaskawa_hc10_fold(const double *E, yaskawa_hc10_
     return determinant * factor[5][5];
 }
 
+/* How far the columns that are cleared first are from depending on each other: the square of the
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
+ * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * singular, and the factor does not show it. */
+static inline yaskawa_hc10_lane yaskawa_hc10_independence(const double *E, yaskawa_hc10_lane c,
+    yaskawa_hc10_lane s)
+{
+    yaskawa_hc10_lane squares = {0}, A[6][3], G[3][3];
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + k;
+            const yaskawa_hc10_lane x = E[at] + E[9 + at] * c + E[18 + at] * s;
+            squares += x * x;
+            if (k % 3 == 0) {
+                A[r][k / 3] = x;
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            G[i][j] = A[0][i] * A[0][j];
+            for (int r = 1; r < 6; r++) {
+                G[i][j] += A[r][i] * A[r][j];
+            }
+        }
+    }
+    const yaskawa_hc10_lane first = G[1][1] * G[2][2] - G[1][2] * G[1][2];
+    const yaskawa_hc10_lane minors = first + G[0][0] * G[2][2] - G[0][2] * G[0][2] + G[0][0] *
+        G[1][1] - G[0][1] * G[0][1];
+    const yaskawa_hc10_lane det = G[0][0] * first - G[0][1] * (G[0][1] * G[2][2] - G[1][2] *
+        G[0][2]) +
+                         G[0][2] * (G[0][1] * G[1][2] - G[1][1] * G[0][2]);
+    return det / (minors * squares + 1e-300);
+}
+
 /* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
 typedef struct {
     double a[9], b[9];
@@ -2931,8 +2966,8 @@ static void yaskawa_hc10_split(double n[2][6], int rows, const int *up, const in
     }
 }
 
-/* Two vectors, orthogonal, at which a matrix is smallest, from its factor. Returns 1 where it is
- * regular, with no singular value that is next to nothing and not two small ones, else 0. */
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
 static inline yaskawa_hc10_lane yaskawa_hc10_smallest(yaskawa_hc10_lane factor[6][6],
     yaskawa_hc10_lane x[2][6])
 {
@@ -2978,7 +3013,10 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
         return;
     }
     (void)yaskawa_hc10_fold(E, yaskawa_hc10_all(c), yaskawa_hc10_all(s), factor);
-    out->regular[out->groups] = yaskawa_hc10_largest(yaskawa_hc10_smallest(factor, x)) > 0.0;
+    out->regular[out->groups] =
+        yaskawa_hc10_largest(yaskawa_hc10_smallest(factor, x)) > 0.0 &&
+        yaskawa_hc10_largest(yaskawa_hc10_independence(E, yaskawa_hc10_all(c), yaskawa_hc10_all(s)))
+            > 8.999999999999999e-08;
     for (int r = 0; r < 2; r++) {
         double square = 0.0;
         for (int i = 0; i < 6; i++) {
@@ -3733,7 +3771,8 @@ static int yaskawa_hc10_keep_vanishing(const void *equations, int count, double 
     int kept = 0;
     for (int from = 0; from < count; from += YASKAWA_HC10_LANES) {
         yaskawa_hc10_lane factor[6][6], x[2][6];
-        double c[YASKAWA_HC10_LANES], s[YASKAWA_HC10_LANES], regular[YASKAWA_HC10_LANES];
+        double c[YASKAWA_HC10_LANES], s[YASKAWA_HC10_LANES], regular[YASKAWA_HC10_LANES],
+            apart[YASKAWA_HC10_LANES];
         for (int k = 0; k < YASKAWA_HC10_LANES; k++) {
             const int i = from + k < count ? from + k : from;
             c[k] = cosine[i];
@@ -3741,8 +3780,10 @@ static int yaskawa_hc10_keep_vanishing(const void *equations, int count, double 
         }
         (void)yaskawa_hc10_fold(equations, YASKAWA_HC10_LOAD(c), YASKAWA_HC10_LOAD(s), factor);
         YASKAWA_HC10_STORE(regular, yaskawa_hc10_smallest(factor, x));
+        YASKAWA_HC10_STORE(apart, yaskawa_hc10_independence(equations, YASKAWA_HC10_LOAD(c),
+            YASKAWA_HC10_LOAD(s)));
         for (int k = 0; k < YASKAWA_HC10_LANES && from + k < count; k++) {
-            if (regular[k] < 1.0) {
+            if (regular[k] < 1.0 || !(apart[k] > 8.999999999999999e-08)) {
                 cosine[kept] = c[k];
                 sine[kept++] = s[k];
             }

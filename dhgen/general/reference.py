@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.determinant import equations, fold
+from dhgen.general.determinant import equations, fold, independence
 from dhgen.general.hidden_slide import length
 from dhgen.general.loop import out_of_reach
 from dhgen.general.pointing import any_turn
@@ -62,6 +62,9 @@ STARTS = 60
 # whether they are real.
 REGULAR = 2e-7
 ALONE = 1e-6
+# Nor does it show whether the matrix is singular where the columns that are cleared first nearly
+# depend on each other: where their least singular value is below this part of all.
+INDEPENDENT = 3e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,7 +271,10 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
 
 def _may_vanish(E: FloatArray, angle: float) -> bool:
     """Whether the determinant may be zero: where f only comes near to zero it is not."""
-    _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
+    cosine, sine = float(np.cos(angle)), float(np.sin(angle))
+    if independence(E, cosine, sine) < INDEPENDENT:
+        return True
+    _, factor = fold(E, np.array([cosine]), np.array([sine]))
     second, smallest = least_values(factor[..., 0])
     return smallest < REGULAR or second < ALONE
 

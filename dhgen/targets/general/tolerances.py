@@ -39,6 +39,7 @@ class Tolerances:
     strength: float = roots.STRENGTH
     regular: float = 1.0 / reference.REGULAR**2  # all over the smallest, squared
     alone: float = 1.0 / reference.ALONE**2  # all over the second smallest, squared
+    independent: float = reference.INDEPENDENT**2  # the least singular value over all, squared
     crowded: float = lens.CROWDED**2  # its square
     strongest: float = lens.STRONGEST
     mean_per_harmonic: float = lens.MEAN_PER_HARMONIC
