@@ -1,12 +1,12 @@
 """What the generated files weigh, and what compiling them takes: CPU time of gcc and of numba.
 
-    python -m benchmarks.sizes [--arms NAME ...] [--numba NAME ...] [--write]
+    python -m benchmarks.sizes [--arms NAME ...] [--numba [NAME ...]] [--write]
 
 C is compiled with -O3 -march=native, the object is measured without symbols. numba starts from an
 empty cache; `ik_all` is the first call of one pose, `ik_into` and `ik_batch` the first calls of
 theirs after it, `all` what `warm_up` adds to these, and `cached` all of it in another process. That
-takes seconds and is done for the arms of `python -m benchmarks`, or those named.
-`--write` puts the table into docs/benchmarks.md.
+takes 5 to 40 s an arm, half an hour for all of robots/; it is done for the arms that `--numba`
+names, for all without it. `--write` puts the table into docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -21,7 +21,6 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.arms import CASES
 from benchmarks.native import NATIVE
 from benchmarks.options import parser, robot_names, show
 from benchmarks.report import table
@@ -55,8 +54,8 @@ HEAD = ("arm", "C source", "gcc", "object", "Python source", *CALLS)
 def main(arguments: list[str]) -> None:
     """Prints one line an arm, and the largest of everything."""
     allowed = parser("benchmarks.sizes", __doc__)
-    usual = [case.name for case in CASES]
-    allowed.add_argument("--numba", nargs="*", choices=robot_names(), default=usual, metavar="NAME")
+    names = robot_names()
+    allowed.add_argument("--numba", nargs="*", choices=names, default=names, metavar="NAME")
     options = allowed.parse_args(arguments)
     measured = {}
     for name in options.arms:
