@@ -15,7 +15,7 @@ concurrent or parallel axes anywhere in the arm end here.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from itertools import chain
 from typing import TYPE_CHECKING
 
@@ -91,7 +91,7 @@ class Split:
         form = self.forms[number]
         return tuple(form.coefficient(*each) for each in self.monomials[row])
 
-    def ratio(self) -> Ratio | None:
+    def ratio(self, view: View) -> Ratio | None:
         """The ratio of the vectors (P, Q) of both equations, if there is one that is known."""
         if turned := self._turned():
             ring, one = self.forms[0].equation.difference.ring, np.ones(COUNT, complex)
@@ -108,7 +108,7 @@ class Split:
         x1, y1, x2, y2 = (
             self.letters(number, row)[columns[best]] for number in (0, 1) for row in (P, Q)
         )
-        return Ratio((x1, y1, x2, y2), (first[best], second[best]))
+        return _reduced(Ratio((x1, y1, x2, y2), (first[best], second[best])), view)
 
     def _turned(self) -> int:
         """+1 or -1 when (P2, Q2) is (-Q1, P1) times that sign, else 0."""
@@ -132,6 +132,21 @@ class Split:
         return self.monomials[P][column] in terms or self.monomials[Q][column] in terms
 
 
+def _reduced(ratio: Ratio, view: View) -> Ratio:
+    """The ratio without the factor that all its parts share.
+
+    Only the ratio of V1 to V2 counts. A common factor that the pose gives, an entry of it for
+    instance, would multiply every coefficient of the polynomial, and all of them would vanish with
+    it at poses where the arm is regular.
+    """
+    common = reduce(lambda one, other: one.gcd(other), ratio.parts)
+    if common.is_ground:
+        return ratio
+    parts = x1, y1, x2, y2 = tuple(part.exquo(common) for part in ratio.parts)
+    on = view.witnesses.evaluate
+    return Ratio(parts, (on(x1) + 1j * on(y1), on(x2) + 1j * on(y2)))
+
+
 class Circle:
     """Type 9, up to four values."""
 
@@ -148,7 +163,7 @@ class Circle:
         splits = _splits(forms, view)
         if isinstance(splits, str):
             return splits
-        ratios = [(split, None if split.is_known else split.ratio()) for split in splits]
+        ratios = [(split, None if split.is_known else split.ratio(view)) for split in splits]
         able = [(split, ratio) for split, ratio in ratios if split.is_known or ratio]
         if not able:
             return "the polynomial would be of a higher degree than 2"
