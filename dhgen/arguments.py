@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from functools import partial
 from importlib import metadata
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from dhgen.robot.source import quoted
 
 OUT = Path("generated")
 MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
+MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microseconds
 
 EPILOG = """\
 verbs:
@@ -17,7 +19,7 @@ verbs:
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
   dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
-  dhgen survey PATH ...    test many arms: are all solutions found? (--poses N)
+  dhgen survey PATH ...    test many arms: are all solutions found? (--poses, --recall)
   dhgen --version          print the version
 
 exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line,
@@ -96,11 +98,19 @@ def survey_parser() -> argparse.ArgumentParser:
     )
     made.add_argument(
         "--poses",
-        type=_poses,
+        type=partial(_count, least=1, most=MOST_POSES),
         default=200,
         metavar="N",
         help="random poses per arm, and a quarter as many of each singular kind "
         f"(default: 200, at most {MOST_POSES})",
+    )
+    made.add_argument(
+        "--recall",
+        type=partial(_count, least=0, most=MOST_RECALLED),
+        default=20_000,
+        metavar="N",
+        help="random poses per arm on which only the joint values that made them are looked for "
+        f"(default: 20000, at most {MOST_RECALLED})",
     )
     return made
 
@@ -111,9 +121,8 @@ def _path(word: str) -> Path:
     return Path(word)
 
 
-def _poses(word: str) -> int:
-    most = str(MOST_POSES)
-    if not word.isdecimal() or len(word) > len(most) or not 1 <= int(word) <= MOST_POSES:
-        wanted = f"must be a whole number from 1 to {most}"
+def _count(word: str, least: int, most: int) -> int:
+    if not word.isdecimal() or len(word) > len(str(most)) or not least <= int(word) <= most:
+        wanted = f"must be a whole number from {least} to {most}"
         raise argparse.ArgumentTypeError(f"{wanted}, not {quoted(word)}")
     return int(word)

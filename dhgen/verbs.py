@@ -179,7 +179,7 @@ def survey(options: argparse.Namespace) -> int:
     from dhgen.survey.survey import survey as lines_of  # noqa: PLC0415
     from dhgen.survey.table import survey_text  # noqa: PLC0415
 
-    lines = lines_of(options.paths, options.poses, _tell)
+    lines = lines_of(options.paths, options.poses, options.recall, _tell)
     for remark in (remark for line in lines for remark in line.remarks):
         print(remark, file=sys.stderr)
     print(survey_text(lines), end="")

@@ -27,6 +27,8 @@ class Answers:
         bound: What a row may miss its pose by.
         singular: Poses of singular kinds.
         answered: Those with the right answer.
+        tried: Random poses whose own joint values are looked for among their rows.
+        recalled: Those on which they are there.
         faults: What went wrong where, for a reader.
     """
 
@@ -43,13 +45,16 @@ class Answers:
     bound: float
     singular: int
     answered: int
+    tried: int
+    recalled: int
     faults: tuple[str, ...]
 
     @property
     def complete(self) -> bool:
         """Whether nothing is missing and nothing wrong."""
         counted = self.found == self.expected and not self.spurious
-        return counted and self.residual <= self.bound and self.answered == self.singular
+        answered = self.answered == self.singular and self.recalled == self.tried
+        return counted and self.residual <= self.bound and answered
 
 
 @dataclass(frozen=True, slots=True)

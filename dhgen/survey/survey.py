@@ -18,11 +18,12 @@ from dhgen.robot_files import RobotFile
 from dhgen.survey.ask import ask_random, ask_singular
 from dhgen.survey.line import Answers, Line
 from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.recall import ask_recall
 from dhgen.survey.sources import robot_files
 from dhgen.survey.structure import arm_class, joint_letters
 from dhgen.survey.trial import Trial
 from dhgen.verify.demands import GENERAL_RESIDUAL, RESIDUAL
-from dhgen.verify.native import compile_solver
+from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
 from dhgen.workers import side_by_side
 
 if TYPE_CHECKING:
@@ -35,13 +36,17 @@ SINGULAR_SHARE = 4  # random poses for one of each singular kind
 
 
 def survey(
-    given: Sequence[Path], poses: int, tell: Callable[[str], None] = lambda _: None
+    given: Sequence[Path],
+    poses: int,
+    recall: int = 0,
+    tell: Callable[[str], None] = lambda _: None,
 ) -> tuple[Line, ...]:
     """Surveys robot files, folders of them and lists in JSON, on all cores.
 
     Args:
         given: Where the arms are.
         poses: Random poses of each; a quarter as many of every singular kind.
+        recall: Random poses of each on which only its own joint values are looked for.
         tell: Is told of every arm that is done.
 
     Raises:
@@ -51,13 +56,13 @@ def survey(
     lines: list[Line] = []
     with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:
         files = robot_files(given, Path(folder))
-        for line in side_by_side(partial(survey_arm, poses=poses), files):
+        for line in side_by_side(partial(survey_arm, poses=poses, recall=recall), files):
             lines.append(_alone(line, lines))
             tell(f"{len(lines)} of {len(files)}: {line.name}")
     return tuple(lines)
 
 
-def survey_arm(source: Source, poses: int) -> Line:
+def survey_arm(source: Source, poses: int, recall: int = 0) -> Line:
     """One arm's line; the same at every run but for the CPU time."""
     name, joints, structure = source.name, "", ""
     remarks: tuple[str, ...] = ()
@@ -70,7 +75,8 @@ def survey_arm(source: Source, poses: int) -> Line:
         joints, structure = joint_letters(chain), arm_class(chain)
         start = time.process_time()
         compilation = compile_loaded(file)
-        answers = _answers(compilation, poses, time.process_time() - start)
+        cpu = time.process_time() - start
+        answers = _answers(compilation, poses, recall, cpu)
     except RobotFileError as error:
         notes = (f"note: {source.tell(note)}" for note in error.notes)
         remarks = (*map(source.tell, error.diagnostics), *notes)
@@ -90,7 +96,7 @@ def _alone(line: Line, others: Sequence[Line]) -> Line:
     return replace(line, answers=None, reason=reason, mistaken=True)
 
 
-def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
+def _answers(compilation: Compilation, poses: int, recall: int, cpu: float) -> Answers:
     robot, module = compilation.robot, compilation.module
     derivation = compilation.derivation
     bound = RESIDUAL if derivation.whole is None else GENERAL_RESIDUAL
@@ -100,12 +106,14 @@ def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
             with naming(Path(folder) / each):
                 (Path(folder) / each).write_text(compilation.files[each], encoding="utf-8")
         rows, free = module.solver.rows, module.chain.given
-        c = compile_solver(source, Path(folder), robot.name, len(robot.joints), rows, free)
-        if c is None:
+        of = source, Path(folder), robot.name, len(robot.joints), rows, free
+        c, fast = (compile_solver(*of, build=build) for build in (PORTABLE, NATIVE))
+        if c is None or fast is None:
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
         trial = Trial(robot, arm(robot), arm_size(robot), c)
         random = ask_random(trial, poses, bound)
         singular = ask_singular(trial, -(-poses // SINGULAR_SHARE), bound)
+        recalled = ask_recall(replace(trial, solver=fast), recall)
     return Answers(
         method=module.method,
         degree=_degree(derivation),
@@ -120,7 +128,9 @@ def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
         bound=bound,
         singular=singular.poses,
         answered=singular.answered,
-        faults=(*random.faults, *singular.faults),
+        tried=recalled.poses,
+        recalled=recalled.recalled,
+        faults=(*random.faults, *singular.faults, *recalled.faults),
     )
 
 

@@ -44,12 +44,14 @@ def totals_text(lines: Sequence[Line]) -> str:
     expected, found = sum(a.expected for a in solved), sum(a.found for a in solved)
     poses, spurious = sum(a.poses for a in solved), sum(a.spurious for a in solved)
     answered, singular = sum(a.answered for a in solved), sum(a.singular for a in solved)
+    tried, recalled = sum(a.tried for a in solved), sum(a.recalled for a in solved)
     methods = sorted({a.method for a in solved})
     worst = (f"{_residual(_worst(solved, method))} ({method})" for method in methods)
     text = [
         f"{len(lines)} arm{'' if len(lines) == 1 else 's'}, {len(solved)} solved.",
         f"{found} of {expected} solutions found on {poses} random poses, {spurious} spurious.",
         f"{answered} of {singular} singular poses answered.",
+        f"Own joint values found again on {recalled} of {tried} random poses.",
     ]
     if solved:
         text.append(f"Residuals below {', '.join(worst)} of the arm's size.")

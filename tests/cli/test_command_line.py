@@ -127,6 +127,11 @@ def test_a_number_of_poses_that_is_none(capsys: pytest.CaptureFixture[str]) -> N
             main(["survey", str(PLANAR), "--poses", word])
         wanted = f"--poses: must be a whole number from 1 to 100000, not {quoted(word)}\n"
         assert capsys.readouterr().err.endswith(wanted)
+    for word in ("x", "-1", "10000001"):
+        with pytest.raises(SystemExit, match="2"):
+            main(["survey", str(PLANAR), "--recall", word])
+        wanted = f"--recall: must be a whole number from 0 to 10000000, not {quoted(word)}\n"
+        assert capsys.readouterr().err.endswith(wanted)
 
 
 @pytest.mark.parametrize(
