@@ -6,7 +6,8 @@
 | model  | Robot          | Chain          | dhgen/kinematics  |
 | derive | Chain          | Derivation     | dhgen/paul        |
 | lower  | Derivation     | Program        | dhgen/program     |
-| emit   | Program        | files, as text | dhgen/targets     |
+| print  | Derivation     | its document   | dhgen/derivation  |
+| emit   | Program        | its solvers    | dhgen/targets     |
 | verify | files          | Report         | dhgen/verify      |
 
 Every value between stages is frozen; data flows one way.
@@ -20,6 +21,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from dhgen.derivation import derivation_document
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
@@ -89,7 +91,8 @@ def compile_loaded(
     if robot.float32:
         _demand_closed_form(derivation)
         single = _module(robot, derivation, source, SINGLE)
-    files = emit(robot, derivation, module, single)
+    document = derivation_document(robot, derivation, module.solver, source)
+    files = {**emit(module, single), f"{module.name}.md": document}
     return Compilation(robot, derivation, module, single, MappingProxyType(files))
 
 

@@ -87,8 +87,8 @@ def write(options: argparse.Namespace) -> int:
 
 def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.compiler import verified  # noqa: PLC0415
+    from dhgen.derivation import derivation_summary  # noqa: PLC0415
     from dhgen.replace import replace_files  # noqa: PLC0415
-    from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
@@ -154,9 +154,9 @@ def _repeated(options: argparse.Namespace) -> list[str]:
 
 def explain(options: argparse.Namespace) -> int:
     """Prints a derivation; the exit code."""
+    from dhgen.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
-    from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
 
     file = RobotFile.read(options.file)
     _refuse_mute()

@@ -33,6 +33,11 @@ def expressions(program: Program) -> Iterator[Expression]:
     return parts(*stated, *program.outputs)
 
 
+def finds_roots(program: Program) -> bool:
+    """Whether roots of polynomials are looked for."""
+    return any(isinstance(statement, Roots) for statement in program.body)
+
+
 def _stated(statement: Statement) -> tuple[Expression, ...]:
     """What a statement is made of."""
     match statement:

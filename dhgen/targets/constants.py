@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from dhgen.printing.comments import plain
 from dhgen.program.role import Source
-from dhgen.targets.comments import plain
 from dhgen.targets.walk import merged_constants
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""All targets at once: the files of a robot by their names."""
+"""All targets at once: the solvers of a robot by the names of their files."""
 
 from __future__ import annotations
 
@@ -6,16 +6,13 @@ from functools import cache, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from dhgen.printing.templates import render
 from dhgen.targets.c.files import c_files
-from dhgen.targets.derivation import derivation_document
 from dhgen.targets.python.files import digested, python_files
-from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from dhgen.paul.derivation import Derivation
-    from dhgen.robot.robot import Robot
     from dhgen.targets.module import SolverModule
 
 HELPERS = {
@@ -26,23 +23,17 @@ HELPERS = {
 }
 
 
-def emit(
-    robot: Robot, derivation: Derivation, module: SolverModule, single: SolverModule | None
-) -> dict[str, str]:
-    """The solver in every language, the derivation, and the helpers that all robots share.
+def emit(module: SolverModule, single: SolverModule | None) -> dict[str, str]:
+    """The solver in every language, and the helpers that all robots share.
 
     Args:
-        robot: The robot file.
-        derivation: What the programs were made from.
         module: The programs.
         single: The same for single precision, if it is asked for: C only.
     """
-    document = derivation_document(robot, derivation, module.solver, module.source)
     return {
         **python_files(module),
         **c_files(module),
         **({} if single is None else c_files(single)),
-        f"{module.name}.md": document,
         **helpers(),
     }
 

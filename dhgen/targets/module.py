@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task_entries import telling_entries
 from dhgen.paul.branches import branch_labels
+from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
-from dhgen.targets.comments import plain_path
 from dhgen.targets.layout import paragraph
-from dhgen.targets.solver.standing import stands_on_limits
 from dhgen.tolerances import DOUBLE, Precision
 
 if TYPE_CHECKING:
@@ -131,6 +130,16 @@ def slacks(module: SolverModule) -> list[float]:
     angle = module.precision.tolerances.limit
     length = float(f"{angle * module.chain.size:.4g}")  # more digits tell nothing
     return [angle if turns else length for turns in module.chain.turning]
+
+
+def stands_on_limits(module: SolverModule) -> bool:
+    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
+
+    An arm angle would be one more thing that has to be met.
+    """
+    chain = module.chain
+    limited = any(joint.limits for joint in chain.joints)
+    return limited and any(chain.turning) and not chain.arm_angle
 
 
 def regular_solver(module: SolverModule) -> Regular | None:

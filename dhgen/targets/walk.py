@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Roots
 from dhgen.program.role import Source
-from dhgen.program.walk import expressions
+from dhgen.program.walk import expressions, finds_roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -25,11 +25,6 @@ def reads(program: Program, role: str) -> bool:
     whole = any(isinstance(s, AllJoints) for s in program.body)
     read = any(isinstance(e, Joint) and e.role == role for e in expressions(program))
     return read or (whole and role == "seed")
-
-
-def finds_roots(program: Program) -> bool:
-    """Whether roots of polynomials are looked for."""
-    return any(isinstance(statement, Roots) for statement in program.body)
 
 
 def roots_in_a_row(program: Program) -> int:

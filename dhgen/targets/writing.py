@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from textwrap import indent
 from typing import TYPE_CHECKING
 
+from dhgen.printing.templates import render
 from dhgen.targets.general.algorithm import c_algorithm, python_algorithm
 from dhgen.targets.layout import INDENT, c_array, python_array
 from dhgen.targets.numerical.arrays import c_arrays, python_arrays
-from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

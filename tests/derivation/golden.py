@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from dhgen.targets.derivation import derivation_document
+from dhgen.derivation import derivation_document
 from tests.derivation.stories import story
 
 FOLDER = Path(__file__).resolve().parent / "golden"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation import derivation_document
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
-from dhgen.targets.derivation import derivation_document
 from tests.kinematics.values import table
 
 if TYPE_CHECKING:

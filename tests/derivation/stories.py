@@ -5,11 +5,11 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+from dhgen.derivation.story import Story
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
-from dhgen.targets.derivation.story import Story
 from dhgen.targets.reserved import RESERVED
 from tests.structures import STRUCTURES
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from dhgen.targets.derivation.notation.expressions import text_symbol
+from dhgen.derivation.notation.expressions import text_symbol
 from tests.derivation.made import made_of
 
 ROWS = "theta: q + 100 deg, a: 0.4, alpha: -70 deg", "theta: q, a: 0.3"

@@ -7,22 +7,22 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from dhgen.derivation.known_side import by_joints
+from dhgen.derivation.sections.arm_angle_row import arm_angle_places
+from dhgen.derivation.step_context import Singularity, StepContext
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import Prose
+from dhgen.derivation.text.formula import Relation
+from dhgen.derivation.text.plain import words
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.known_side import by_joints
-from dhgen.targets.derivation.sections.arm_angle_row import arm_angle_places
-from dhgen.targets.derivation.step_context import Singularity, StepContext
-from dhgen.targets.derivation.steps import step_blocks
-from dhgen.targets.derivation.text.blocks import Prose
-from dhgen.targets.derivation.text.formula import Relation
-from dhgen.targets.derivation.text.plain import words
-from dhgen.targets.derivation.text.show import show
-from dhgen.targets.derivation.text.style import PLAIN
 from tests.derivation.stories import NAMES, OWN, story
 from tests.derivation.test_formulas_hold import configuration, with_pose
 from tests.derivation.values import evaluate
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.story import Story
+    from dhgen.derivation.story import Story
 
 LETTERS = ("X", "Y", "Z", "X1", "Y1", "X2", "Y2")
 

@@ -8,16 +8,16 @@ from itertools import product
 
 import pytest
 
-from dhgen.paul.step import Kind
-from dhgen.targets.derivation import (
+from dhgen.derivation import (
     alternatives_text,
     derivation_document,
     derivation_summary,
     derivation_terminal,
 )
-from dhgen.targets.derivation.sections.transforms import PAGE
-from dhgen.targets.derivation.sections.tree import tree_text
-from dhgen.targets.derivation.types import PRINTERS
+from dhgen.derivation.sections.transforms import PAGE
+from dhgen.derivation.sections.tree import tree_text
+from dhgen.derivation.types import PRINTERS
+from dhgen.paul.step import Kind
 from tests.derivation.golden import FOLDER, made, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
 from tests.derivation.made import made_of

@@ -8,13 +8,13 @@ from functools import cache
 import numpy as np
 import pytest
 
+from dhgen.derivation import derivation_document
+from dhgen.derivation.story import Story
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
-from dhgen.targets.derivation import derivation_document
-from dhgen.targets.derivation.story import Story
 from tests.kinematics.values import table
 
 ROWS = (

@@ -11,25 +11,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.derivation.document import document_blocks
+from dhgen.derivation.sections.forward import forward_section
+from dhgen.derivation.sections.inverse import inverse_beginning
+from dhgen.derivation.sections.jacobian import jacobian_blocks
+from dhgen.derivation.sections.joints import joint_values
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import Display, Paragraph
+from dhgen.derivation.text.formula import Formula, Listing, Relation, Symbol
+from dhgen.derivation.text.lines import broken
+from dhgen.derivation.text.plain import box
+from dhgen.derivation.text.style import PLAIN
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward, jacobian
-from dhgen.targets.derivation.document import document_blocks
-from dhgen.targets.derivation.sections.forward import forward_section
-from dhgen.targets.derivation.sections.inverse import inverse_beginning
-from dhgen.targets.derivation.sections.jacobian import jacobian_blocks
-from dhgen.targets.derivation.sections.joints import joint_values
-from dhgen.targets.derivation.steps import step_blocks
-from dhgen.targets.derivation.text.blocks import Display, Paragraph
-from dhgen.targets.derivation.text.formula import Formula, Listing, Relation, Symbol
-from dhgen.targets.derivation.text.lines import broken
-from dhgen.targets.derivation.text.plain import box
-from dhgen.targets.derivation.text.style import PLAIN
 from tests.derivation.stories import NAMES, OWN, WHOLE, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.story import Story
+    from dhgen.derivation.story import Story
 
 TOLERANCE = 1e-9
 ANGLES, RATIOS = "θq", "cs"  # how the letters of what has no unit begin

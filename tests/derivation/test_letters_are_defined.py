@@ -6,10 +6,10 @@ import re
 
 import pytest
 
-from dhgen.targets.derivation.known_functions import TAKEN
-from dhgen.targets.derivation.notation.names import cosine, sine, single
-from dhgen.targets.derivation.steps import step_blocks
-from dhgen.targets.derivation.text.blocks import Paragraph
+from dhgen.derivation.known_functions import TAKEN
+from dhgen.derivation.notation.names import cosine, sine, single
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import Paragraph
 from tests.derivation.made import made_of
 from tests.derivation.stories import NAMES, story
 from tests.derivation.test_wording import text_of

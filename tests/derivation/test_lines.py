@@ -9,9 +9,9 @@ from itertools import pairwise
 
 import pytest
 
-from dhgen.targets.derivation.document import document_blocks
-from dhgen.targets.derivation.text.blocks import Display
-from dhgen.targets.derivation.text.formula import (
+from dhgen.derivation.document import document_blocks
+from dhgen.derivation.text.blocks import Display
+from dhgen.derivation.text.formula import (
     Formula,
     Number,
     Quotient,
@@ -26,9 +26,9 @@ from dhgen.targets.derivation.text.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.text.lines import laid_out
-from dhgen.targets.derivation.text.style import LATEX, PLAIN, Style
-from dhgen.targets.derivation.text.terms import terms_within, width
+from dhgen.derivation.text.lines import laid_out
+from dhgen.derivation.text.style import LATEX, PLAIN, Style
+from dhgen.derivation.text.terms import terms_within, width
 from tests.derivation.stories import ALL_WHOLE, NAMES, WHOLE, WITH_STEPS, document, story
 from tests.derivation.values import evaluate
 

@@ -8,16 +8,16 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from dhgen.targets.derivation.document import document_blocks
-from dhgen.targets.derivation.sections.forward import forward_section
-from dhgen.targets.derivation.steps import step_blocks
-from dhgen.targets.derivation.text.blocks import Display, Paragraph
-from dhgen.targets.derivation.text.formula import Relation
-from dhgen.targets.derivation.text.markdown import markdown
-from dhgen.targets.derivation.text.plain import words
-from dhgen.targets.derivation.text.show import show
-from dhgen.targets.derivation.text.style import PLAIN
-from dhgen.targets.derivation.text.terms import width
+from dhgen.derivation.document import document_blocks
+from dhgen.derivation.sections.forward import forward_section
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import Display, Paragraph
+from dhgen.derivation.text.formula import Relation
+from dhgen.derivation.text.markdown import markdown
+from dhgen.derivation.text.plain import words
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
+from dhgen.derivation.text.terms import width
 from tests.derivation.stories import NAMES, story
 from tests.derivation.test_formulas_hold import configuration, with_pose
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from dhgen.targets.derivation.text.formula import Number, Quotient, Sum, Symbol, over, times
-from dhgen.targets.derivation.text.show import show
-from dhgen.targets.derivation.text.style import PLAIN
+from dhgen.derivation.text.formula import Number, Quotient, Sum, Symbol, over, times
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
 from tests.derivation.made import made_of
 from tests.derivation.stories import document
 

@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from dhgen.targets.derivation.document import document_blocks
-from dhgen.targets.derivation.sections.near import near_blocks
-from dhgen.targets.derivation.text.markdown import markdown
+from dhgen.derivation.document import document_blocks
+from dhgen.derivation.sections.near import near_blocks
+from dhgen.derivation.text.markdown import markdown
 from tests.derivation.made import made_of
 from tests.derivation.stories import NAMES, WHOLE, story
 

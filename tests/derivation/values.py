@@ -7,12 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.kinematics.arm_angle import triangle
-from dhgen.kinematics.chain import Fixed, Slide, Turn
-from dhgen.kinematics.numeric import numeric_arm
-from dhgen.targets.derivation.notation.expressions import expression_symbol
-from dhgen.targets.derivation.sections.variables import sign_and_offset
-from dhgen.targets.derivation.text.formula import (
+from dhgen.derivation.notation.expressions import expression_symbol
+from dhgen.derivation.sections.variables import sign_and_offset
+from dhgen.derivation.text.formula import (
     Call,
     Element,
     Matrix,
@@ -26,6 +23,9 @@ from dhgen.targets.derivation.text.formula import (
     Sum,
     Symbol,
 )
+from dhgen.kinematics.arm_angle import triangle
+from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.numeric import numeric_arm
 from tests.kinematics.values import matrix
 from tests.kinematics.values import number as value_of
 
@@ -33,9 +33,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.arrays import FloatArray
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.formula import Formula
     from dhgen.kinematics.chain import Chain
-    from dhgen.targets.derivation.story import Story
-    from dhgen.targets.derivation.text.formula import Formula
 
 Value = Any  # a number or a matrix
 Letters = dict[str, Value]

@@ -12,7 +12,7 @@ from pathlib import Path
 import jinja2
 import pytest
 
-from dhgen.targets.templates import render
+from dhgen.printing.templates import render
 from tests.pose.pose_libraries import FILES, WARNINGS, compiler, emitted, run
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -94,11 +94,11 @@ def test_a_walk_over_singular_and_broken_inputs_is_clean_under_sanitizers(
 def test_templates_are_found_inside_an_installed_package(tmp_path: Path) -> None:
     """A wheel has them in `dhgen/templates`, a checkout beside `dhgen`."""
     package = tmp_path / "dhgen"
-    (package / "targets").mkdir(parents=True)
+    (package / "printing").mkdir(parents=True)
     (package / "templates").mkdir()
     (package / "__init__.py").touch()
-    (package / "targets" / "__init__.py").touch()
-    shutil.copy(ROOT / "dhgen" / "targets" / "templates.py", package / "targets")
+    (package / "printing" / "__init__.py").touch()
+    shutil.copy(ROOT / "dhgen" / "printing" / "templates.py", package / "targets")
     (package / "templates" / "x.jinja").write_text("{% if a %}\n  {{ a }}<\n{% endif %}\n")
     assert shown_by("print(render('x.jinja', a=1), end='')", tmp_path) == "  1<\n"
     undefined = (
@@ -109,7 +109,7 @@ def test_templates_are_found_inside_an_installed_package(tmp_path: Path) -> None
 
 def shown_by(code: str, folder: Path) -> str:
     """What code prints that runs with the package of a folder."""
-    command = (sys.executable, "-c", f"from dhgen.targets.templates import render\n{code}")
+    command = (sys.executable, "-c", f"from dhgen.printing.templates import render\n{code}")
     return subprocess.run(command, capture_output=True, text=True, check=True, cwd=folder).stdout
 
 

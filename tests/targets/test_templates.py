@@ -14,10 +14,10 @@ import jinja2.meta
 import pytest
 from jinja2 import nodes
 
+from dhgen.printing.templates import render
 from dhgen.targets import writing
 from dhgen.targets.c import files as c
 from dhgen.targets.python import files as python
-from dhgen.targets.templates import render
 from dhgen.tolerances import Tolerances
 from tests.targets.made import made
 

@@ -7,7 +7,7 @@ a turn, and coefficients are short sums of its entries.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Turn, parallel_groups
@@ -16,6 +16,7 @@ from dhgen.kinematics.ring import by_powers, used_places
 from dhgen.kinematics.transform import Transform, dot, inverse
 from dhgen.paul.equation import MOMENT
 from dhgen.program.lowering.columns import Columns
+from dhgen.program.lowering.polynomials import Part
 from dhgen.program.lowering.vectors import inner
 
 if TYPE_CHECKING:
@@ -29,20 +30,7 @@ if TYPE_CHECKING:
     from dhgen.program.lowering.columns import Column, Stretch
     from dhgen.program.lowering.context import Lowering
 
-    PartsOf = Callable[[Lowering, Step], Iterator["Part"]]
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A sum that coefficients may hold.
-
-    Attributes:
-        polynomial: What it is.
-        value: Makes its value.
-    """
-
-    polynomial: Polynomial
-    value: Callable[[], Node]
+    PartsOf = Callable[[Lowering, Step], Iterator[Part]]
 
 
 def no_parts(_: Lowering, __: Step) -> Iterator[Part]:

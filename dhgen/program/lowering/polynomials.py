@@ -24,9 +24,21 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
-    from dhgen.program.lowering.carried import Part
 
 LONG = 24  # terms: where all twists are right angles there are at most 13
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A sum that coefficients may hold.
+
+    Attributes:
+        polynomial: What it is.
+        value: Makes its value.
+    """
+
+    polynomial: Polynomial
+    value: Callable[[], Node]
 
 
 @dataclass(frozen=True, slots=True)

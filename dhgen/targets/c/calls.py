@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.program.walk import finds_roots
 from dhgen.targets.layout import INDENT, call
 from dhgen.targets.solver.calls import Calls
-from dhgen.targets.walk import finds_roots
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule

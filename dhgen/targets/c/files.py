@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.printing.templates import named, render
 from dhgen.targets.angles import Angles
 from dhgen.targets.c.arctangent import CArctangent
 from dhgen.targets.c.calls import CCalls, Prototypes, c_calls, c_prototypes
@@ -20,7 +21,6 @@ from dhgen.targets.module import regular_solver
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
-from dhgen.targets.templates import named, render
 from dhgen.targets.writing import IN_C
 from dhgen.tolerances import SINGLE
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd, Source
 from dhgen.targets.c.irregular import finite_entries, finite_given
-from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, c_array, listed, packed, paragraph
 from dhgen.targets.module import made_text, named_entries, slacks

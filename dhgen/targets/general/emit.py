@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.printing.templates import named
 from dhgen.targets.general.algorithm import algorithm
 from dhgen.targets.general.rows import rows
-from dhgen.targets.templates import named
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel

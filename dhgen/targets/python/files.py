@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
+from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
 from dhgen.targets.angles import Angles
 from dhgen.targets.layout import INDENT
@@ -27,7 +28,6 @@ from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
-from dhgen.targets.templates import named, render
 from dhgen.targets.writing import IN_PYTHON
 
 if TYPE_CHECKING:

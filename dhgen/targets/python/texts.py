@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.printing.comments import plain
 from dhgen.robot.task import TaskKind
 from dhgen.targets.arctangent import STEEP, arctangent_coefficients
-from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import has_to_be_finite, made_text, named_entries, slacks

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
-from dhgen.targets.walk import checks_again, finds_roots, reads, uses, whole_arm
+from dhgen.program.walk import finds_roots
+from dhgen.targets.walk import checks_again, reads, uses, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule

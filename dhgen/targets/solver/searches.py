@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import TIGHTENINGS, TOGETHER
-from dhgen.targets.solver.standing import stands_on_limits, winds
+from dhgen.program.walk import finds_roots
+from dhgen.targets.module import stands_on_limits
+from dhgen.targets.solver.standing import winds
 from dhgen.targets.walk import (
     checks_again,
     choosable,
     chooses_again,
-    finds_roots,
     lost_together,
 )
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.regular.regular import tells_regular
 from dhgen.robot.robot import JointKind
+from dhgen.targets.module import stands_on_limits
 from dhgen.targets.walk import roots_in_a_row, whole_arm
 
 if TYPE_CHECKING:
@@ -68,16 +69,6 @@ def standing_of(module: SolverModule) -> Standing:
         beyond_ends="past_ends" if winding else "beyond_limits",
         leads_inside="lead_inside" if winding else "settle",
     )
-
-
-def stands_on_limits(module: SolverModule) -> bool:
-    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
-
-    An arm angle would be one more thing that has to be met.
-    """
-    chain = module.chain
-    limited = any(joint.limits for joint in chain.joints)
-    return limited and any(chain.turning) and not chain.arm_angle
 
 
 def winds(module: SolverModule) -> bool:

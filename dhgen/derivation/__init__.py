@@ -1,0 +1,58 @@
+"""The derivation target: why the solver is what it is, for people to follow by hand.
+
+`derivation_document` writes Markdown for GitHub, `derivation_terminal` the same as plain text,
+`derivation_summary` a dozen lines, `alternatives_text` the routes that were not taken.
+
+All of them draw on a `Story`: `sections` say what stands around the steps, `types` what a step of
+each equation type says, in letters from `notation`; `text` prints what they make.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.alternatives import alternatives_text
+from dhgen.derivation.document import document_blocks, singular_places
+from dhgen.derivation.story import Story
+from dhgen.derivation.summary import summary_text
+from dhgen.derivation.text.markdown import markdown
+from dhgen.derivation.text.plain import plain
+from dhgen.printing.comments import plain_path
+from dhgen.printing.templates import render
+
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
+    from dhgen.program.ir import Program
+    from dhgen.robot.robot import Robot
+
+
+def derivation_document(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+    """The derivation as GitHub Markdown with formulas; `source` is how the robot file is called."""
+    blocks = document_blocks(Story(robot, derivation, program))
+    return render(
+        "derivation/document.md.jinja",
+        name=robot.name,
+        source=plain_path(source),
+        blocks=tuple(map(markdown, blocks)),
+    )
+
+
+def derivation_terminal(robot: Robot, derivation: Derivation, program: Program) -> str:
+    """The same as plain text."""
+    blocks = document_blocks(Story(robot, derivation, program))
+    first, *others = map(plain, blocks)
+    return render("derivation/terminal.txt.jinja", first=first, others=others)
+
+
+def derivation_summary(robot: Robot, derivation: Derivation, program: Program) -> str:
+    """A line for each step, the branches, the degenerate cases."""
+    story = Story(robot, derivation, program)
+    return summary_text(story, singular_places(story))
+
+
+__all__ = [
+    "alternatives_text",
+    "derivation_document",
+    "derivation_summary",
+    "derivation_terminal",
+]

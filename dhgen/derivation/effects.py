@@ -1,0 +1,107 @@
+"""What is done at a singular place, in words that match the program."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.names import joint_symbol, single, theta
+from dhgen.derivation.text.blocks import joined, say
+from dhgen.derivation.text.formula import ONE, ZERO, equal, minus
+from dhgen.paul.form import Length
+from dhgen.paul.step import Kind
+from dhgen.program.ir import Failure, Guard
+
+if TYPE_CHECKING:
+    from dhgen.derivation.step_context import StepContext
+    from dhgen.derivation.text.blocks import Prose
+    from dhgen.program.ir import Program
+
+
+OTHERS_DECIDE = "the others decide which values work: all, a few, of which the row has one, or none"
+THE_REST = "; rows that are left have the rest of a few"
+
+
+def others_decide(context: StepContext) -> str:
+    """What the rows hold where the other equations decide."""
+    return OTHERS_DECIDE + THE_REST if is_left_to_the_pose(context) else OTHERS_DECIDE
+
+
+def is_left_to_the_pose(context: StepContext) -> bool:
+    """Whether rows are compared with the whole pose, which tells a value of this angle from others.
+
+    An arm of fewer joints than the pose has numbers may take it by some values only.
+    """
+    joints = open_joints(context)
+    chosen = (choice for guard in comparisons(context.story.program) for choice in guard.chosen)
+    return any(choice.joint in joints for choice in chosen)
+
+
+def comparisons(program: Program) -> list[Guard]:
+    """Where rows have to reproduce the pose, or end."""
+    guards = (each for each in program.body if isinstance(each, Guard))
+    return [each for each in guards if each.failure is Failure.INCONSISTENT]
+
+
+def nothing_said(context: StepContext) -> str:
+    """What is left of an angle where the equations hold for every value of it."""
+    if _decides(context, open_joints(context)):
+        told = "these equations say" if len(context.step.forms) > 1 else "this equation says"
+        return f"{told} nothing about {{}}"
+    return "every {} works"
+
+
+def merged_effect(context: StepContext) -> Prose:
+    """Two branches have met."""
+    return say(
+        "both signs give the same solution; it stands in the rows with {}, and those with {} stay "
+        "empty",
+        equal(context.sign, ONE),
+        equal(context.sign, minus(ONE)),
+    )
+
+
+def free_effect(context: StepContext) -> Prose:
+    """A joint takes the seed's value; of a sum of angles it is the sum that does."""
+    joints = open_joints(context)
+    symbols = joined([say("{}", joint_symbol(joint)) for joint in joints])
+    value, taking = "{} takes the seed's value (0 without a seed)", [symbols]
+    on_a_line = context.step.kind is Kind.TWO_LENGTHS
+    if on_a_line:
+        value = "{} take the values on that line nearest to the seed's (each 0 without a seed)"
+    elif len(joints) > 1:
+        value = "{} takes the value that the seed's {} give it (each 0 without a seed)"
+        taking = [say("{}", theta(context.angle)), symbols]
+    troubles = ["leads to no solution"] if _decides(context, joints) else []
+    if any(joint.limits for joint in context.story.algebra.chain.joints):
+        troubles.append("puts a joint beyond its limits")
+    if troubles:
+        value += f" or, where that {' or '.join(troubles)}, the nearest value that works"
+    parts = [say(value, *taking)]
+    if len(joints) > 1 and not on_a_line:
+        parts.append(say("the joints themselves follow from it"))
+    rows = "are left for other values" if is_left_to_the_pose(context) else "stay empty"
+    if context.step.roots == 2:
+        parts.append(say(f"the rows with {{}} {rows}", equal(context.sign, minus(ONE))))
+    elif context.step.kind is Kind.CIRCLE:
+        parts.append(say(f"the rows of the other roots {rows}"))
+    remembered = context.remembered if context.step.kind is Kind.ANGLE else None
+    if remembered is not None:
+        parts.append(say("{}", equal(remembered.letter, ZERO)))
+    if context.number < len(context.story.steps):
+        parts.append(say("the steps below go on unchanged"))
+    return say("{}; {}", parts[0], joined(parts[1:])) if parts[1:] else parts[0]
+
+
+def _decides(context: StepContext, joints: list[int]) -> bool:
+    """Whether a later step, or the pose, may be missed by the value that one of these takes."""
+    guards = (each for each in context.story.program.body if isinstance(each, Guard))
+    return any(choice.joint in joints for guard in guards for choice in guard.chosen)
+
+
+def open_joints(context: StepContext) -> list[int]:
+    """The joints of the step's angle that no earlier step has given; or the slides themselves."""
+    slides = [each.joint for each in context.step.unknowns if isinstance(each, Length)]
+    if len(slides) == len(context.step.unknowns):
+        return slides
+    before = context.story.knowledge[context.number - 1]
+    return [joint for joint, _ in context.angle.terms if not before.knows(single(joint))]

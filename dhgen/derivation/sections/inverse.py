@@ -1,0 +1,146 @@
+"""How the inverse begins: the pose that is given, and U_0."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.names import inverse as inverse_name
+from dhgen.derivation.notation.names import letter, link, target
+from dhgen.derivation.notation.polynomial import Writer, alphabet
+from dhgen.derivation.sections.elements import element_blocks
+from dhgen.derivation.sections.given_pose import BASE, POSE, TOOL, given_pose, moved_left
+from dhgen.derivation.sections.points import point_blocks
+from dhgen.derivation.sections.shoulder import shoulder_blocks
+from dhgen.derivation.sections.types_table import types_table
+from dhgen.derivation.steps import leaves_a_joint_free
+from dhgen.derivation.text.blocks import (
+    Heading,
+    Paragraph,
+    display,
+    joined,
+    paragraph,
+    say,
+    sentences,
+)
+from dhgen.derivation.text.formula import Listing, Symbol, equal, times
+from dhgen.kinematics.algebra import POSE_PLACES
+from dhgen.kinematics.task_entries import task_entries
+from dhgen.kinematics.transform import Transform, compose, identity, inverse
+from dhgen.robot.task import TaskKind
+
+if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block, Prose
+
+
+SEED = (
+    "The seed is a set of joint values that the caller may give, such as the arm's present ones: a "
+    "joint that the pose leaves free takes its value from there."
+)
+
+
+def inverse_beginning(story: Story) -> list[Block]:
+    """Everything before the first step."""
+    blocks: list[Block] = [Heading(2, say("Inverse"))]
+    blocks += _given(story)
+    blocks += types_table(story)
+    blocks += _stay(story)
+    return [*blocks, *point_blocks(story), *shoulder_blocks(story), *element_blocks(story)]
+
+
+def _given(story: Story) -> list[Block]:
+    """U_0, and its entries where base or tool are moved to the left."""
+    left, right = moved_left(story)
+    method = say(
+        "Paul's method multiplies both sides of {} by {}, {} and so on from the left, {}, until an "
+        "element holds one unknown or is of one of the types of document 003.",
+        equal(target(0), Symbol(r"A_1 \cdots A_n", "A₁⋯Aₙ")),
+        inverse_name(link(1)),
+        inverse_name(link(2)),
+        equal(Symbol("U_i", "Uᵢ"), Symbol(r"A_i^{-1} U_{i-1}", "Aᵢ⁻¹ Uᵢ₋₁")),
+    )
+    named = sorted(task_entries(story.algebra.chain.task))
+    which = say("")
+    if len(named) < 12:
+        which = say(" Of its entries the task gives {}.", _named(story))
+    blocks: list[Block] = [
+        paragraph(
+            "The pose {} of the tool is given, and with it {}.{} {}",
+            POSE,
+            given_pose(story),
+            which,
+            method,
+        ),
+        *_other_forms(story),
+        *([paragraph(SEED)] if leaves_a_joint_free(story) else []),
+    ]
+    if left or right:
+        blocks += _entries(story, left=left, right=right)
+    return blocks
+
+
+def _other_forms(story: Story) -> list[Block]:
+    """How the forms come about that are none of Paul's U_i."""
+    mixed = [o for step in story.steps for o in step.origins if o.is_mixed]
+    texts: list[Prose] = []
+    last = [inverse_name(link(story.dof - i)) for i in (0, 1)]
+    if not all(origin.inverse for origin in mixed):
+        text = "Some steps need the last joints on the left as well: there both sides are also "
+        texts.append(say(text + "multiplied by {}, {} and so on from the right.", *last))
+    if any(origin.inverse for origin in mixed):
+        text = "Some equations are those of {}, in which a frame of the base is seen from the tool."
+        texts.append(say(text, inverse_name(target(0))))
+    return [Paragraph(sentences(texts))] if texts else []
+
+
+def _named(story: Story) -> Prose:
+    """The entries of U_0 that the task gives, without those that repeat others."""
+    if story.algebra.chain.task.kind is TaskKind.ORIENTATION:
+        return say("the nine of the rotation")
+    known = sorted(story.derivation.problem.known)
+    return say("{}", Listing(tuple(story.letters[name] for name in known)))
+
+
+def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
+    """The entries of U_0 by those of POS = (p_ij), or (m_ij) where points of axes are called p."""
+    algebra = story.algebra
+    problem = story.derivation.problem
+    entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]
+    given = Transform(tuple(tuple(row[:3]) for row in entry), tuple(row[3] for row in entry))
+    if left:
+        back = inverse(algebra.lift(algebra.chain.base), algebra.normal)
+        given = compose(back, given, algebra.normal)
+    if right:
+        back = inverse(algebra.lift(algebra.chain.tool), algebra.normal)
+        given = compose(given, back, algebra.normal)
+    letters = dict(story.letters)
+    named = "m" if any(each.text.startswith("p_") for each in letters.values()) else "p"
+    for i in range(1, 4):
+        for j in range(1, 5):
+            letters[f"t{i}{j}"] = letter(named, named, f"{i}{j}", f"p{i}{j}")
+    writer = Writer(alphabet(algebra, letters), lambda _: 0)
+    shown = [
+        equal(story.letters[name], writer.write(given.entry(*POSE_PLACES[name])))
+        for name in sorted(problem.known, key=lambda name: (name[2], name[1]))
+    ]
+    entries = equal(POSE, Symbol(f"({named}_{{ij}})", f"({named}ᵢⱼ)"))
+    return [paragraph("With {} its entries are", entries), display(*shown)]
+
+
+def _stay(story: Story) -> list[Block]:
+    """Base and tool that stay on the right, because the task does not give the whole pose."""
+    problem = story.derivation.problem
+    chain = story.algebra.chain
+    still = identity(chain.ring)
+    stays: list[Prose] = []
+    if not problem.base_left and chain.base != still:
+        stays.append(say("{} stands for {}", link(1), times(BASE, link(1))))
+    if not problem.tool_left and chain.tool != still:
+        stays.append(say("{} stands for {}", link(chain.dof), times(link(chain.dof), TOOL)))
+    if not stays:
+        return []
+    text = (
+        "The task gives only a part of the pose; moving a constant frame to the other side would "
+        "mix that part with the rest, so it stays where it is: in this section {}."
+    )
+    return [paragraph(text, joined(stays))]

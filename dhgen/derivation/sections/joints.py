@@ -1,0 +1,175 @@
+"""From angles and lengths to joint values: sums taken apart, offsets, signs, one turn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.effects import comparisons
+from dhgen.derivation.notation.expressions import expression_symbol
+from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
+from dhgen.derivation.sections.variables import joints_of, sign_and_offset
+from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say
+from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus
+from dhgen.derivation.text.words import counted, numeral
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.program.walk import finds_roots
+from dhgen.robot.expression import ZERO as NOTHING
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.paul.knowledge import Cut
+    from dhgen.program.ir import Program
+
+
+COMPARED = (
+    "No step uses all equations, and some combinations of these values contradict the others. Each "
+    "row is put into the forward model; where an entry differs from the given one, the row stays "
+    "empty."
+)
+
+
+def joint_values(story: Story) -> list[Block]:
+    """What comes after the steps."""
+    lines = [*_sums(story), *_variables(story)]
+    blocks: list[Block] = []
+    if lines:
+        blocks.append(Paragraph(_text(story), lead=say("The joint values.")))
+        blocks.append(display(*lines))
+    if story.derivation.problem.overdetermined:
+        blocks.append(_check(story))
+    elif comparisons(story.program):
+        blocks.append(paragraph(COMPARED))
+    if story.program.tightened is not None:
+        blocks.append(_tightening(story.program))
+    return blocks
+
+
+def _text(story: Story) -> Prose:
+    joints = story.algebra.chain.joints
+    shifted = any(j.kind is JointKind.REVOLUTE and j.offset != 0.0 for j in joints)
+    if not (_sums(story) or shifted):
+        return say("What remains is to return to the joint variables:")
+    text = "What remains is addition; whole turns are taken off, so that every angle lies in {}:"
+    return say(text, Symbol(r"(-\pi, \pi]", "(−π, π]"))
+
+
+def _sums(story: Story) -> list[Formula]:
+    """theta_4 = theta_234 - theta_3 - theta_2, for joints that no step gives by themselves."""
+    solved = solved_sums(story, len(story.steps))
+    lines: list[Formula] = []
+    for joint in _turning(story):
+        if single(joint) in solved:
+            continue
+        lines.append(as_sum(story, single(joint), solved))
+    return lines
+
+
+def solved_sums(story: Story, count: int) -> list[AngleSum]:
+    """What so many steps have solved for, and the angles that the caller gives."""
+    steps = story.steps[:count]
+    solved = [each for step in steps for each in step.unknowns if isinstance(each, AngleSum)]
+    return solved + [single(each) for each in story.algebra.chain.free if each in _turning(story)]
+
+
+def as_sum(story: Story, angle: AngleSum, solved: list[AngleSum]) -> Formula:
+    """theta_4 = theta_234 - theta_3 - theta_2, from sums that are solved."""
+    ((joint, _),) = angle.terms
+    parts = path_of(story, joint, solved)
+    return equal(
+        theta(angle),
+        add(*(theta(each) if sign > 0 else minus(theta(each)) for each, sign in parts)),
+    )
+
+
+def _turning(story: Story) -> list[int]:
+    joints = story.algebra.chain.joints
+    return [joint.number for joint in joints if joint.kind is JointKind.REVOLUTE]
+
+
+def path_of(story: Story, joint: int, solved: list[AngleSum]) -> list[tuple[AngleSum, int]]:
+    """The solved sums, with signs, that add up to the angle of a joint: the shortest way."""
+    runs = story.knowledge[0].runs
+    run, place = runs.place[joint]
+    facing = runs.runs[run][place][1]
+    start, goal = (run, place), (run, place + 1)
+    reached: dict[Cut, list[tuple[AngleSum, int]]] = {start: []}
+    frontier = [start]
+    while frontier:
+        cut = frontier.pop(0)
+        for angle in solved:
+            low, high, sign = runs.ends(angle)
+            for here, there, along in ((low, high, sign), (high, low, -sign)):
+                if here == cut and there not in reached:
+                    reached[there] = [*reached[cut], (angle, along)]
+                    frontier.append(there)
+    parts = [(angle, sign * facing) for angle, sign in reached[goal]]
+    return sorted(parts, key=lambda part: -len(part[0].terms))
+
+
+def _variables(story: Story) -> list[Formula]:
+    """q_i by theta_i or r_i, where they differ."""
+    lines: list[Formula] = []
+    for number, joint in enumerate(joints_of(story), start=1):
+        turning = joint.kind is JointKind.REVOLUTE
+        inner: Formula = theta(single(number)) if turning else letter("r", "r", str(number))
+        sign, offset = sign_and_offset(story, number)
+        if turning and sign > 0 and offset == NOTHING:
+            continue
+        value = inner if sign > 0 else minus(inner)
+        if offset != NOTHING:
+            added = Symbol(*_enclosed(expression_symbol(offset)))
+            value = _minus(inner, added) if sign > 0 else _minus(added, inner)
+        lines.append(equal(joint_symbol(number), value))
+    return lines
+
+
+def _minus(left: Formula, right: Formula) -> Formula:
+    """left - right; a cell that begins with a sign keeps its sign out."""
+    if isinstance(right, Symbol) and right.text.startswith("−"):
+        return add(left, Symbol(right.latex[1:], right.text[1:]))
+    return add(left, minus(right))
+
+
+def _enclosed(symbol: Symbol) -> tuple[str, str]:
+    if " " in symbol.text:
+        return f"({symbol.latex})", f"({symbol.text})"
+    return symbol.latex, symbol.text
+
+
+def _check(story: Story) -> Block:
+    """A pose with more numbers than the arm has joints."""
+    chain = story.algebra.chain
+    asked, own = chain.task.dimension, chain.dof - chain.given
+    joints = counted(own, "joint") + (" to solve for" if chain.given else "")
+    return paragraph(
+        f"The task has {numeral(asked)} independent numbers, the arm {joints}, so it cannot take "
+        "every pose. Each solution is put into the forward model; where an entry differs from the "
+        "given one, the arm cannot take the pose and the row stays empty."
+    )
+
+
+def _tightening(program: Program) -> Block:
+    """What is done with rows that are good to few digits."""
+    text = (
+        "Angles of short vectors, and roots that nearly meet, are good to a few digits only. A row "
+        "that misses the pose by a little is tightened: steps of damped least squares, with the "
+        "Jacobian of the whole task, improve it until it is exact or comes no closer. Before that, "
+        "it may be slightly out of reach; if it still is afterwards, it stays empty."
+    )
+    if program.tightened is not None and program.tightened.elbow:
+        text += " The arm angle is one more equation of these steps."
+    if finds_roots(program):
+        text += (
+            " Where two roots nearly meet, a joint may be nearly free. One root may then stand for "
+            "both, and its row is the solution of neither. The steps lead from it to one of the "
+            "two solutions; the root of the other lies as far away on the other side. A root that "
+            "took the seed's value is looked for again with a seed turned away from it."
+        )
+    if program.tightened is not None and program.tightened.checked:
+        text += (
+            " If a row is exact after that, the pose was not rounded, and all rows have to be "
+            "exact; if none is, they stay as they were."
+        )
+    return paragraph(text)

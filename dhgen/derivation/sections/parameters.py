@@ -1,0 +1,107 @@
+"""The numbers of the arm: the user's parameters, and numbers that the formulas give a letter."""
+
+from __future__ import annotations
+
+import math
+import re
+from itertools import product
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.expressions import expression_symbol, number_symbol
+from dhgen.derivation.notation.names import is_primed, parameter
+from dhgen.derivation.sections.reference_angles import reference_angles
+from dhgen.derivation.text.blocks import Given, joined, paragraph, say
+from dhgen.derivation.text.formula import equal
+from dhgen.kinematics.chain import Fixed
+from dhgen.kinematics.ring import used_places
+from dhgen.robot.expression import Negate, Number
+
+if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.constants import Constant
+    from dhgen.robot.robot import Parameter
+
+
+ANGLES = ("twist", "the angle", "the parameter")
+TURNED = ("cosine of", "sine of")
+
+
+def constant_blocks(story: Story) -> list[Block]:
+    """Every letter of the formulas that stands for a number."""
+    blocks: list[Block] = []
+    constants = _written(story.algebra.chain)
+    used = {each.parameter: each for each in constants}
+    primed = any(is_primed(each.name) for each in story.robot.parameters)
+    shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
+    if shown:
+        prime = " A prime tells a parameter from what else its name means here." if primed else ""
+        blocks.append(paragraph("Parameters: {}." + prime, joined(shown)))
+    made = [each for each in constants if each.parameter is None and each.square is None]
+    if made:
+        numbers = joined([_constant(story, each) for each in made])
+        blocks.append(
+            paragraph("Letters for numbers that have no name in the robot file: {}.", numbers)
+        )
+        blocks += reference_angles(story)
+    return blocks
+
+
+def _written(chain: Chain) -> list[Constant]:
+    """The constants that occur.
+
+    Of some angles only the cosine does; and of coordinates that agree, only their difference did.
+    """
+    fixed = [part.transform for link in chain.links for part in link if isinstance(part, Fixed)]
+    places = {
+        place
+        for transform in (*fixed, chain.base, chain.tool)
+        for row, column in product(range(3), range(4))
+        for place in used_places(transform.entry(row, column))
+    }
+    used = {chain.ring.symbols[place].name for place in places}
+    return [
+        each
+        for each in chain.constants
+        if each.name in used or each.parameter or not (each.cosine or each.is_length)
+    ]
+
+
+def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:
+    value = number_symbol(each.value)
+    written = each.expression
+    plain = isinstance(written, Number) or (
+        isinstance(written, Negate) and isinstance(written.operand, Number)
+    )
+    sides = [parameter(each.name), *([] if plain else [expression_symbol(written)]), value]
+    is_length = constant is not None and constant.is_length
+    unit = say(" {}", Given(story.robot.length_unit)) if is_length else say("")
+    return say("{}{}", equal(*sides), unit)
+
+
+def _constant(story: Story, constant: Constant) -> Prose:
+    unit = say(" {}", Given(story.robot.length_unit)) if constant.is_length else say("")
+    symbol = story.letters[constant.name]
+    return say(
+        "{}{} ({})", equal(symbol, number_symbol(constant.value)), unit, Given(_meaning(constant))
+    )
+
+
+def _meaning(constant: Constant) -> str:
+    """What a number is; an angle inside a frame's rotation is not one entry of it."""
+    function, of, what = constant.meaning.partition(" of ")
+    if f"{function}{of}".strip() not in TURNED:
+        return constant.meaning
+    if not what.startswith(ANGLES):
+        place = re.sub(r"^(.*), entry .*", r"the \1", what)
+        what = f"an angle in {place}"
+    return f"{function} of {what}{_unsigned(function, constant)}"
+
+
+def _unsigned(function: str, constant: Constant) -> str:
+    """What is said of a cosine or sine that is less than zero."""
+    if constant.angle is None:
+        return ""
+    value = math.cos(constant.angle) if function == "cosine" else math.sin(constant.angle)
+    return "" if value > 0.0 else ", without its sign"

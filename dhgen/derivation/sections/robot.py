@@ -1,0 +1,120 @@
+"""The title, the opening paragraph, and the section about the robot as the user wrote it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.expressions import text_symbol
+from dhgen.derivation.sections.branch_names import branch_legend
+from dhgen.derivation.sections.frames import frame_sentences
+from dhgen.derivation.sections.parameters import constant_blocks
+from dhgen.derivation.sections.tables import axes_blocks, table_blocks
+from dhgen.derivation.text.blocks import Given, Heading, Paragraph, joined, paragraph, say
+from dhgen.derivation.text.words import counted, many, numeral
+from dhgen.method import Method
+from dhgen.robot.robot import DhTable, JointKind
+from dhgen.robot.task import TaskKind
+
+if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.formula import Symbol
+
+_TASKS = {
+    TaskKind.POSE: "the pose of the tool, position and orientation",
+    TaskKind.POSITION: "the position of the tool; its orientation is not prescribed",
+    TaskKind.ORIENTATION: "the orientation of the tool; its position is not prescribed",
+    TaskKind.POINTING: "the position of the tool and the direction of its z axis",
+}
+
+
+def opening(story: Story) -> list[Block]:
+    """The title and what the arm is."""
+    kinds = [joint.kind for joint in story.robot.joints]
+    letters = story.algebra.chain.joint_types
+    blocks: list[Block] = [
+        Heading(1, say("{}: inverse kinematics", Given(story.robot.title))),
+        Paragraph(say(f"{letters}: {_kinds(kinds)}. {_task(story)} {_solutions(story)}")),
+        *branch_legend(story),
+    ]
+    if story.robot.source:
+        source = Given(story.robot.source.rstrip("."))
+        blocks.append(paragraph("Source of the numbers: {}.", source))
+    return blocks
+
+
+def robot_section(story: Story, written: frozenset[Symbol]) -> list[Block]:
+    """Table or axes, convention, parameters, frames, for formulas that hold some letters."""
+    geometry = story.robot.geometry
+    return [
+        Heading(2, say("The robot")),
+        *(table_blocks(story) if isinstance(geometry, DhTable) else axes_blocks(story)),
+        *_taken(story),
+        *constant_blocks(story),
+        *(Paragraph(prose) for prose in frame_sentences(story, written)),
+    ]
+
+
+def _taken(story: Story) -> list[Block]:
+    """The cells that say a little other than the table."""
+    cells = story.robot.taken
+    if not cells:
+        return []
+    each = [
+        say(
+            "{} as {} in place of {}",
+            Given(cell.place),
+            text_symbol(cell.exact),
+            Given(cell.text),
+        )
+        for cell in cells
+    ]
+    text = "Cells within 1e-9 of an exact value are taken as it: {}."
+    return [paragraph(text, joined(each))]
+
+
+def _kinds(kinds: list[JointKind]) -> str:
+    turning = [str(i) for i, kind in enumerate(kinds, 1) if kind is JointKind.REVOLUTE]
+    sliding = [str(i) for i, kind in enumerate(kinds, 1) if kind is JointKind.PRISMATIC]
+    if not sliding:
+        return counted(len(turning), "revolute joint")
+    if not turning:
+        return counted(len(sliding), "prismatic joint")
+    return (
+        f"{counted(len(kinds), 'joint')}, {many('joint', turning)} revolute and "
+        f"{many('joint', sliding)} prismatic"
+    )
+
+
+def _task(story: Story) -> str:
+    task = story.robot.task
+    free = ""
+    if story.robot.free:
+        joints = [str(joint) for joint in story.robot.free]
+        free = f" The caller gives the value of {many('joint', joints)}."
+    if story.robot.arm_angle:
+        free = " The caller gives the arm angle."
+    if task.kind is TaskKind.COORDINATES:
+        return f"Task: {many('the coordinate', list(task.coordinates))} of the tool.{free}"
+    return f"Task: {_TASKS[task.kind]}.{free}"
+
+
+def _solutions(story: Story) -> str:
+    rows = story.program.rows
+    if story.derivation.method is Method.NUMERICAL:
+        given = "one, in row 0" if rows == 1 else f"up to {numeral(rows)}, in rows from 0"
+        return f"Solved numerically: of the solutions found, {given}."
+    if rows == 1:
+        return "Every pose within reach has one solution, row 0."
+    count = counted(rows, "solution")
+    if story.derivation.whole is not None:
+        return f"At most {count}, in rows by ascending joint values."
+    if story.has_branch_words:
+        named = ", ".join(f"{place} {name}" for place, name in enumerate(story.branch_names))
+        if story.derivation.method is Method.QUARTIC:
+            return f"At most {count}, in rows by ascending angles of the roots: {named}."
+        return f"At most {count}, each always in the same row: {named}."
+    return (
+        f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "
+        "branch signs of every row."
+    )

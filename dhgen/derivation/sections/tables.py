@@ -1,0 +1,137 @@
+"""The robot's table or axes as the user wrote them, and what the letters of the formulas are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.expressions import (
+    expression_symbol,
+    is_rounded_limit,
+    limit_symbol,
+    variable_symbol,
+)
+from dhgen.derivation.notation.names import letter
+from dhgen.derivation.sections.variables import joints_of, variables
+from dhgen.derivation.text.blocks import Given, Table, paragraph, say
+from dhgen.derivation.text.formula import Symbol
+from dhgen.robot.robot import AxisJoint, Convention, DhRow, DhTable, JointKind
+
+if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.robot.expression import Expression
+
+_CONVENTIONS = {
+    Convention.STANDARD: Symbol(
+        r"A_i = R_z(\theta_i) T_z(d_i) T_x(a_i) R_x(\alpha_i)", "Aᵢ = Rz(θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ)"
+    ),
+    Convention.MODIFIED: Symbol(
+        r"A_i = R_x(\alpha_i) T_x(a_i) R_z(\theta_i) T_z(d_i)", "Aᵢ = Rx(αᵢ) Tx(aᵢ) Rz(θᵢ) Tz(dᵢ)"
+    ),
+}
+_BEFORE, _OWN, _AFTER = (
+    Symbol("z_{i-1}", "zᵢ₋₁"),
+    Symbol("z_i", "zᵢ"),
+    Symbol("z_{i+1}", "zᵢ₊₁"),
+)
+_I = Symbol("i", "i")
+_TEXT = "{} convention: {}. Joint {} {} {}; {} points along the common normal of {} and {}."
+_AXES_TEXT = (
+    "The axes are given in the reference position, where every {} is zero, in the base frame "
+    "(document 001). Frame {} moves with joint {} and has its {} axis along the joint's axis; {} "
+    "takes frame {} to frame {}."
+)
+
+
+def table_blocks(story: Story) -> list[Block]:
+    """The Denavit-Hartenberg table and its convention."""
+    geometry = story.robot.geometry
+    assert isinstance(geometry, DhTable)
+    limited = any(row.limits for row in geometry.rows)
+    header = [say("joint"), *(say("{}", s) for s in _columns()), *([say("limits")] * limited)]
+    rows = [
+        (*_cells(number, row), *([_limits(row, story)] * limited))
+        for number, row in enumerate(geometry.rows, start=1)
+    ]
+    standard = geometry.convention is Convention.STANDARD
+    axes = (_BEFORE, _OWN) if standard else (_OWN, _AFTER)
+    return [
+        Table(tuple(header), tuple(rows)),
+        paragraph(
+            _TEXT,
+            say("Standard" if standard else "Modified"),
+            _CONVENTIONS[geometry.convention],
+            _I,
+            say(_motion(geometry)),
+            axes[0],
+            Symbol("x_i", "xᵢ"),
+            *axes,
+        ),
+        *_rounded(story),
+        variables(story),
+    ]
+
+
+def _motion(geometry: DhTable) -> str:
+    """What joints do with their axes."""
+    kinds = {row.kind for row in geometry.rows}
+    if len(kinds) > 1:
+        return "turns about or slides along"
+    return "turns about" if JointKind.REVOLUTE in kinds else "slides along"
+
+
+def axes_blocks(story: Story) -> list[Block]:
+    """The axes in the reference position."""
+    header = [say(word) for word in ("joint", "type", "direction", "point")]
+    joints = [joint for joint in story.robot.joints if isinstance(joint, AxisJoint)]
+    limited = any(joint.limits for joint in joints)
+    rows = []
+    for place, joint in enumerate(joints, start=1):
+        point = say("—") if joint.kind is JointKind.PRISMATIC else _triple(joint.point)
+        cells = [say(str(place)), say(joint.kind.value), _triple(joint.direction), point]
+        rows.append((*cells, *([_limits(joint, story)] * limited)))
+    q, z, a = Symbol("q_i", "qᵢ"), Symbol("z", "z"), Symbol("A_i", "Aᵢ")
+    return [
+        Table((*header, *([say("limits")] * limited)), tuple(rows)),
+        paragraph(_AXES_TEXT, q, _I, _I, z, a, Symbol("i-1", "i−1"), _I),
+        *_rounded(story),
+        variables(story),
+    ]
+
+
+def _columns() -> list[Symbol]:
+    return [letter(r"\theta", "θ"), letter("d", "d"), letter("a", "a"), letter(r"\alpha", "α")]
+
+
+def _cells(number: int, row: DhRow) -> tuple[Prose, ...]:
+    theta_cell, d_cell = expression_symbol(row.theta), expression_symbol(row.d)
+    if row.kind is JointKind.REVOLUTE:
+        theta_cell = variable_symbol(number, row.sign, row.theta)
+    else:
+        d_cell = variable_symbol(number, row.sign, row.d)
+    cells = (theta_cell, d_cell, expression_symbol(row.a), expression_symbol(row.alpha))
+    return (say(str(number)), *(say("{}", cell) for cell in cells))
+
+
+def _limits(joint: DhRow | AxisJoint, story: Story) -> Prose:
+    if joint.limits is None:
+        return say("—")
+    low, high = (limit_symbol(value, joint.kind) for value in joint.limits)
+    if joint.kind is JointKind.REVOLUTE:
+        return say("{} to {}", low, high)
+    return say("{} to {} {}", low, high, Given(story.robot.length_unit))
+
+
+def _rounded(story: Story) -> list[Block]:
+    """What the reader of the limits has to know."""
+    turning = [joint for joint in joints_of(story) if joint.kind is JointKind.REVOLUTE]
+    limits = [value for joint in turning for value in joint.limits or ()]
+    if not any(map(is_rounded_limit, limits)):
+        return []
+    return [paragraph("Limits are rounded to a thousandth of a degree.")]
+
+
+def _triple(cells: tuple[Expression, Expression, Expression]) -> Prose:
+    shown = [expression_symbol(cell) for cell in cells]
+    latex = ", ".join(symbol.latex for symbol in shown)
+    return say("{}", Symbol(f"({latex})", "(" + ", ".join(symbol.text for symbol in shown) + ")"))

@@ -1,0 +1,208 @@
+"""What every section draws from: the arm, its steps, and how polynomials are written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.geometry import wrist_joints
+from dhgen.derivation.notation.matrices import form_of
+from dhgen.derivation.notation.names import branch_sign, joint_index, letter, symbols
+from dhgen.derivation.notation.polynomial import Alphabet, Writer, alphabet
+from dhgen.derivation.quotes import quotes_of
+from dhgen.derivation.text.formula import ONE
+from dhgen.derivation.text.walk import leads_negative
+from dhgen.kinematics.ring import content, primitive
+from dhgen.paul.branches import branch_labels
+from dhgen.paul.knowledge import initial_knowledge
+from dhgen.paul.mixed_forms import right_inverse
+from dhgen.paul.step import Kind, learn
+
+if TYPE_CHECKING:
+    from dhgen.derivation.notation.matrices import Form
+    from dhgen.derivation.quotes import Quote
+    from dhgen.derivation.text.formula import Formula, Symbol
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.derivation import Derivation
+    from dhgen.paul.equation import Matrix
+    from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.pool import Point
+    from dhgen.paul.step import Step
+    from dhgen.program.ir import Program
+    from dhgen.robot.robot import Robot
+
+
+@dataclass(frozen=True, slots=True)
+class Remembered:
+    """After X s + Y c = Z the form Y s - X c is known too: the signed root.
+
+    Attributes:
+        step: The number of the step, from 1.
+        form: Y s - X c of the equation as it stands, or the opposite.
+        letter: What it is called.
+        facing: -1 when it is the opposite.
+    """
+
+    step: int
+    form: Polynomial
+    letter: Symbol
+    facing: int
+
+
+@dataclass(frozen=True, eq=False)  # itself and no other: what it says is remembered
+class Story:
+    """A derivation with what its prints need.
+
+    Attributes:
+        robot: As the user wrote it.
+        derivation: The steps.
+        program: What computes them; its axes are the branch signs.
+    """
+
+    robot: Robot
+    derivation: Derivation
+    program: Program
+
+    @property
+    def algebra(self) -> Algebra:
+        """The arm's ring."""
+        return self.derivation.problem.algebra
+
+    @property
+    def dof(self) -> int:
+        """The number of joints."""
+        return self.algebra.chain.dof
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """The steps, in order."""
+        return self.derivation.steps
+
+    @cached_property
+    def letters(self) -> dict[str, Symbol]:
+        """The letter of every generator."""
+        return symbols(self.algebra)
+
+    @cached_property
+    def knowledge(self) -> tuple[Knowledge, ...]:
+        """What is known before the first step and after each."""
+        states = [initial_knowledge(self.algebra)]
+        for step in self.steps:
+            states.append(learn(states[-1], step))
+        return tuple(states)
+
+    @cached_property
+    def solved_after(self) -> dict[str, int]:
+        """For every generator that moves, the number of the step after which it is known."""
+        ranks: dict[str, int] = {}
+        for number, state in enumerate(self.knowledge):
+            for angle in self.algebra.angles:
+                if state.knows(angle):
+                    ranks.setdefault(angle.cosine, number)
+                    ranks.setdefault(angle.sine, number)
+            for joint, name in self.algebra.slides.items():
+                if joint in state.slides:
+                    ranks.setdefault(name, number)
+        return ranks
+
+    def write(self, polynomial: Polynomial, step: int = 0) -> Formula:
+        """A polynomial nested by the order of solving; forms of steps before `step` by name."""
+        known: dict[Polynomial, Formula] = {}
+        for each in self.remembered if step else ():
+            if each.step < step:
+                known[each.form] = each.letter
+        rank = self.solved_after
+        last = len(self.steps) + 1
+        writer = Writer(self._alphabet, lambda name: rank.get(name, last), known)
+        return writer.write(polynomial)
+
+    def write_forward(self, polynomial: Polynomial) -> Formula:
+        """A polynomial nested from the base to the tool."""
+        if polynomial not in self._written_forward:
+            first = {a.cosine: -a.terms[0][0] for a in self.algebra.angles}
+            first |= {a.sine: -a.terms[0][0] for a in self.algebra.angles}
+            first |= {name: -joint for joint, name in self.algebra.slides.items()}
+            writer = Writer(self._alphabet, lambda name: first.get(name, 0))
+            self._written_forward[polynomial] = writer.write(polynomial)
+        return self._written_forward[polynomial]
+
+    @cached_property
+    def _written_forward(self) -> dict[Polynomial, Formula]:
+        return {}
+
+    @cached_property
+    def _alphabet(self) -> Alphabet:
+        return alphabet(self.algebra, self.letters)
+
+    @cached_property
+    def quotes(self) -> tuple[tuple[Quote, ...], ...]:
+        """The equations of every step as they stand."""
+        return tuple(quotes_of(self.derivation, step) for step in self.steps)
+
+    @cached_property
+    def remembered(self) -> tuple[Remembered, ...]:
+        """The forms Y s - X c of all steps of type 2 that later polynomials may hold."""
+        found = []
+        for number, step in enumerate(self.steps, start=1):
+            if step.kind is Kind.ANGLE and step.second is None:
+                each = self.combination(number)
+                factor, inner = primitive(each.form)
+                if abs(factor) == 1 and not any(content(inner)[0]) and len(inner) > 1:
+                    found.append(each)
+        return tuple(found)
+
+    def combination(self, number: int) -> Remembered:
+        """Y s - X c of a step of type 2, with the sign that reads best."""
+        step = self.steps[number - 1]
+        angle = step.angle
+        s, c = self.algebra.generator(angle.sine), self.algebra.generator(angle.cosine)
+        form = step.coefficient("Y") * s - step.coefficient("X") * c
+        form *= self.quotes[number - 1][0].facing
+        facing = -1 if leads_negative(self.write(form)) else 1
+        used = {self.letters[constant.name].text[0] for constant in self.algebra.chain.constants}
+        base = next(each for each in "DFGHM" if each not in used)
+        return Remembered(number, form * facing, letter(base, base, joint_index(angle)), facing)
+
+    def sign_of(self, step: int) -> Formula:
+        """The branch sign that a step brings in; 1 when it has one value."""
+        for place, axis in enumerate(self.program.axes):
+            if axis.step == step:
+                return branch_sign(place)
+        return ONE
+
+    def frame_of(self, point: Point) -> int:
+        """The first frame whose origin a named point is."""
+        problem = self.derivation.problem
+        frames = range(self.dof)
+        return min(k for k in frames if right_inverse(problem, k).translation == point.in_tool)
+
+    def is_wrist_frame(self, frame: int) -> bool:
+        """Whether the origin of a frame is the wrist centre."""
+        return self.wrist is not None and frame >= self.wrist[0] - 1
+
+    def form(self, place: Matrix) -> Form:
+        """Both sides of a mixed form."""
+        if place not in self._forms:
+            self._forms[place] = form_of(self.derivation.pool, place)
+        return self._forms[place]
+
+    @cached_property
+    def _forms(self) -> dict[Matrix, Form]:
+        return {}
+
+    @cached_property
+    def wrist(self) -> tuple[int, int, int] | None:
+        """The last three joints when their axes meet in one point."""
+        return wrist_joints(self.algebra.chain)
+
+    @cached_property
+    def branch_names(self) -> tuple[str, ...]:
+        """A name for every row."""
+        return branch_labels(tuple(axis.meaning for axis in self.program.axes))
+
+    @property
+    def has_branch_words(self) -> bool:
+        """Whether the branches have names in words."""
+        return any(axis.meaning != ("+", "-") for axis in self.program.axes)

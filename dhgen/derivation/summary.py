@@ -1,0 +1,81 @@
+"""The derivation in a dozen lines, for the terminal after a run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.names import unknown_symbol
+from dhgen.derivation.sections.general_loop import joint_symbol
+from dhgen.derivation.steps import quoted
+from dhgen.derivation.text.blocks import Prose
+from dhgen.derivation.text.plain import words
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
+from dhgen.derivation.text.words import counted
+from dhgen.general.kernel import GeneralKernel
+from dhgen.paul.refusal import missed_structure
+
+if TYPE_CHECKING:
+    from dhgen.derivation.step_context import Singularity
+    from dhgen.derivation.story import Story
+    from dhgen.numerical.kernel import NumericalKernel
+
+CHECKED = "every pose is checked: the task asks for more than the arm can choose"
+LONGEST = 62  # characters of an equation; the rest is in the derivation
+
+
+def summary_text(story: Story, singular: list[Singularity]) -> str:
+    """A line for every step, then the branches and the singular places."""
+    if story.derivation.whole is not None:
+        return "\n".join(_whole(story.derivation.whole, story)) + "\n"
+    rows = [_step(story, number) for number in range(1, len(story.steps) + 1)]
+    widths = [max(len(row[column]) for row in rows) for column in range(3)]
+    lines = [
+        "  ".join((*(f"{cell:<{w}}" for cell, w in zip(row[:3], widths, strict=True)), row[3]))
+        for row in rows
+    ]
+    names = ", ".join(story.branch_names) if story.has_branch_words else ""
+    lines.append(f"{counted(story.program.rows, 'row')}" + (f": {names}" if names else ""))
+    lines += [_singular(each) for each in singular]
+    if story.derivation.problem.overdetermined:
+        lines.append(CHECKED)
+    return "\n".join(lines) + "\n"
+
+
+def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
+    """Of an arm that is solved as a whole."""
+    if isinstance(kernel, GeneralKernel):
+        degree = 2 * kernel.degree  # the latter counts cosines and sines
+        joint = joint_symbol(kernel, kernel.first.joints[0]).text
+        hidden = joint if kernel.hides_a_slide else f"tan({joint}/2)"
+        return [
+            f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
+            f"a polynomial of degree {degree} in {hidden}; rows by ascending joint values",
+            *missed_structure(story.algebra.chain),
+            *([CHECKED] if kernel.checked else []),
+        ]
+    if kernel.redundant:
+        return ["numerical, as asked for: the solution near the seed, by damped least squares"]
+    found = "by damped least squares, as many as are found from evenly spread starts"
+    return [f"numerical, as asked for: up to {kernel.rows} solutions {found}; others may exist"]
+
+
+def _step(story: Story, number: int) -> tuple[str, str, str, str]:
+    step = story.steps[number - 1]
+    names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
+    equations = ", ".join(show(equation, PLAIN) for equation in quoted(story, number))
+    if len(equations) > LONGEST:
+        equations = equations[: LONGEST - 1].rstrip() + "…"
+    kind = f"type {step.kind.value}"
+    return f"{number}. {names}", kind, counted(step.roots, "value"), equations
+
+
+def _singular(each: Singularity) -> str:
+    condition = each.condition
+    if each.joints is not None and not isinstance(each.joints, Prose):
+        condition = each.joints
+    if isinstance(condition, Prose):
+        place = f"where {words(condition)}"
+    else:
+        place = f"at {show(condition, PLAIN)}"
+    return f"degenerate {place}: {words(each.meaning)}"

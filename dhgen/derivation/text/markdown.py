@@ -1,0 +1,110 @@
+"""Blocks as GitHub Markdown: fenced `math` blocks, and inline formulas between dollar signs.
+
+GitHub reads Markdown before it reads formulas in a line: where a formula holds what Markdown would
+take for its own, the form with backquotes is used, which it leaves alone.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.text.blocks import (
+    Display,
+    Drawing,
+    Given,
+    Heading,
+    Paragraph,
+    Prose,
+    Table,
+)
+from dhgen.derivation.text.formula import Listing, Matrix, Product, Relation
+from dhgen.derivation.text.lines import broken, laid_out
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import LATEX
+
+if TYPE_CHECKING:
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.formula import Formula
+
+_RISKY = re.compile(r"\}_|\\[^A-Za-z]|[|<>*`]|\[[^\]]*\]\(")
+_SPECIAL = re.compile(r"([\\`*_\[\]<>#|~$&])")
+
+
+def markdown(block: Block) -> str:
+    """A block without its blank lines."""
+    match block:
+        case Heading(level, prose):
+            return f"{'#' * level} {inline(prose)}"
+        case Paragraph(prose, lead):
+            text = inline(prose)
+            return text if lead is None else f"**{inline(lead)}** {text}"
+        case Display(formulas):
+            return "```math\n" + _display(formulas) + "\n```"
+        case Table(header, rows):
+            return _table(header, rows)
+        case Drawing(text):
+            return f"```text\n{text}\n```"
+
+
+def inline(prose: Prose) -> str:
+    """Prose in one line."""
+    return prose.text.format(*(_part(part) for part in prose.parts))
+
+
+def _part(part: Formula | Given | Prose) -> str:
+    match part:
+        case Given(text):
+            return escaped(text)
+        case Prose():
+            return inline(part)
+        case Listing(items):
+            return ", ".join(inline_formula(item) for item in items)
+        case _:
+            return inline_formula(part)
+
+
+def inline_formula(formula: Formula) -> str:
+    """A formula inside a line of text."""
+    latex = show(formula, LATEX)
+    return f"$`{latex}`$" if _RISKY.search(latex) else f"${latex}$"
+
+
+def escaped(text: str) -> str:
+    """A text of the user, of which Markdown reads nothing as its own."""
+    return " ".join(_SPECIAL.sub(r"\\\1", text).split())
+
+
+def _display(formulas: tuple[Formula, ...]) -> str:
+    if len(formulas) == 1 and _is_one_line(formulas[0]):
+        return show(formulas[0], LATEX)
+    pairs = laid_out(formulas, LATEX)
+    lines = [f"{left} & {right}".strip() if right else left for left, right in pairs]
+    if len(lines) == 1:
+        return lines[0].replace(" & ", " ", 1)
+    body = " \\\\\n".join(lines)
+    return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
+
+
+def _is_one_line(formula: Formula) -> bool:
+    return _has_matrix(formula) or len(broken(formula, LATEX)) == 1
+
+
+def _has_matrix(formula: Formula) -> bool:
+    match formula:
+        case Matrix():
+            return True
+        case Relation(parts) | Product(parts) | Listing(parts):
+            return any(_has_matrix(part) for part in parts)
+        case _:
+            return False
+
+
+def _table(header: tuple[Prose, ...], rows: tuple[tuple[Prose, ...], ...]) -> str:
+    lines = [_row(header), "|" + "---|" * len(header)]
+    lines += [_row(row) for row in rows]
+    return "\n".join(lines)
+
+
+def _row(cells: tuple[Prose, ...]) -> str:
+    return "| " + " | ".join(inline(cell) for cell in cells) + " |"

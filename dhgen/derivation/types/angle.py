@@ -1,0 +1,204 @@
+"""Type 2: X s + Y c = Z, from the identity (X s + Y c)^2 + (Y s - X c)^2 = X^2 + Y^2."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.conditions import NEVER, condition_in_joints, other_combination
+from dhgen.derivation.effects import merged_effect
+from dhgen.derivation.joint_space import meaning_of_root
+from dhgen.derivation.never_zero import are_never_zero
+from dhgen.derivation.notation.names import cosine, sine, theta
+from dhgen.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.derivation.text.blocks import display, paragraph, say
+from dhgen.derivation.text.formula import (
+    ONE,
+    ZERO,
+    Formula,
+    Listing,
+    add,
+    atan2,
+    equal,
+    minus,
+    number,
+    over,
+    relation,
+    root,
+    square,
+    subtract,
+    times,
+)
+from dhgen.derivation.types.angle_free import (
+    cancelled,
+    free_with_right_side,
+    free_without_right_side,
+)
+from dhgen.derivation.types.second import ADDED, Second
+from dhgen.kinematics.ring import constant_value
+
+if TYPE_CHECKING:
+    from dhgen.derivation.step_context import StepContext
+    from dhgen.derivation.story import Remembered
+    from dhgen.derivation.text.blocks import Block
+
+X, Y, Z = type_letter("X"), type_letter("Y"), type_letter("Z")
+SQUARES = add(square(X), square(Y))
+
+
+def print_angle(context: StepContext) -> StepText:
+    """Z = 0, a fixed cosine or sine, or the general case."""
+    if not context.polynomial("Z"):
+        return _homogeneous(context)
+    for absent, factor in (("X", "Y"), ("Y", "X")):
+        if not context.polynomial(absent) and context.is_constant(factor):
+            return _single(context)
+    return _general(context)
+
+
+def _letters(context: StepContext, right: Formula, names: str) -> list[Block]:
+    """This is X s + Y c = Z with ..."""
+    left = add(times(X, sine(context.angle)), times(Y, cosine(context.angle)))
+    if context.are_short(*names):
+        listed = Listing(tuple(context.definition(name) for name in names))
+        return [paragraph("This is {} with {}.", equal(left, right), listed)]
+    return [
+        paragraph("This is {} with", equal(left, right)),
+        display(*(context.definition(name) for name in names)),
+    ]
+
+
+def _homogeneous(context: StepContext) -> StepText:
+    sign = context.facing_sign
+    second = Second.of(context)
+    along, across = (X, Y) if second is None else (ADDED["X"], ADDED["Y"])
+    general = atan2(times(sign, across), minus(times(sign, along)))
+    special = general
+    if second is None and context.are_short("X", "Y"):
+        x, y = context.value("X"), context.value("Y")
+        special = atan2(times(sign, y), minus(times(sign, x)))
+    blocks = [
+        *_letters(context, ZERO, "XY"),
+        *([] if second is None else second.blocks()),
+        paragraph(
+            "{} and {} are proportional to {} and {}, with either sign:",
+            sine(context.angle),
+            cosine(context.angle),
+            across,
+            minus(along),
+        ),
+        display(equal(theta(context.angle), general, special)),
+    ]
+    remembered = context.remembered
+    if remembered is not None:
+        s, c = sine(context.angle), cosine(context.angle)
+        blocks.append(paragraph("Later steps use the other combination of {} and {},", s, c))
+        blocks.append(display(_combination(context, remembered, root(SQUARES))))
+    if second is None and are_never_zero(
+        context.story.algebra, *(context.polynomial(name) for name in "XY")
+    ):
+        return StepText((*blocks, paragraph("There is always a solution.")))
+    free = free_without_right_side(context, second)
+    blocks.append(
+        paragraph(
+            "There is always a solution. Degenerate when {}: {}. Then {}.",
+            free.condition,
+            free.meaning,
+            free.effect,
+        )
+    )
+    return StepText(tuple(blocks), (free,))
+
+
+def _combination(context: StepContext, remembered: Remembered, size: Formula) -> Formula:
+    """D = Y s - X c = ... = e sqrt(...)."""
+    s, c = sine(context.angle), cosine(context.angle)
+    facing = number(remembered.facing)
+    full = subtract(times(facing, Y, s), times(facing, X, c))
+    written = context.story.write(remembered.form)
+    return equal(remembered.letter, full, written, times(facing, context.facing_sign, size))
+
+
+def _single(context: StepContext) -> StepText:
+    """Y c = Z or X s = Z: the cosine or the sine is known, the other up to its sign."""
+    by_cosine = not context.polynomial("X")
+    known, other = (cosine, sine) if by_cosine else (sine, cosine)
+    name = "Y" if by_cosine else "X"
+    given, rest = known(context.angle), other(context.angle)
+    sign = context.facing_sign if by_cosine else minus(context.facing_sign)
+    if constant_value(context.story.algebra, context.polynomial(name)) < 0.0:
+        sign = minus(sign)
+    length = root(subtract(ONE, square(given)))
+    meets = equal(square(given), ONE)
+    met = Singularity(
+        context.number,
+        meets,
+        equal(rest, ZERO),
+        meaning_of_root(context),
+        merged_effect(context),
+    )
+    lines = (
+        equal(given, over(context.value("Z"), context.value(name))),
+        equal(rest, times(sign, length)),
+        equal(theta(context.angle), atan2(sine(context.angle), cosine(context.angle))),
+    )
+    blocks = (
+        display(*lines),
+        paragraph(
+            "No solution when {}. The two solutions meet when {}: {}. Then {}.",
+            relation(square(given), ">", ONE),
+            meets,
+            met.meaning,
+            met.effect,
+        ),
+    )
+    return StepText(blocks, (met,))
+
+
+def _general(context: StepContext) -> StepText:
+    s, c = sine(context.angle), cosine(context.angle)
+    remembered = context.story.combination(context.number)
+    radicand = root(subtract(SQUARES, square(Z)))
+    d = times(number(remembered.facing), remembered.letter)
+    blocks: list[Block] = [
+        *_letters(context, Z, "XYZ"),
+        paragraph(
+            "The squares of {} and {} add up to {}, so the second is known up to its sign,",
+            add(times(X, s), times(Y, c)),
+            subtract(times(Y, s), times(X, c)),
+            SQUARES,
+        ),
+        display(_combination(context, remembered, radicand)),
+        paragraph(
+            "and both together give {} and {}, each times {}, which does not change the angle:",
+            s,
+            c,
+            SQUARES,
+        ),
+        display(
+            equal(
+                theta(context.angle),
+                atan2(add(times(X, Z), times(Y, d)), subtract(times(Y, Z), times(X, d))),
+            )
+        ),
+    ]
+    if context.vanishes("Z") and not context.is_constant("X", "Y"):
+        return cancelled(context, blocks, remembered)
+    free = free_with_right_side(context)
+    meaning = meaning_of_root(context)
+    if free is not None and free.joints != NEVER:
+        meaning = say("{}, unless {}", meaning, free.condition)
+    met = Singularity(
+        context.number,
+        equal(remembered.letter, ZERO),
+        condition_in_joints(context, other_combination(context)),
+        meaning,
+        merged_effect(context),
+    )
+    text = "No solution when {}. The two solutions meet when {}: {}. Then {}."
+    far = relation(SQUARES, "<", square(Z))
+    blocks.append(paragraph(text, far, met.condition, met.meaning, met.effect))
+    if free is None:
+        return StepText(tuple(blocks), (met,))
+    text = "Degenerate when {}: {}. Then {}."
+    blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
+    return StepText(tuple(blocks), (met, free))
