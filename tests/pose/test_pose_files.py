@@ -98,7 +98,7 @@ def test_templates_are_found_inside_an_installed_package(tmp_path: Path) -> None
     (package / "templates").mkdir()
     (package / "__init__.py").touch()
     (package / "printing" / "__init__.py").touch()
-    shutil.copy(ROOT / "dhgen" / "printing" / "templates.py", package / "targets")
+    shutil.copy(ROOT / "dhgen" / "printing" / "templates.py", package / "printing")
     (package / "templates" / "x.jinja").write_text("{% if a %}\n  {{ a }}<\n{% endif %}\n")
     assert shown_by("print(render('x.jinja', a=1), end='')", tmp_path) == "  1<\n"
     undefined = (
