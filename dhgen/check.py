@@ -136,7 +136,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     known = _stems(makers)
     if not makers or not out.is_dir():
         return []
-    return sorted(
+    own = sorted(
         path.name
         for path in out.iterdir()
         if path.suffix in SUFFIXES
@@ -144,6 +144,15 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
         and (path.stem in known or path.stem not in neighbours)
         and source_folder(path) in {None, *told}
     )
+    return own + _extra_of_the_runtime(out, expected)
+
+
+def _extra_of_the_runtime(out: Path, expected: set[str]) -> list[str]:
+    """Files in the folders of the runtime that are none of its own."""
+    folders = {name.partition("/")[0] for name in expected if "/" in name}
+    paths = (path for folder in folders for path in (out / folder).rglob("*"))
+    found = (path.relative_to(out).as_posix() for path in paths if path.suffix in SUFFIXES)
+    return sorted(name for name in found if name not in expected)
 
 
 def _folder_of(source: str) -> str:

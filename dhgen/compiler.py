@@ -27,7 +27,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
 from dhgen.program.lowering.programs import robot_programs
-from dhgen.replace import naming
+from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
@@ -138,9 +138,7 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
     """
     tell("verifying")
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
-        for name, text in compilation.files.items():
-            with naming(Path(folder) / name):
-                (Path(folder) / name).write_text(text, encoding="utf-8")
+        write_files(Path(folder), compilation.files)
         report = verify(compilation.module, Path(folder))
         if compilation.single is None:
             return report

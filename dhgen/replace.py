@@ -16,7 +16,7 @@ def replace_files(folder: Path, contents: Mapping[str, bytes]) -> None:
 
     Args:
         folder: Is there already.
-        contents: By their names, in the order in which they take their places.
+        contents: By their paths in the folder, in the order in which they take their places.
 
     Raises:
         OSError: With the name of the file, as it was to be.
@@ -24,10 +24,28 @@ def replace_files(folder: Path, contents: Mapping[str, bytes]) -> None:
     with _room(folder) as room:
         for name, content in contents.items():
             with naming(folder / name):
+                (Path(room) / name).parent.mkdir(parents=True, exist_ok=True)
                 (Path(room) / name).write_bytes(content)
         for name in contents:
             with naming(folder / name):
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (Path(room) / name).replace(folder / name)
+
+
+def write_files(folder: Path, texts: Mapping[str, str]) -> None:
+    """Writes texts to a folder that nobody else looks at yet.
+
+    Args:
+        folder: Is made if need be.
+        texts: By their paths in the folder.
+
+    Raises:
+        OSError: With the name of the file.
+    """
+    for name, text in texts.items():
+        with naming(folder / name):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(text, encoding="utf-8")
 
 
 def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:

@@ -106,9 +106,6 @@ def native(
         raise FileNotFoundError(path)
     robot = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(robot)
-    # What numba compiles apart it goes on asking of the module itself, whose fk it can compile.
-    if apart := sys.modules.get(getattr(module, "_KEY", "")):
-        vars(apart)["address"] = vars(module)["_address"]
     solver = _Solver(robot, ctypes.CDLL(str(library)))
     vars(robot).update(solver.names(), Unreachable=module.Unreachable)
     robot.__class__ = _Robot

@@ -12,119 +12,25 @@ import functools
 import math
 import os
 import sys
-import warnings
 from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
+from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 
-try:
-    from numba import carray, config, njit, types
-    from numba.core import cgutils, errors
-    from numba.core.sigutils import normalize_signature
-    from numba.extending import intrinsic, overload
-
-    if config.DISABLE_JIT:  # for debuggers
-        raise ImportError
-except ImportError:  # plain Python, only slower
-
-    def njit(*_, **__):
-        return lambda function: function
-
-    def intrinsic(**_):
-        return lambda function: lambda given: given
-
-    def overload(*_, **__):
-        return lambda function: function
-
-    def carray(_, size):
-        return np.zeros(size)
-
-
-# What is not said to be inlined by force would be, in those that are.
-_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
-try:
-    # Roots of negative numbers stop plain Python.
-    _COMPILED = hasattr(njit(**_OPTIONS)(lambda: None), "py_func")
-except RuntimeError:
-    _COMPILED, _OPTIONS["cache"] = True, False
-    warnings.warn(
-        f"numba can't cache what it compiles of {__file__}, neither next to it nor in the user's "
-        "cache folder, and compiles it again in every process: set NUMBA_CACHE_DIR to a "
-        "writable folder",
-        stacklevel=2,
-    )
-
-# Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 8f3e42218727d1db"
-if _COMPILED:
-    sys.modules[_KEY] = ModuleType(_KEY)
-
-
-def _owned(function):
-    """Makes a function one of this text: numba looks for its module when it comes out of the cache.
-
-    The name by which this file was imported then may be another one than now.
-    """
-    if _COMPILED:
-        function.__module__ = _KEY
-    return function
-
-
-def _njit(**options):
-    options = {**_OPTIONS, **options}
-    return lambda function: njit(**options)(_owned(function))
-
-
-_jit = _njit()
-# Only compiled code may call these: what Python would need is not made, which is much of the work.
-_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-_inner = _njit(**_INNER)
-_merged = _njit(forceinline=True, **_INNER)
-
-
-@intrinsic(prefer_literal=True)
-def _room(_, size):
-    """The address of room for so many numbers on the stack of the caller."""
-
-    def code(context, builder, *_):
-        number = context.get_value_type(types.float64)
-        return cgutils.alloca_once(builder, number, size.literal_value)
-
-    return types.CPointer(types.float64)(size), code
-
-
-def _lending(kind, axes):
-    """Lends arrays of a kind of number, with so many axes, and refuses others.
-
-    An array is lent without a hold on its memory, which its owner keeps until the call is over:
-    counting who holds it takes processors longer than solving a pose.
-    """
-    refusal = f"something else where an array of {kind} with {axes} axes is taken"
-
-    def in_plain_python(array):
-        if not isinstance(array, np.ndarray) or (str(array.dtype), array.ndim) != (kind, axes):
-            raise ValueError(refusal)
-        return array
-
-    @intrinsic(prefer_literal=False)
-    def lent(_, array):
-        if not isinstance(array, types.Array) or (str(array.dtype), array.ndim) != (kind, axes):
-            raise errors.TypingError(refusal)
-
-        def code(context, builder, signature, args):
-            lent = context.make_array(signature.return_type)(context, builder, args[0])
-            lent.meminfo = lent.meminfo.type(None)
-            return lent._getvalue()
-
-        return array(array), code
-
-    return lent if _COMPILED else in_plain_python
-
-
-_lent_rows, _lent_values = _lending("float64", 2), _lending("float64", 1)
-_lent_statuses = _lending("uint8", 1)
-
+# The runtime that lies beside this file, by whatever name this is imported, and no other one.
+_FOLDER = str(Path(__file__).resolve().parent)
+sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_FOLDER]
+_RUNTIME = import_module(f"{_FOLDER}.dhgen_runtime.jit")
+_COMPILED = _RUNTIME.COMPILED
+_HOW = _RUNTIME.of_file(__file__, interface=1)
+_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
+_owned, _apart = _HOW.owned, _HOW.apart
+carray, overload = _RUNTIME.carray, _RUNTIME.overload
+_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
+_lent_rows, _lent_values = _RUNTIME.lent_rows, _RUNTIME.lent_values
+_lent_statuses = _RUNTIME.lent_statuses
 
 NAME = "kuka_kr40pa"
 METHOD = "closed form"
@@ -367,72 +273,6 @@ def jacobian(q):
 
 _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
-
-
-_APART = []  # what is compiled apart: functions, and the types of their arguments
-
-
-def _address(number):
-    """Where the code of a function is that is compiled apart."""
-    function, arguments = _APART[number]
-    function.compile(arguments)
-    compiled = function.overloads[arguments]
-    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
-
-
-if _COMPILED:
-    sys.modules[_KEY].address = _address
-
-
-def _apart(signature):
-    """Compiles a function apart from its callers.
-
-    numba copies what a function calls into it, with all that this calls, and optimises everything
-    anew in each caller. Of these functions a caller has the address, which it asks for at its first
-    call: when it comes out of the cache it does not know it.
-    """
-    if not _COMPILED:
-        return lambda function: function
-    arguments, result = normalize_signature(signature)
-
-    def ask(context, builder, number, place):
-        api = context.get_python_api(builder)
-        lock = api.gil_ensure()
-        module = api.import_module(context.insert_const_string(builder.module, _KEY))
-        with builder.if_then(cgutils.is_not_null(builder, module)):
-            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
-            answer = api.call_method(module, "address", (which,))
-            with builder.if_then(cgutils.is_not_null(builder, answer)):
-                builder.store(api.long_as_voidptr(answer), place)
-                api.decref(answer)
-            api.decref(module)
-        api.gil_release(lock)
-
-    def decorate(function):
-        number = len(_APART)
-        _APART.append((_inner(function), arguments))
-
-        def code(context, builder, called, values):
-            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
-            values = [context.cast(builder, *each) for each in given]
-            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
-            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
-            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
-                ask(context, builder, number, place)
-            address = builder.load(place)
-            with builder.if_then(cgutils.is_null(builder, address), likely=False):
-                context.call_conv.return_exc(builder)
-            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
-            status, value = context.call_conv.call_function(
-                builder, builder.bitcast(address, kind), result, arguments, values
-            )
-            with cgutils.if_unlikely(builder, status.is_error):
-                context.call_conv.return_status_propagate(builder, status)
-            return value
-
-        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
-
-    return decorate
 
 
 @_inner
@@ -1681,23 +1521,6 @@ _PLACES = np.array([
 _KINDS = np.array([768, 784])
 
 
-@intrinsic(prefer_literal=True)
-def _tile(_, size):
-    """The address of room for so many numbers, for a caller that works on it with vectors.
-
-    They are as wide as there are: LLVM prefers 256 bits on machines with 512, a tenth slower.
-    """
-
-    def code(context, builder, *_):
-        attributes = builder.function.attributes
-        if isinstance(attributes, set):
-            set.add(attributes, '"prefer-vector-width"="512"')
-        number = context.get_value_type(types.float64)
-        return cgutils.alloca_once(builder, number, size.literal_value)
-
-    return types.CPointer(types.float64)(size), code
-
-
 @_njit(nogil=True)
 def _in_tiles(T, q, status):
     """16 poses at a time, side by side: work[place + k] is a value of pose k.
@@ -1705,7 +1528,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(800), 800)
+    work = carray(_wide_room(800), 800)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1905,8 +1728,7 @@ def warm_up():
     ik_into(T, q, status, _ZEROS)
     _nearest(q, status, _ZEROS, True, np.empty(4))
     ik_batch(T[np.newaxis])
-    for number in range(len(_APART)):
-        _address(number)
+    _HOW.compile_apart()
 
 
 def _results(out, count):

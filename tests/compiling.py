@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.compiler import Compilation, compile_loaded
+from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
 
@@ -22,8 +23,7 @@ def compile_file(path: Path) -> Compilation:
 def written(path: Path, folder: Path) -> Compilation:
     """The same, its files in a folder."""
     compilation = compile_file(path)
-    for file, text in compilation.files.items():
-        (folder / file).write_text(text, encoding="utf-8")
+    write_files(folder, compilation.files)
     return compilation
 
 

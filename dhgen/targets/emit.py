@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import render
+from dhgen.runtime import runtime_files
 from dhgen.targets.c.files import c_files
 from dhgen.targets.python.files import digested, python_files
 
@@ -24,7 +25,7 @@ HELPERS = {
 
 
 def emit(module: SolverModule, single: SolverModule | None) -> dict[str, str]:
-    """The solver in every language, and the helpers that all robots share.
+    """The solver in every language, and the files that all robots share.
 
     Args:
         module: The programs.
@@ -40,9 +41,9 @@ def emit(module: SolverModule, single: SolverModule | None) -> dict[str, str]:
 
 @cache
 def helpers() -> Mapping[str, str]:
-    """The files that all robots share, by their names."""
+    """The files that all robots share, by their paths in the folder: helpers and the runtime."""
     texts = {name: digested(partial(_helper, template)) for name, template in HELPERS.items()}
-    return MappingProxyType(texts)
+    return MappingProxyType({**texts, **runtime_files()})
 
 
 def _helper(template: str, digest: str) -> str:

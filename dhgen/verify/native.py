@@ -53,7 +53,10 @@ NATIVE = Build("native", ("-O2", "-march=native", *FAST_FLAGS))
 
 
 def import_module(path: Path) -> ModuleType:
-    """Imports a written module from its file, under a name of its own."""
+    """Imports a written module from its file, under a name of its own.
+
+    Of the runtime beside it nothing stays registered either: the folder may be a passing one.
+    """
     spec = importlib.util.spec_from_file_location(f"_dhgen_written_{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None
@@ -63,6 +66,9 @@ def import_module(path: Path) -> ModuleType:
         spec.loader.exec_module(module)
     finally:
         del sys.modules[spec.name]
+        beside = str(path.resolve().parent)
+        for name in [name for name in sys.modules if f"{name}.".startswith(f"{beside}.")]:
+            del sys.modules[name]
     return module
 
 

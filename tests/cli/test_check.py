@@ -73,6 +73,7 @@ def test_check_sees_what_is_missing_and_what_is_extra(
     (folder / "generated" / "old_robot.h").write_text(header)
     (folder / "generated" / "own.c").write_text("int main(void) { return 0; }")
     (folder / "generated" / "notes.txt").write_text("not ours")
+    (folder / "generated" / "dhgen_runtime" / "old.py").write_text("# another version's\n")
     done = run("--check", "robots/planar_rr.yaml", folder=folder)
     assert done.returncode == 1
     assert done.stderr == (
@@ -82,7 +83,20 @@ def test_check_sees_what_is_missing_and_what_is_extra(
         "  to fix: add its robot file to the command, or rm generated/old_robot.h\n"
         "generated/own.c: not written by dhgen\n"
         "  to fix: move it elsewhere: all .py, .c, .h and .md files here must be generated\n"
+        "generated/dhgen_runtime/old.py: not written by dhgen\n"
+        "  to fix: move it elsewhere: all .py, .c, .h and .md files here must be generated\n"
     )
+
+
+def test_check_sees_a_change_in_the_runtime(run: Run, written: Path, tmp_path: Path) -> None:
+    folder = copy(written, tmp_path)
+    path = folder / "generated" / "dhgen_runtime" / "jit.py"
+    path.write_text(path.read_text() + "# of somebody else\n")
+    done = run("--check", "robots/planar_rr.yaml", folder=folder)
+    assert done.returncode == 1
+    assert done.stderr.startswith("generated/dhgen_runtime/jit.py: changed\n")
+    assert run("robots/planar_rr.yaml", folder=folder).returncode == 0
+    assert run("--check", "robots/planar_rr.yaml", folder=folder).returncode == 0
 
 
 def test_check_leaves_alone_what_is_made_of_another_folder(

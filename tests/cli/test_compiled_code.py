@@ -70,10 +70,16 @@ def test_nothing_is_left_to_compile_whatever_the_name(written: Path, tmp_path: P
         assert (done.stdout, done.stderr) == ("[]\n", ""), how
 
 
+def planar(folder: Path) -> Path:
+    """A robot's module in a folder, with the runtime beside it."""
+    shutil.copytree(ROOT / "generated" / "dhgen_runtime", folder / "dhgen_runtime")
+    return Path(shutil.copy(ROOT / "generated" / "planar_rr.py", folder))
+
+
 def test_it_goes_where_numba_was_told_to_keep_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
+    module = planar(tmp_path)
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "told"))
     keep_compiled({"planar_rr.made-1.nbi": b"made"}, module, rewritten=True)
     (kept,) = tmp_path.rglob("*.nbi")
@@ -87,7 +93,7 @@ def test_what_numba_knows_of_the_same_text_stays(
 ) -> None:
     """Its index numbers the code of other arguments in an order of its own."""
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
-    module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
+    module = planar(tmp_path)
     first = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
     keep_compiled(first, module, rewritten=True)
     (folder,) = {path.parent for path in tmp_path.rglob("*.nbi")}
@@ -106,7 +112,7 @@ def test_an_index_is_gone_while_its_code_is_replaced(
 ) -> None:
     """A full disk in between: there is nothing then, instead of other code than the index says."""
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
-    module = Path(shutil.copy(ROOT / "generated" / "planar_rr.py", tmp_path))
+    module = planar(tmp_path)
     code = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
     keep_compiled(code, module, rewritten=True)
     assert list(tmp_path.rglob("*.nbi"))

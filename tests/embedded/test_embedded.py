@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.replace import write_files
 from dhgen.status import HELD, Status
 from dhgen.tolerances import SINGLE
 from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled
@@ -33,8 +34,7 @@ STATIC = {".data", ".bss", ".tdata", ".tbss", "COMMON"}
 
 
 def written(name: str, folder: Path) -> None:
-    for file, text in made(name).files.items():
-        (folder / file).write_text(text, encoding="utf-8")
+    write_files(folder, made(name).files)
 
 
 @cache

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.compiling import compile_file
+from tests.compiling import written
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -61,8 +61,7 @@ def write(folder: Path, length: float) -> None:
     """The arm's module, and a function that calls it."""
     path = folder / "chain.yaml"
     path.write_text(ARM.format(length=length), encoding="utf-8")
-    made = compile_file(path).files["chain.py"]
-    (folder / "chain.py").write_text(made, encoding="utf-8")
+    written(path, folder)
 
 
 def run(script: str, *folders: Path) -> subprocess.CompletedProcess[str]:

@@ -117,7 +117,10 @@ def test_what_numba_compiles_apart_stays_the_module_s_own() -> None:
     """The text that got the C has no fk that numba could compile."""
     python = module("scorbot_pointing")
     native("scorbot_pointing")
-    assert vars(sys.modules[vars(python)["_KEY"]])["address"] is vars(python)["_address"]
+    apart = vars(sys.modules[vars(python)["_HOW"].key])["apart"]
+    assert apart
+    for function, _ in apart.values():
+        assert function.py_func.__globals__ is vars(python)
 
 
 def test_constants_names_and_the_arm_angle() -> None:

@@ -6,18 +6,19 @@ import sys
 import tempfile
 from functools import cache
 from pathlib import Path
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhgen.replace import write_files
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
+from dhgen.runtime import runtime_files
 from dhgen.survey.oracle.arm import arm_size
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
-from dhgen.verify.native import PORTABLE, Build, CompiledSolver
+from dhgen.verify.native import PORTABLE, Build, CompiledSolver, import_module
 from tests.compiling import library, written
 from tests.structures import STRUCTURES
 
@@ -100,15 +101,15 @@ def in_python(name: str) -> Any:
 
 def without_numba(text: str, name: str) -> Any:
     """A module of this text, imported where numba is absent."""
-    module = ModuleType(name)
+    path = folder() / "plain" / f"{name}.py"
+    write_files(path.parent, {**runtime_files(), path.name: text})
     hidden = {key: sys.modules.pop(key) for key in list(sys.modules) if key.startswith("numba")}
     sys.modules["numba"] = None  # type: ignore[assignment]
     try:
-        exec(compile(text, f"{name}.py", "exec"), module.__dict__)  # noqa: S102
+        return import_module(path)
     finally:
         del sys.modules["numba"]
         sys.modules.update(hidden)
-    return module
 
 
 def solving(compiled: Compilation, language: str) -> Any:

@@ -15,6 +15,7 @@ from dhgen.check import compare
 from dhgen.compiler import verified
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.replace import write_files
 from dhgen.robot_files import load_all
 from dhgen.status import Status
 from dhgen.targets.c.single_precision import in_single_precision
@@ -83,8 +84,7 @@ def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
     more = ["-Wdouble-promotion", "-Wfloat-conversion"]
     for name in (SCARA, "puma560", "ur5"):
-        for file, text in made(name).files.items():
-            (tmp_path / file).write_text(text, encoding="utf-8")
+        write_files(tmp_path, made(name).files)
         source = tmp_path / f"{name}{SINGLE.suffix}.c"
         command = [str(c_compiler()), *flags, *more, level, "-c", str(source), "-o", "/dev/null"]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -101,8 +101,7 @@ def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path
     ],
 )
 def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path) -> None:
-    for file, text in made(SCARA).files.items():
-        (tmp_path / file).write_text(text, encoding="utf-8")
+    write_files(tmp_path, made(SCARA).files)
     source = tmp_path / f"{SCARA}{SINGLE.suffix}.c"
     text = source.read_text(encoding="utf-8")
     assert right in text
@@ -172,8 +171,7 @@ def test_without_asking_there_is_none(tmp_path: Path) -> None:
 
 def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
     """Checking one robot says nothing of its neighbours' files, but of its own."""
-    for name, text in {**made(SCARA).files, **made("ur5").files}.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
+    write_files(tmp_path, {**made(SCARA).files, **made("ur5").files})
     own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"
     assert compare(load_all([own]), tmp_path).exit_code == 0
     copies = tmp_path / "robots"

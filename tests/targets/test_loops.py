@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.replace import write_files
 from dhgen.status import HELD
 from dhgen.survey.oracle.poses import random_joints
 from dhgen.targets.c.files import c_texts
@@ -52,8 +53,7 @@ def test_loops_give_the_rows_of_branches_written_out(
     for in_loops in (False, True):
         folder = tmp_path / str(in_loops)
         folder.mkdir()
-        for file, text in c_texts(made(name).module, in_loops=in_loops).items():
-            (folder / file).write_text(text, encoding="utf-8")
+        write_files(folder, c_texts(made(name).module, in_loops=in_loops))
         solver = library(made(name).module, folder, build)
         free = given(name, q)
         found.append(solver.batch(T, *free))
@@ -71,7 +71,6 @@ def test_loops_in_single_precision(tmp_path: Path) -> None:
     """Nothing is promoted on the way: a conversion would be a warning, and that an error."""
     module = made("ur5").single
     assert module is not None
-    for file, text in c_texts(module, in_loops=True).items():
-        (tmp_path / file).write_text(text, encoding="utf-8")
+    write_files(tmp_path, c_texts(module, in_loops=True))
     assert "for (int i1" in (tmp_path / "ur5_f32.c").read_text(encoding="utf-8")
     library(module, tmp_path)

@@ -12,6 +12,7 @@ import pytest
 
 from dhgen.compiler import Compilation, verified
 from dhgen.errors import CompilerError, VerificationError
+from dhgen.replace import write_files
 from dhgen.verify.native import Build
 from dhgen.verify.verify import verify
 from tests.compiling import compile_file
@@ -53,8 +54,7 @@ def as_written(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def written(compilation: Compilation, folder: Path, file: str, text: str) -> Path:
-    for name, own in compilation.files.items():
-        (folder / name).write_text(text if name == file else own, encoding="utf-8")
+    write_files(folder, {**compilation.files, file: text})
     return folder
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
+from dhgen.runtime.python import INTERFACE
 from dhgen.targets.angles import Angles
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
@@ -52,7 +53,6 @@ class PythonSolver:
         regular: What serves regular poses, where there is a program for them.
         angles: Parts of a turn.
         arctangent: What it is made of, where the solver takes arctangents.
-        digest: Of the text without it.
     """
 
     comments: PythonComments
@@ -64,14 +64,13 @@ class PythonSolver:
     regular: PythonRegular | None
     angles: Angles
     arctangent: PythonArctangent | None
-    digest: str = ""
 
 
 def python_files(module: SolverModule) -> dict[str, str]:
     """The module by its name."""
     common = common_of(module)
     solver = python_solver(module, common)
-    text = digested(lambda digest: _text(common, replace(solver, digest=digest)))
+    text = render("python/solver.py.jinja", **named(common), **named(solver), interface=INTERFACE)
     return {f"{module.name}.py": text}
 
 
@@ -81,7 +80,7 @@ def digested(text: Callable[[str], str]) -> str:
 
 
 def python_solver(module: SolverModule, common: Common) -> PythonSolver:
-    """What the templates name of a robot, without the digest."""
+    """What the templates name of a robot."""
     regular = regular_solver(module)
     flat = None if regular is None else flatten(regular)
     calls = python_calls(module, common)
@@ -96,10 +95,6 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
         angles=Angles(),
         arctangent=python_arctangent(module.solver),
     )
-
-
-def _text(common: Common, solver: PythonSolver) -> str:
-    return render("python/solver.py.jinja", **named(common), **named(solver))
 
 
 def _entries(program: Program) -> list[str]:
