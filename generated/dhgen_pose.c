@@ -1,5 +1,7 @@
-/* dhgen_pose: poses in other notations; dhgen_pose.h says which.
- * Generated from templates/c/dhgen_pose.c.jinja. Do not edit.
+/* SPDX-License-Identifier: MIT
+ *
+ * dhgen_pose: poses in other notations; dhgen_pose.h says which.
+ * Part of dhgen, which puts a copy of this file beside the robots that it generates.
  *
  * "Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French.
  * Its sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name
@@ -67,8 +69,8 @@ static int pose_at(const double xyz[3], const double *orientation, int count, do
  * length of one row tells zero apart. The comparisons are false for a NaN from an overflow. */
 static int is_rigid(const double T[16])
 {
-    if (!(largest_of_three(T + 12) <= rigid_tolerance && fabs(T[15] - 1.0) <= rigid_tolerance &&
-          fabs(T[0] * T[0] + T[1] * T[1] + T[2] * T[2] - 1.0) <= rigid_tolerance)) {
+    if (!(largest_of_three(T + 12) <= rigid_tolerance && fabs(T[15] - 1.0) <= rigid_tolerance
+            && fabs(T[0] * T[0] + T[1] * T[1] + T[2] * T[2] - 1.0) <= rigid_tolerance)) {
         return 0;
     }
     for (int i = 0; i < 3; i++) {
@@ -175,8 +177,8 @@ int dhgen_pose_to_xyz_rpy(const double T[16], double xyz[3], double rpy[3])
 
 /* Document 001, eq. (11h), with its 1 replaced by eq. (11c): R is orthonormal to rounding for a
  * quaternion of any length, and no square root is taken. */
-int dhgen_pose_from_xyz_quaternion_xyzw(const double xyz[3], const double quaternion_xyzw[4],
-                                        double T[16])
+int dhgen_pose_from_xyz_quaternion_xyzw(
+    const double xyz[3], const double quaternion_xyzw[4], double T[16])
 {
     const double *q = quaternion_xyzw;
     const int code = pose_at(xyz, q, 4, T);
@@ -207,11 +209,11 @@ int dhgen_pose_to_xyz_quaternion_xyzw(const double T[16], double xyz[3], double 
 }
 
 /* Scalar first, as document 001, eq. (11a), writes it. */
-int dhgen_pose_from_xyz_quaternion_wxyz(const double xyz[3], const double quaternion_wxyz[4],
-                                        double T[16])
+int dhgen_pose_from_xyz_quaternion_wxyz(
+    const double xyz[3], const double quaternion_wxyz[4], double T[16])
 {
     const double *q = quaternion_wxyz;
-    const double quaternion_xyzw[4] = {q[1], q[2], q[3], q[0]};
+    const double quaternion_xyzw[4] = { q[1], q[2], q[3], q[0] };
     return dhgen_pose_from_xyz_quaternion_xyzw(xyz, quaternion_xyzw, T);
 }
 
@@ -226,10 +228,10 @@ int dhgen_pose_to_xyz_quaternion_wxyz(const double T[16], double xyz[3], double 
 }
 
 /* Document 001, eq. (10). */
-int dhgen_pose_from_xyz_axis_angle(const double xyz[3], const double axis[3], double angle,
-                                   double T[16])
+int dhgen_pose_from_xyz_axis_angle(
+    const double xyz[3], const double axis[3], double angle, double T[16])
 {
-    const double orientation[4] = {axis[0], axis[1], axis[2], angle};
+    const double orientation[4] = { axis[0], axis[1], axis[2], angle };
     const int code = pose_at(xyz, orientation, 4, T);
     if (code != DHGEN_POSE_OK) {
         return code;

@@ -1,4 +1,4 @@
-"""The pose helpers as their users get them: rendered, compiled, and called alike.
+"""The pose helpers as their users get them: copied, compiled, and called alike.
 
 Three libraries with the names of the Python module: "numba", "plain" (Python without numba) and
 "c" (gcc's warnings on, through ctypes).
@@ -22,7 +22,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from dhgen.targets.emit import helpers
+from dhgen.runtime.helpers import helper_files
 
 LIBRARIES = ("numba", "plain", "c")
 
@@ -36,11 +36,7 @@ NOTATIONS: dict[str, tuple[int, ...]] = {
     "euler_zyz": (3,),
 }
 
-FILES = {
-    "dhgen_pose.py": "python/dhgen_pose.py.jinja",
-    "dhgen_pose.h": "c/dhgen_pose.h.jinja",
-    "dhgen_pose.c": "c/dhgen_pose.c.jinja",
-}
+FILES = ("dhgen_pose.py", "dhgen_pose.h", "dhgen_pose.c")
 
 WARNINGS = (
     *("-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic"),
@@ -54,7 +50,7 @@ def emitted() -> Path:
     folder = Path(tempfile.mkdtemp(prefix="dhgen_pose_"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     for name in FILES:
-        (folder / name).write_text(helpers()[name], encoding="utf-8")
+        (folder / name).write_text(helper_files()[name], encoding="utf-8")
     return folder
 
 

@@ -1,6 +1,7 @@
+# SPDX-License-Identifier: MIT
 """The solvers' C behind the functions of their Python: compiled on demand, and kept.
 
-Generated from templates/python/dhgen_native.py.jinja. Do not edit.
+Part of dhgen, which puts a copy of this file beside the robots that it generates.
 
     import dhgen_native, scara
     robot = dhgen_native.native(scara)  # scara.c and scara.h are next to scara.py
@@ -225,10 +226,10 @@ class _Solver:
         self._robot._nearest(q, status, q[0], True, np.empty(self._dof))  # noqa: FBT003, SLF001
 
     def _joints(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        return self._robot._array(q, (self._dof,), "q")  # noqa: SLF001
+        return np.asarray(self._robot._array(q, (self._dof,), "q"))  # noqa: SLF001
 
     def _seed(self, q_seed: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        values = self._robot._array(q_seed, (self._dof,), "q_seed")  # noqa: SLF001
+        values = np.asarray(self._robot._array(q_seed, (self._dof,), "q_seed"))  # noqa: SLF001
         if not np.isfinite(values).all():
             raise ValueError("q_seed must be finite")
         return values

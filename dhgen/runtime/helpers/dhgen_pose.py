@@ -1,6 +1,7 @@
+# SPDX-License-Identifier: MIT
 """Poses in other notations: a 4x4 pose to and from rpy, quaternions, axis-angle, Euler angles.
 
-Generated from templates/python/dhgen_pose.py.jinja. Do not edit.
+Part of dhgen, which puts a copy of this file beside the robots that it generates.
 
 A pose T is a row-major (4, 4) array: rotation R = T[:3, :3], position xyz = T[:3, 3] in the unit of
 length of the caller, last row 0 0 0 1. Angles are in radians. The functions take arrays, lists and
@@ -25,18 +26,24 @@ import math
 import sys
 import warnings
 from functools import wraps
+from hashlib import sha256
 from inspect import signature
+from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from numpy.typing import NDArray
 
     Array = NDArray[np.float64]
+
+Given = ParamSpec("Given")
+Made = TypeVar("Made")
 
 try:
     from numba import njit
@@ -50,8 +57,10 @@ except ImportError:
     njit = overload = _plain_python
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows: the
-# name by which it was imported when that was made may be another one than now.
-_KEY = "dhgen_pose {{ digest }}"
+# name by which it was imported when that was made may be another one than now. In an archive there
+# is no file, and nothing compiled is kept.
+_FILE = Path(__file__)
+_KEY = f"dhgen_pose {sha256(_FILE.read_bytes() if _FILE.is_file() else b'').hexdigest()[:16]}"
 sys.modules[_KEY] = ModuleType(_KEY)
 
 _KEEPS = True
@@ -67,10 +76,11 @@ except RuntimeError:
     )
 
 
-def _jit(function: Any) -> Any:  # noqa: ANN401  as numba types it
+def _jit(function: Callable[Given, Made]) -> Callable[Given, Made]:
     """Compile a function, once and for all names by which this file may be imported."""
     function.__module__ = _KEY
-    return njit(cache=_KEEPS)(function)
+    compiled: Callable[Given, Made] = njit(cache=_KEEPS)(function)
+    return compiled
 
 
 def _shape(name: str) -> tuple[int, ...]:
@@ -80,13 +90,13 @@ def _shape(name: str) -> tuple[int, ...]:
     return {"T": (4, 4), "angle": ()}.get(name, (3,))
 
 
-def _of_numbers(function: Any) -> Any:  # noqa: ANN401  as numba types it
+def _of_numbers(function: Callable[..., Made]) -> Callable[..., Made]:
     """Compile a function that takes arrays, and make arrays of what Python calls it with."""
     arguments = signature(function)
     shapes = {name: _shape(name) for name in arguments.parameters}
 
     @wraps(function)
-    def call(*numbers: Any, **named: Any) -> Any:  # noqa: ANN401
+    def call(*numbers: Any, **named: Any) -> Made:  # noqa: ANN401
         if named or len(numbers) != len(shapes):
             numbers = arguments.bind(*numbers, **named).args
         arrays = [np.asarray(each, np.float64)[()] for each in numbers]

@@ -1,6 +1,8 @@
-/* dhgen_pose: poses in other notations, a 4x4 pose to and from rpy, quaternions, axis-angle and
+/* SPDX-License-Identifier: MIT
+ *
+ * dhgen_pose: poses in other notations, a 4x4 pose to and from rpy, quaternions, axis-angle and
  * Euler angles.
- * Generated from templates/c/dhgen_pose.h.jinja. Do not edit.
+ * Part of dhgen, which puts a copy of this file beside the robots that it generates.
  *
  * A pose T is 4x4, row-major: rotation R = T[0..2, 4..6, 8..10], position xyz = T[3, 7, 11] in the
  * unit of length of the caller, last row 0 0 0 1. Angles are in radians.
@@ -44,13 +46,13 @@ int dhgen_pose_to_xyz_rpy(const double T[16], double xyz[3], double rpy[3]);
  * to: a unit quaternion with w >= 0; for a half turn, w = 0, the one whose first component other
  * than zero is positive.
  */
-int dhgen_pose_from_xyz_quaternion_xyzw(const double xyz[3], const double quaternion_xyzw[4],
-                                        double T[16]);
+int dhgen_pose_from_xyz_quaternion_xyzw(
+    const double xyz[3], const double quaternion_xyzw[4], double T[16]);
 int dhgen_pose_to_xyz_quaternion_xyzw(const double T[16], double xyz[3], double quaternion_xyzw[4]);
 
 /* quaternion_wxyz = w, x, y, z: scalar first; otherwise the same. */
-int dhgen_pose_from_xyz_quaternion_wxyz(const double xyz[3], const double quaternion_wxyz[4],
-                                        double T[16]);
+int dhgen_pose_from_xyz_quaternion_wxyz(
+    const double xyz[3], const double quaternion_wxyz[4], double T[16]);
 int dhgen_pose_to_xyz_quaternion_wxyz(const double T[16], double xyz[3], double quaternion_wxyz[4]);
 
 /* Axis of rotation and right-handed angle about it. from: an axis of any length; zero only together
@@ -60,8 +62,8 @@ int dhgen_pose_to_xyz_quaternion_wxyz(const double T[16], double xyz[3], double 
  * axis and -axis are right: the one whose first component other than zero is positive, and within
  * rounding of a half turn it may be either.
  */
-int dhgen_pose_from_xyz_axis_angle(const double xyz[3], const double axis[3], double angle,
-                                   double T[16]);
+int dhgen_pose_from_xyz_axis_angle(
+    const double xyz[3], const double axis[3], double angle, double T[16]);
 int dhgen_pose_to_xyz_axis_angle(const double T[16], double xyz[3], double axis[3], double *angle);
 
 /* euler_zxz = a, b, c about z, x', z'': R = Rz(a) Rx(b) Rz(c).

@@ -1,0 +1,27 @@
+"""Helpers that lie beside robots: each a file that works on its own.
+
+`dhgen_pose` (here and in ../c) has poses in other notations, `dhgen_native` puts the C behind the
+functions of a robot's module.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+HERE = Path(__file__).resolve().parent
+FILES = (
+    *(HERE / f"{name}.py" for name in ("dhgen_native", "dhgen_pose")),
+    *(HERE.parent / "c" / f"dhgen_pose.{end}" for end in ("h", "c")),
+)
+
+
+@cache
+def helper_files() -> Mapping[str, str]:
+    """Their texts by the names that they have beside robots."""
+    return MappingProxyType({path.name: path.read_text(encoding="utf-8") for path in FILES})
