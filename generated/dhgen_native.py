@@ -26,7 +26,6 @@ import os
 import shlex
 import shutil
 import subprocess
-import sys
 import tempfile
 from functools import cache, update_wrapper
 from pathlib import Path
