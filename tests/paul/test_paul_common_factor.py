@@ -86,3 +86,40 @@ def test_the_pose_that_was_reported_has_eight_solutions() -> None:
     rows = found.q[0][found.solved[0]]
     assert len(rows) == 8
     np.testing.assert_allclose(poses_of(rows), [T] * 8, atol=1e-10)
+
+
+OBLIQUE = (
+    "theta: q, d: 0.175, a: 0, alpha: -pi/2",
+    "theta: q, d: 0, a: 0, alpha: pi/2",
+    "theta: q, d: 0.068, a: 0.288, alpha: -pi/2",
+    "theta: 1.14, d: q, a: 0.317, alpha: 0.56",
+    "theta: q, d: 0.279, a: 0.28, alpha: 1.053",
+    "theta: q, d: 0.357, a: 0.404, alpha: -0.492",
+)
+
+
+LOST = (
+    (
+        "-2.0710887181859823 -0.5266295604637588 1.0070537179939043 "
+        "-0.20303899842543038 1.4044061585371912 -2.6086802234479736"
+    ),
+    (
+        "1.0350456277582039 1.2478834463777844 -0.8655716170976600 "
+        "-1.0691083406537187 -3.0279863037522823 -0.5663135593000597"
+    ),
+    (
+        "2.9373014051470187 0.23331935636513146 -1.25170124632318 "
+        "-0.20291579070231225 1.3618168674080504 1.9076090474190526"
+    ),
+)
+
+
+@pytest.mark.parametrize("values", LOST)
+def test_a_factor_that_is_a_complex_number(values: str) -> None:
+    """V1 and V2 shared one whose parts have nothing in common: recall showed where it is small."""
+    q = np.array(values.split(), dtype=float)
+    compilation = made_up("oblique_factor", OBLIQUE, "", convention="standard")
+    T = np.asarray(forward(compilation.robot, q), dtype=float)
+    found = interpret(compilation.module.solver, T[None], np.zeros(6))
+    rows = found.q[0][found.solved[0]]
+    assert np.abs(rows - q).max(axis=1).min() < 1e-6

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 
     Complex = NDArray[np.complex128]
     Table = tuple[tuple[Monomial, ...], ...]
+    Parts = tuple[Polynomial, Polynomial, Polynomial, Polynomial]
 
 PENALTY = 500
 ROOTS = 4
@@ -59,7 +60,7 @@ class Ratio:
         values: V1 and V2 on every witness.
     """
 
-    parts: tuple[Polynomial, Polynomial, Polynomial, Polynomial]
+    parts: Parts
     values: tuple[Complex, Complex]
 
 
@@ -133,18 +134,44 @@ class Split:
 
 
 def _reduced(ratio: Ratio, view: View) -> Ratio:
-    """The ratio without the factor that all its parts share.
+    """The ratio without factors that V1 and V2 share: only V2 / V1 counts.
 
-    Only the ratio of V1 to V2 counts. A common factor that the pose gives, an entry of it for
-    instance, would multiply every coefficient of the polynomial, and all of them would vanish with
-    it at poses where the arm is regular.
+    A common factor that the pose gives would multiply every coefficient of the polynomial, and all
+    of them would vanish with it at poses where the arm is regular. It may be a real polynomial, or
+    one of V1 and V2 is the complex factor itself.
     """
-    common = reduce(lambda one, other: one.gcd(other), ratio.parts)
-    if common.is_ground:
+    if all(part.is_ground for part in ratio.parts):
         return ratio
-    parts = x1, y1, x2, y2 = tuple(part.exquo(common) for part in ratio.parts)
+    x1, y1, x2, y2 = ratio.parts
+    one, zero = x1.ring.one, x1.ring.zero
+    if second := _quotient(x2, y2, x1, y1):
+        parts = one, zero, *second
+    elif first := _quotient(x1, y1, x2, y2):
+        parts = *first, one, zero
+    else:
+        parts = _without_common_factor(ratio.parts)
+    x1, y1, x2, y2 = parts
     on = view.witnesses.evaluate
     return Ratio(parts, (on(x1) + 1j * on(y1), on(x2) + 1j * on(y2)))
+
+
+def _quotient(
+    x: Polynomial, y: Polynomial, u: Polynomial, v: Polynomial
+) -> tuple[Polynomial, Polynomial] | None:
+    """(x + i y) / (u + i v) where that is a polynomial: (x + i y)(u - i v) over u^2 + v^2."""
+    square = u * u + v * v
+    if not square:
+        return None
+    real, rest = (x * u + y * v).div(square)
+    imaginary, other = (y * u - x * v).div(square)
+    return None if rest or other else (real, imaginary)
+
+
+def _without_common_factor(parts: Parts) -> Parts:
+    """Four polynomials without the factor that all of them have in common."""
+    common = reduce(lambda one, other: one.gcd(other), parts)
+    x1, y1, x2, y2 = (part if common.is_ground else part.exquo(common) for part in parts)
+    return x1, y1, x2, y2
 
 
 class Circle:
