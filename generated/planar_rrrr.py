@@ -186,220 +186,39 @@ def jacobian(q):
     return J
 
 
-# The joints that are solved for, and whether they turn; what a step of one means, in rad or
-# lengths, and the same over the arm's size. Below, u are these joints in units.
-_SOLVED = np.array([0, 1, 2, 3])
-_TURNING = np.array([True, True, True, True])
-_UNIT = np.array([1.0, 1.0, 1.0, 1.0])
-_MEASURE = np.array([1.0, 1.0, 1.0, 1.0])
-
-
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
-def _look(T, q, u, e, A):
-    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
-    for j in range(4):
-        q[_SOLVED[j]] = _UNIT[j] * u[j]
-    P, J = fk(q), jacobian(q)
-    for j in range(4):
-        column = _SOLVED[j]
-        A[0, j] = _MEASURE[j] * J[0, column]
-        A[1, j] = _MEASURE[j] * J[1, column]
-    e[0] = (T[0, 3] - P[0, 3]) / 1.0
-    e[1] = (T[1, 3] - P[1, 3]) / 1.0
-    square = 0.0
-    for i in range(2):
-        square += e[i] * e[i]
-    return math.sqrt(square)
-
-
-# What is added from start to start, in parts of the range: a direction that is like no other.
-_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(4):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
-
-
-@_inner
-def _shorten(step):
-    """Makes a step no longer than it may be."""
-    longest = 2.0
-    for j in range(4):
-        longest = max(longest, abs(step[j]))
-    for j in range(4):
-        step[j] *= 2.0 / longest
-
-
-@_inner
-def _damped_step(A, e, length, little, step):
-    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
-
-    The rows of A, each with its share of the damping's root behind it, are made orthonormal one
-    after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
-    orthogonalization, 1994): the product A A' would lose half of the digits.
-    """
-    damping = 0.1 * min(length * length, 1.0) + little
-    rows, y = np.zeros((2, 6)), np.empty(2)
-    total = np.zeros(6)
-    for i in range(2):
-        for j in range(4):
-            rows[i, j] = A[i, j]
-        rows[i, 4 + i] = math.sqrt(damping)
-        y[i] = e[i]
-        for k in range(i):
-            along = 0.0
-            for j in range(6):
-                along += rows[k, j] * rows[i, j]
-            for j in range(6):
-                rows[i, j] -= along * rows[k, j]
-            y[i] -= along * y[k]
-        square = 0.0
-        for j in range(6):
-            square += rows[i, j] * rows[i, j]
-        inverse = 1.0 / math.sqrt(square)
-        y[i] *= inverse
-        for j in range(6):
-            rows[i, j] *= inverse
-    for i in range(1, -1, -1):
-        missing = y[i]
-        for j in range(6):
-            missing -= rows[i, j] * total[j]
-        for j in range(6):
-            total[j] += missing * rows[i, j]
-    for j in range(4):
-        step[j] = total[j]
-
-
-@_inner
-def _limited_step(A, e, length, wish, u, low, high, step):
-    """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
-    fixed, locked = np.zeros(4), np.zeros(4, np.uint8)
-    rest = np.empty(2)
-    beyond = True
-    while beyond:
-        beyond = False
-        for i in range(2):
-            rest[i] = e[i]
-            for j in range(4):
-                rest[i] -= A[i, j] * wish[j]
-        _damped_step(A, rest, length, 1e-13, step)
-        for j in range(4):
-            step[j] += wish[j]
-        _shorten(step)
-        for j in range(4):
-            end = u[j] + step[j]
-            if locked[j]:
-                step[j] = fixed[j]
-            elif end < low[j] or end > high[j]:
-                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
-                beyond, locked[j], wish[j] = True, 1, 0.0
-                for i in range(2):
-                    e[i] -= A[i, j] * fixed[j]
-                    A[i, j] = 0.0
-
-
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1], float64[::1])")
-def _pulled(T, q, u, near, low, high):
-    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
-    e, A = np.empty(2), np.empty((2, 4))
-    least, best, step, pull = math.inf, u.copy(), np.empty(4), 0.5
-    wish = np.empty(4)
-    for k in range(1, 60 + 40 + 1):
-        length = _look(T, q, u, e, A)
-        if pull == 0.0:
-            if length >= 0.5 * least and least <= 1e-10:
-                break
-            if length < least:
-                least = length
-                _take(best, u)
-        for j in range(4):
-            wish[j] = pull * (min(max(near[j], low[j]), high[j]) - u[j])
-        _limited_step(A, e, length, wish, u, low, high, step)
-        longest = 0.0
-        for j in range(4):
-            longest = max(longest, abs(step[j]))
-            u[j] += step[j]
-        if k >= 60 or longest < 1e-09:
-            pull = 0.0
-    _take(u, best)
-    return least
-
-
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-])
-_MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
-# Between which values starts lie.
-_SPAN_LOW = np.array([
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-])
-_SPAN_WIDTH = np.array([
-    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
-])
-
-
-@_inner
-def _start_of(k, near, u):
-    """Start number k; number 0 is the seed."""
-    for j in range(4):
-        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_inner
-def _nearest_solution(T, q, near, low, high, best):
-    """Of infinitely many solutions one near to the seed; whether there is one."""
-    least, u = math.inf, np.empty(4)
-    for k in range(24):
-        _start_of(k, near, u)
-        for j in range(4):
-            u[j] = min(max(u[j], low[j]), high[j])
-        if _pulled(T, q, u, near, low, high) > 1e-10:
-            continue
-        square = 0.0
-        for j in range(4):
-            square += (u[j] - near[j]) * (u[j] - near[j])
-        if square < least:
-            least = square
-            _take(best, u)
-    return least < math.inf
-
-
+_arms = import_module(f"{_FOLDER}.dhgen_runtime.numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_WHOLE = _arms.Arm(
+    rows=1,
+    size=1.0,
+    coordinates=(0, 1),
+    directions='none',
+    joints=(
+        _arms.Joint(place=0, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _arms.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _arms.Joint(place=2, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _arms.Joint(place=3, lowest=-2.0943951023931953, highest=2.0943951023931953),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _arms.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+        _arms.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+        _arms.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+        _arms.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+    ),
+    redundant=True,
+)
+_solver = import_module(f"{_FOLDER}.dhgen_runtime.numerical.search")
+_compiled = import_module(f"{_FOLDER}.dhgen_runtime.numerical.compiled")
+_ARM = _arms.arm_numbers(_WHOLE)
+_NO_FREE = np.zeros(0)
+_solved_whole = _solver.all_joints
 
 
 @_inner
 def _all_joints(pose, seed):
-    """The solutions that are found, which rows hold one, and where a joint was indeterminate."""
-    T, joints, near = np.zeros((3, 4)), np.zeros(4), np.empty(4)
-    for i in range(3):
-        for j in range(4):
-            T[i, j] = pose[4 * i + j]
-    for j in range(4):
-        near[j] = seed[_SOLVED[j]] / _UNIT[j]
-    q = np.zeros((1, 4))
-    found, chosen = np.zeros(1, np.bool_), np.zeros(1, np.bool_)
-    u = np.zeros(4)
-    found[0] = _nearest_solution(T, joints, near, _LEAST_U, _MOST_U, u)
-    if not found[0]:
-        found[0] = _nearest_solution(T, joints, near, _NO_LOWEST, _NO_HIGHEST, u)
-    _wrap_angles(u)
-    for i in range(4):
-        q[0, i] = joints[i]
-    for j in range(4):
-        q[0, _SOLVED[j]] = _UNIT[j] * u[j]
-    return q, found, chosen
+    """All solutions, which rows hold one, and where a joint was indeterminate."""
+    return _solved_whole(_ARM, pose, _NO_FREE, seed)
 
 
 @_inner
@@ -871,6 +690,7 @@ def warm_up():
     _nearest(q, status, _ZEROS, True, np.empty(4))
     ik_batch(T[np.newaxis])
     _HOW.compile_apart()
+    _compiled.compile_apart()
 
 
 def _results(out, count):

@@ -11,17 +11,17 @@ from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS
 from dhgen.general.links import Held, Link
 from dhgen.general.loop import JOINTS
 from dhgen.general.no_turn import with_no_turn
-from dhgen.general.rigid import IDENTITY
 from dhgen.general.setup import setup
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.rigid import IDENTITY
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.general.kernel import GeneralKernel
-    from dhgen.general.rigid import Matrix
     from dhgen.kinematics.chain import Chain, ChainJoint
+    from dhgen.kinematics.rigid import Matrix
 
 
 def general_kernel(chain: Chain) -> GeneralKernel | None:

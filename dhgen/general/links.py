@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from dhgen.general.rigid import Matrix, along_z, dot, inverse, multiply, scaled, turn
+from dhgen.kinematics.rigid import Matrix, along_z, dot, inverse, multiply, scaled, turn
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -15,12 +15,12 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 from dhgen.general.links import Link, Value
-from dhgen.general.rigid import IDENTITY, along_z, dot, multiply, orthonormal, turn
+from dhgen.kinematics.rigid import IDENTITY, along_z, dot, multiply, orthonormal, turn
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.rigid import Matrix
 
 JOINTS = 6
 LINKS = 5  # the sixth link of the loop is the pose

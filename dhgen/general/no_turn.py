@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.general.links import Link
-from dhgen.general.rigid import IDENTITY, Matrix, inverse, scaled
+from dhgen.kinematics.rigid import IDENTITY, Matrix, inverse, scaled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

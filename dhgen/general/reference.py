@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.general.loop import Loop
     from dhgen.general.offset_wrist import OffsetWrist
-    from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.rigid import Matrix
 
 
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double

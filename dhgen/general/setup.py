@@ -23,8 +23,8 @@ from dhgen.general.links import Held, Value
 from dhgen.general.loop import JOINTS, QUARTERS, close_loop
 from dhgen.general.offset_wrist import offset_wrist
 from dhgen.general.recover import middle_determined
-from dhgen.general.rigid import multiply
 from dhgen.general.vanishing import Vanishing
+from dhgen.kinematics.rigid import multiply
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from dhgen.general.formulation import Formulation
     from dhgen.general.links import Link
     from dhgen.general.loop import Loop
-    from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.rigid import Matrix
 
 
 WITNESSES = 120

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from textwrap import indent
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import render
-from dhgen.targets.general.algorithm import c_algorithm, python_algorithm
-from dhgen.targets.layout import INDENT, c_array, python_array
+from dhgen.targets.general.emit import all_joints
 from dhgen.targets.numerical.arrays import c_arrays, python_arrays
+from dhgen.targets.python.whole import python_all_joints
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
-    from dhgen.general.kernel import GeneralKernel
     from dhgen.numerical.kernel import NumericalKernel
-    from dhgen.targets.general.algorithm import CAlgorithm, PythonAlgorithm
+    from dhgen.program.ir import AllJoints
+    from dhgen.targets.module import SolverModule
     from dhgen.targets.numerical.arrays import Arrays
+    from dhgen.targets.solver.module import Module
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,36 +26,24 @@ class Writing:
 
     Attributes:
         path: Of a template, but for its name.
-        array: Defines an array by its name and its entries, inside a function where that may be.
         arrays: Those of damped least squares.
-        algorithm: What it alone writes of the general algorithm.
-        between: What stands between two functions.
+        all_joints: What solves for all joints at once.
     """
 
     path: str
-    array: Callable[[str, Sequence[str]], str]
     arrays: Callable[[NumericalKernel], Arrays]
-    algorithm: Callable[[GeneralKernel, str], CAlgorithm | PythonAlgorithm]
-    between: str
+    all_joints: Callable[[AllJoints, SolverModule, Module], str]
 
     def filled(self, template: str, **values: object) -> str:
         """A template, by its name without an ending, with its values."""
         return render(self.path.format(template), **values)
 
 
-def _inside(name: str, entries: Sequence[str]) -> str:
-    return indent(c_array(f"static const double {name}[{len(entries)}]", entries), INDENT)
+def _in_c(whole: AllJoints, module: SolverModule, of: Module) -> str:
+    return all_joints(whole, module, of, IN_C)
 
 
-def _outside(name: str, entries: Sequence[str]) -> str:
-    return python_array(f"_{name.upper()} = np.array", entries)
-
-
-IN_C = Writing("c/{}.c.jinja", _inside, c_arrays, c_algorithm, "\n")
+IN_C: Writing = Writing("c/{}.c.jinja", c_arrays, _in_c)
 IN_PYTHON = Writing(
-    "python/{}.py.jinja",
-    _outside,
-    python_arrays,
-    lambda kernel, _: python_algorithm(kernel),  # its functions need no arm's name
-    "\n\n",
+    "python/{}.py.jinja", python_arrays, lambda whole, _, __: python_all_joints(whole)
 )

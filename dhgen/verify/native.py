@@ -9,14 +9,16 @@ import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhgen.errors import CompilerError, VerificationError
+from dhgen.runtime import PYTHON, runtime_files
+from dhgen.runtime import python as runtime
 
 if TYPE_CHECKING:
-    from pathlib import Path
     from types import ModuleType
 
     from numpy.typing import NDArray
@@ -55,21 +57,45 @@ NATIVE = Build("native", ("-O2", "-march=native", *FAST_FLAGS))
 def import_module(path: Path) -> ModuleType:
     """Imports a written module from its file, under a name of its own.
 
-    Of the runtime beside it nothing stays registered either: the folder may be a passing one.
+    Of the runtime beside it nothing stays registered either: the folder may be a passing one. Where
+    that is the compiler's own, it is imported from there: numba keeps there what it compiles of it.
     """
+    beside = str(path.resolve().parent)
     spec = importlib.util.spec_from_file_location(f"_dhgen_written_{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     try:
+        if _is_own_runtime(Path(beside)):
+            _load_own_runtime(f"{beside}.{PYTHON}")
         spec.loader.exec_module(module)
     finally:
         del sys.modules[spec.name]
-        beside = str(path.resolve().parent)
         for name in [name for name in sys.modules if f"{name}.".startswith(f"{beside}.")]:
             del sys.modules[name]
     return module
+
+
+def _is_own_runtime(folder: Path) -> bool:
+    """Whether a folder holds the compiler's own runtime, and nothing else of that name."""
+    found = sorted((folder / PYTHON).rglob("*.py"))
+    expected = {folder / name: text for name, text in runtime_files().items()}
+    return found == sorted(expected) and all(
+        path.read_text("utf-8") == text for path, text in expected.items()
+    )
+
+
+def _load_own_runtime(name: str) -> None:
+    """Loads the compiler's own Python runtime under a name."""
+    own = Path(runtime.__file__).parent
+    spec = importlib.util.spec_from_file_location(
+        name, own / "__init__.py", submodule_search_locations=[str(own)]
+    )
+    assert spec is not None
+    assert spec.loader is not None
+    package = sys.modules[name] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(package)
 
 
 def c_compiler() -> str | None:

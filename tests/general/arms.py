@@ -8,21 +8,27 @@ import subprocess
 import tempfile
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.general.links import Link
 from dhgen.general.reference import solve
+from dhgen.general.runtime_loop import runtime_loop
 from dhgen.general.setup import setup
+from dhgen.kinematics.rigid import IDENTITY
+from dhgen.numerical.runtime_arm import twelve
+from dhgen.runtime.plain import plain
+from dhgen.runtime.python.general.arm import general_numbers
+from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
 from dhgen.targets.general.emit import source
-from dhgen.targets.writing import IN_C, IN_PYTHON
+from dhgen.targets.writing import IN_C
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from dhgen.general.kernel import GeneralKernel
-    from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.rigid import Matrix
 
 Row = tuple[float, float, float, float]  # theta [quarter turns, or rad], d, a, alpha of standard DH
 Answer = tuple[np.ndarray, np.ndarray, bool]  # q (k, 6), residual (k,), certain
@@ -148,7 +154,7 @@ def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray])
     In lanes and one by one; in Python, and by what that is held to, for the first poses.
     """
     in_lanes, one_by_one = in_c(known, "arm", *STRICT), in_c(known, "arm", "-DARM_LANES=1")
-    in_words = in_python(known, "arm")
+    in_words = in_python(known)
     doubtful = 0
     for number, T in enumerate(poses):
         q, residual, certain = in_lanes(T)
@@ -163,24 +169,30 @@ def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray])
 
 @cache
 def plain_python(name: str) -> Callable[[np.ndarray], Answer]:
-    """The Python rendition of an arm, not compiled."""
-    return in_python(kernel(name), name)
+    """The Python runtime for an arm, not compiled."""
+    return in_python(kernel(name))
 
 
-def in_python(known: GeneralKernel, name: str) -> Callable[[np.ndarray], Answer]:
+def in_python(known: GeneralKernel) -> Callable[[np.ndarray], Answer]:
     """The same of any kernel."""
-    scope: dict[str, Any] = {
-        "math": math,
-        "np": np,
-        "_inner": lambda function: function,
-        "_merged": lambda function: function,
-        "_apart": lambda _: lambda function: function,
-        "_take": np.copyto,
-        "_room": lambda size: size,
-        "carray": lambda _, size: np.zeros(size),
-    }
-    exec(source(known, name, IN_PYTHON), scope)  # noqa: S102  it is what the tests are about
-    return lambda T: _answer(scope[f"{name}_general"], np.ravel(T))
+    unit = twelve(IDENTITY)
+    whole = Arm(
+        rows=known.rows,
+        size=1.0,
+        coordinates=(0, 1, 2),
+        directions="rotation",
+        joints=tuple(Joint(place) for place in range(6)),
+        base=unit,
+        chain=(ChainJoint(unit),) * 6,
+    )
+    arm, solve_loop = (
+        general_numbers(whole, runtime_loop(known)),
+        plain("general.search").solve_loop,
+    )
+    none = np.zeros(0)
+    return lambda T: _answer(
+        lambda flat, q, residual: solve_loop(arm, flat[:12], none, q, residual), np.ravel(T)
+    )
 
 
 def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:

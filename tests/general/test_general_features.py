@@ -14,11 +14,11 @@ from dhgen.general.formulation import OTHERS, formulations
 from dhgen.general.links import Link
 from dhgen.general.loop import close_loop
 from dhgen.general.recover import motion
-from dhgen.general.rigid import along_z, inverse, multiply
+from dhgen.kinematics.rigid import along_z, inverse, multiply
 from tests.general.arms import TABLES, constants, forward, gap, kernel
 
 if TYPE_CHECKING:
-    from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.rigid import Matrix
 
 
 def lanes(*matrices: Matrix) -> np.ndarray:

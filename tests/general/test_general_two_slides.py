@@ -194,7 +194,7 @@ def test_roots_of_rounding_certify_nothing(tmp_path: Path) -> None:
     kernel = known(chain)
     T = numeric_arm(chain).pose(np.array([0.0, np.pi / 2, 0.34315, np.pi / 2, -0.34315, 0.0]))
     assert not in_c(kernel, "arm")(T)[2]
-    assert not in_python(kernel, "arm")(T)[2]
+    assert not in_python(kernel)(T)[2]
     found = solve(T, kernel)
     assert not found.complete or found.singular
 
@@ -206,7 +206,7 @@ def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
     """
     chain = build_chain(written(tmp_path, list(FOLDING)))
     kernel, arm = known(chain), numeric_arm(chain)
-    compiled, in_words = in_c(kernel, "arm", *STRICT), in_python(kernel, "arm")
+    compiled, in_words = in_c(kernel, "arm", *STRICT), in_python(kernel)
     random = np.random.default_rng(6)
     for distance in (1e-6, 1e-5):
         for number, q in enumerate(random.uniform(-2.5, 2.5, (20, 6))):

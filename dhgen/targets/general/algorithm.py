@@ -9,11 +9,10 @@ from dhgen.general.loop import LINKS
 from dhgen.targets.angles import Angles
 from dhgen.targets.general.arctangent import GeneralArctangent
 from dhgen.targets.general.arm import Arm, arm
-from dhgen.targets.general.elimination import Elimination, Kinds
 from dhgen.targets.general.equations import Equations, equations
 from dhgen.targets.general.links import Links, links
 from dhgen.targets.general.sizes import Sizes
-from dhgen.targets.general.spelling import CSpelling, PythonSpelling, c_spelling, python_spelling
+from dhgen.targets.general.spelling import CSpelling, c_spelling
 from dhgen.targets.general.tables import Tables, tables
 from dhgen.targets.general.tolerances import Tolerances
 from dhgen.targets.general.wrist import Wrist, wrist
@@ -64,23 +63,6 @@ class CAlgorithm:
     arctangent: GeneralArctangent
 
 
-@dataclass(frozen=True, slots=True)
-class PythonAlgorithm:
-    """In Python only.
-
-    Attributes:
-        links: How the links of the loop are made.
-        spelling: How slides and given joints are written.
-        elimination: The reflections of many angles at once.
-        kinds: What names of functions end with.
-    """
-
-    links: Links
-    spelling: PythonSpelling
-    elimination: Elimination
-    kinds: Kinds
-
-
 def algorithm(kernel: GeneralKernel, name: str) -> Algorithm:
     """What both languages write alike of an arm."""
     return Algorithm(
@@ -103,14 +85,4 @@ def c_algorithm(kernel: GeneralKernel, name: str) -> CAlgorithm:
         links=links(kernel, [*places, "P", "right"], "free_joints"),
         spelling=c_spelling(kernel, name),
         arctangent=GeneralArctangent(),
-    )
-
-
-def python_algorithm(kernel: GeneralKernel) -> PythonAlgorithm:
-    """What Python writes of it."""
-    return PythonAlgorithm(
-        links=links(kernel, [f"links[{i}]" for i in range(LINKS + 2)], "q_free"),
-        spelling=python_spelling(kernel),
-        elimination=Elimination(),
-        kinds=Kinds(),
     )

@@ -19,7 +19,6 @@ class Arm:
     Attributes:
         most: Solutions that it may have.
         closed: How many polynomials in closed form are tried.
-        ways: To solve at one of their roots.
         per_root: Solutions at one of their simple roots.
         per_double_root: And at a double one.
         eliminations: How many formulations with a determinant are tried after that.
@@ -31,7 +30,6 @@ class Arm:
 
     most: int
     closed: int
-    ways: int
     per_root: int
     per_double_root: int
     eliminations: int
@@ -48,7 +46,6 @@ def arm(kernel: GeneralKernel) -> Arm:
     return Arm(
         most=kernel.rows,
         closed=len(kernel.closed),
-        ways=4 if kernel.wrist else 2,
         per_root=per_root,
         per_double_root=2 * per_root,
         eliminations=len(kernel.eliminations),

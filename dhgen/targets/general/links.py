@@ -74,7 +74,6 @@ class Links:
         turning: Whether one of them turns inside a link.
         sliding: Whether one of them slides there.
         every: The links.
-        firsts: The constants that they begin with, between commas.
         special: Values that are given at which formulations vanish.
     """
 
@@ -82,7 +81,6 @@ class Links:
     turning: bool
     sliding: bool
     every: tuple[LinkText, ...]
-    firsts: str
     special: tuple[Special, ...]
 
 
@@ -101,7 +99,6 @@ def links(kernel: GeneralKernel, to: Sequence[str], array: str) -> Links:
         turning=any(not each.slides for each in held),
         sliding=any(each.slides for each in held),
         every=every,
-        firsts=", ".join(str(link.first) for link in every),
         special=tuple(_special(each, kernel.loop.size) for each in kernel.vanishing),
     )
 

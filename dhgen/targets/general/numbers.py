@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.rigid import Matrix
 
 
 def row(numbers: Iterable[float]) -> str:

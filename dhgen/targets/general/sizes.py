@@ -23,7 +23,6 @@ class Sizes:
         harmonics: Coefficients of a polynomial of its degree; others are noise.
         cells: Parts of the circle.
         half_cells: Of half the circle.
-        edges: Of the cells, the first one again at the end.
         edges_in_lanes: The same with room for a vector that begins at the last one.
         width: Of a cell [rad].
         deepest: How often a cell is halved.
@@ -36,22 +35,18 @@ class Sizes:
         roots: Of each kind that are kept.
         looks: How often places are looked at again.
         reach: Cells that a closer look has on both sides.
-        roots_and_pairs: Simple roots with the middles of close pairs.
         parabolas: That tell two roots where they nearly meet.
-        angles: Those, the double roots, and what may stand on both sides of them.
         candidates: For joint angles.
         places: For what candidates lead to: near a singular solution, many.
         steps: Of the polish from a candidate.
         steps_from_afar: Of the polish from anywhere.
         batches: Of starts, in lanes.
-        starts: One by one.
     """
 
     samples: int = circle.SAMPLES
     harmonics: int = 2 * circle.DEGREE + 1
     cells: int = circle.CELLS
     half_cells: int = HALF_CELLS
-    edges: int = circle.CELLS + 1
     edges_in_lanes: int = circle.CELLS + 8
     width: float = circle.WIDTH
     deepest: int = circle.DEEPEST
@@ -64,12 +59,9 @@ class Sizes:
     roots: int = ROOTS
     looks: int = LOOKS
     reach: int = REACH
-    roots_and_pairs: int = 3 * ROOTS
     parabolas: int = reference.PARABOLAS
-    angles: int = 6 * ROOTS
     candidates: int = 6 * ROOTS
     places: int = reference.PLACES
     steps: int = reference.STEPS
     steps_from_afar: int = reference.STEPS_FROM_AFAR
     batches: int = BATCHES
-    starts: int = 8 * BATCHES

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.targets.general.emit import all_joints, source
-from dhgen.targets.numerical.emit import both_sides, search, seeking, tightening, tools
+from dhgen.targets.numerical.emit import both_sides, seeking, tightening
 from dhgen.targets.walk import parted, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.calls import Calls
     from dhgen.targets.solver.common import Common
-    from dhgen.targets.solver.module import Module
     from dhgen.targets.writing import Writing
 
 
@@ -37,26 +35,13 @@ class Parts:
 def parts_of(module: SolverModule, common: Common, calls: Calls, writing: Writing) -> Parts:
     """Those of a robot's solver."""
     solver, of = module.solver, common.module
+    whole = whole_arm(solver)
     kernel, roots = solver.tightened, parted(solver)
     return Parts(
-        all_joints=_all_joints(module, of, writing),
+        all_joints="" if whole is None else writing.all_joints(whole, module, of),
         tightening="" if kernel is None else tightening(kernel, of, writing),
         both_sides=""
         if roots is None
         else both_sides(roots, solver.turning, common, calls, writing),
         seeking="" if kernel is None else seeking(kernel, common, calls, writing),
     )
-
-
-def _all_joints(module: SolverModule, of: Module, writing: Writing) -> str:
-    """The function that solves for all joints at once, where there is one."""
-    whole = whole_arm(module.solver)
-    if whole is None:
-        return ""
-    parts = [tools(whole.descent, of, writing)]
-    if whole.general is None:
-        parts.append(search(whole.descent, of, writing))
-    else:
-        parts.append(source(whole.general, module.name, writing))
-        parts.append(all_joints(whole.general, module.chain, module.name, writing))
-    return writing.between.join(parts)

@@ -1,0 +1,26 @@
+"""Everything of this folder compiled beforehand, so that no call waits for it."""
+
+from ..numerical import descent, solutions
+from . import (
+    attempts,
+    candidates,
+    circle,
+    equations,
+    four_turns,
+    loop,
+    recover,
+    roots,
+    rows,
+    search,
+)
+
+FILES = (
+    *(descent, solutions, loop, equations, circle, four_turns),
+    *(recover, roots, candidates, attempts, search, rows),
+)
+
+
+def compile_apart() -> None:
+    """Compiles the functions that stand apart, or gets them from numba's cache."""
+    for module in FILES:
+        module.OWN.compile_apart()

@@ -1,0 +1,5 @@
+"""Damped least squares: what takes joint values to solutions, and tells solutions apart.
+
+In reading order: places (the numbers of an arm), forward (pose and Jacobian), descent (steps to a
+solution), solutions (which of them are one), search (all joints from starts alone).
+"""

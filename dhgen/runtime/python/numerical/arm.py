@@ -1,0 +1,191 @@
+"""The array of an arm's numbers: made once, from what its file holds, in the order of places.py."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .places import JOINTS, LOOP
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..arrays import Floats
+
+RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]: as for one that was refined
+ROUNDED_RESIDUAL = (
+    1e-5  # the same of a pose that is checked, and may have been rounded to six digits
+)
+ITERATIONS = 60  # of the fixed point iteration; each wins a digit in base two at least
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint that is solved for.
+
+    Attributes:
+        place: In the arm, from 0.
+        turns: Whether it turns; else it slides.
+        lowest: Its limits [rad or length], infinite without any.
+        highest: The same.
+        facing: Its sign in the loop of the general algorithm.
+        zero: What is added to its value there.
+    """
+
+    place: int
+    turns: bool = True
+    lowest: float = -math.inf
+    highest: float = math.inf
+    facing: float = 1.0
+    zero: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ChainJoint:
+    """A joint of the forward model, and what stands behind it.
+
+    Attributes:
+        after: The rigid transform behind it, twelve numbers.
+        turns: Whether it turns; else it slides.
+        sign: Of its value.
+        offset: What is added to that.
+    """
+
+    after: tuple[float, ...]
+    turns: bool = True
+    sign: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """An arm and its task.
+
+    Attributes:
+        rows: Solutions that are kept.
+        size: Of the arm: a step of one, for lengths [file's unit].
+        coordinates: Rows of the translation that the task names.
+        directions: What else it names: "none", "rotation", or "pointing" for the tool's z axis.
+        joints: Those that are solved for.
+        base: The rigid transform before the first joint, twelve numbers.
+        chain: All joints.
+        free: Places of the joints whose values the caller gives.
+        redundant: Whether every pose has infinitely many solutions.
+        checked: Whether the task names more than the joints can choose.
+    """
+
+    rows: int
+    size: float
+    coordinates: tuple[int, ...]
+    directions: str
+    joints: tuple[Joint, ...]
+    base: tuple[float, ...]
+    chain: tuple[ChainJoint, ...]
+    free: tuple[int, ...] = ()
+    redundant: bool = False
+    checked: bool = False
+
+
+def strides(dimension: int) -> tuple[float, ...]:
+    """Returns what is added, modulo one, from start to start: powers of 1 / x with x^(n+1) = x + 1.
+
+    M. Roberts, The unreasonable effectiveness of quasirandom sequences (2018): for one dimension
+    the golden ratio, for more its generalisation.
+    """
+    ratio = 2.0
+    for _ in range(ITERATIONS):
+        ratio = _root(1.0 + ratio, dimension + 1)
+    powers, power = [], 1.0
+    for _ in range(dimension):
+        power /= ratio
+        powers.append(power)
+    return tuple(powers)
+
+
+def _root(value: float, degree: int) -> float:
+    """Returns the root of a degree by Newton's method: a library's own may round differently."""
+    x = value
+    for _ in range(ITERATIONS * degree):
+        power = 1.0
+        for _ in range(degree - 1):
+            power *= x
+        x -= (x * power - value) / (degree * power)
+    return x
+
+
+def arm_numbers(
+    arm: Arm, loop: Sequence[float] = (), lists: Sequence[Sequence[float]] = ()
+) -> Floats:
+    """Returns the array of an arm.
+
+    Args:
+        arm: The arm and its task.
+        loop: What the general algorithm knows of its loop, from LOOP on.
+        lists: Lists of it that stand at the end; the places where they begin follow `loop`.
+    """
+    stride = strides(len(arm.joints))
+    joints = [
+        x for joint, each in zip(arm.joints, stride, strict=True) for x in _joint(arm, joint, each)
+    ]
+    chain = [*arm.base]
+    for link in arm.chain:
+        chain += [float(link.turns), link.sign, link.offset, *link.after]
+    limited = any(j.lowest > -math.inf or j.highest < math.inf for j in arm.joints)
+    entries = len(arm.coordinates) + (3 if arm.directions != "none" else 0)
+    head = [
+        *(len(arm.chain), len(arm.joints), entries, arm.rows, len(arm.free), arm.size),
+        ROUNDED_RESIDUAL if arm.checked else RESIDUAL,
+        *(len(arm.coordinates), *arm.coordinates, *[0] * (3 - len(arm.coordinates))),
+        ("none", "rotation", "pointing").index(arm.directions),
+        *(arm.redundant, limited, arm.checked),
+    ]
+    return _joined(head, joints, [[*map(float, arm.free)], chain], loop, lists)
+
+
+def _joint(arm: Arm, joint: Joint, stride: float) -> tuple[float, ...]:
+    """Returns the record of a joint that is solved for."""
+    unit, wide = (1.0, math.pi) if joint.turns else (arm.size, 1.0)
+    low, high = joint.lowest / unit, joint.highest / unit
+    start = low if low > -math.inf else -wide
+    width = (high if high < math.inf else wide) - start
+    measure = unit / arm.size
+    turns = float(joint.turns)
+    return (
+        joint.place,
+        turns,
+        unit,
+        low,
+        high,
+        start,
+        width,
+        stride,
+        measure,
+        joint.facing,
+        joint.zero,
+    )
+
+
+def _joined(
+    head: Sequence[float],
+    joints: Sequence[float],
+    own: Sequence[Sequence[float]],
+    loop: Sequence[float],
+    lists: Sequence[Sequence[float]],
+) -> Floats:
+    """Returns the array from its parts, with the places where its lists begin."""
+    at, begins = JOINTS + len(joints), []
+    for each in (*own, *lists):
+        begins.append(at)
+        at += len(each)
+    numbers = np.zeros(at)
+    numbers[: len(head)] = head
+    numbers[len(head) : len(head) + len(own)] = begins[: len(own)]
+    numbers[LOOP : LOOP + len(loop)] = loop
+    numbers[LOOP + len(loop) : LOOP + len(loop) + len(lists)] = begins[len(own) :]
+    numbers[JOINTS : JOINTS + len(joints)] = joints
+    for begin, each in zip(begins, (*own, *lists), strict=True):
+        numbers[begin : begin + len(each)] = each
+    return numbers

@@ -1,0 +1,343 @@
+"""Steps of damped least squares from joint values to a solution.
+
+`u` are the joints that are solved for, in units (radians or arm sizes); `q` all joints, whose other
+values are given.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..jit import of_file
+from .forward import forward, take
+from .places import (
+    COORDINATE,
+    COORDINATES,
+    DIRECTIONS,
+    DOF,
+    EQUATIONS,
+    MEASURE,
+    PLACE,
+    POINTING,
+    RECORD,
+    ROTATION,
+    SIZE,
+    SOLVED,
+    SPAN_LOW,
+    SPAN_WIDTH,
+    STRIDE,
+    TURNS,
+    UNIT,
+)
+
+if TYPE_CHECKING:
+    from ..arrays import Floats
+
+OWN = of_file(__file__)
+apart, inner = OWN.apart, OWN.inner
+
+
+TURN = 2.0 * math.pi
+# A candidate is a solution if it misses the whole pose by no more [arm sizes, rad]: far above
+# rounding, far below where a near miss ends.
+SOLUTION = 1e-10
+# A row that misses its pose by no more is exact, but for rounding [arm sizes, rad].
+EXACT = 1e-12
+# A sine below this gives no axis to turn about: rounding of the product of two rotations is 1e-15,
+# and the angle that belongs to it is as small or half a turn.
+ASIDE = 1e-9
+# The rotation vector that is taken where half a turn is missing, whose axis may be any.
+ANY_TURN = (math.pi * 0.48, math.pi * 0.6, math.pi * 0.64)
+# Damping over the square of the miss (the Gauss-Newton step itself near a solution), and what is
+# always added, so that a singular arm has a step: below the square of what counts as singular.
+DAMPING = 0.1
+FLOOR = 1e-13
+# Where steps get slow at a miss below this [arm sizes, rad] less is added: what always is keeps
+# them from going on where joints hardly move the tool. Beside singular places the last digits
+# count; the root of what is added then is still far above rounding of the miss.
+NEARLY = 1e-6
+FINE = 1e-26
+LONGEST = (
+    2.0  # of a step's components [rad, arm sizes]: a farther one says nothing of the arm there
+)
+STEPS = 40  # from a start; 7 to 16 are usual
+# Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
+PULL = 0.5
+PULLED_STEPS = 60
+SETTLED = 1e-9  # a step shorter than this ends the pull [rad, arm sizes]
+
+
+@inner
+def _rotation_vector(axis: tuple[float, float, float], cosine: float, vector: Floats) -> None:
+    """Computes a rotation vector from its axis times the sine, and the cosine."""
+    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    if sine < ASIDE and cosine < 0.0:
+        vector[0], vector[1], vector[2] = ANY_TURN
+        return
+    scale = 1.0 if sine < ASIDE else math.atan2(sine, cosine) / sine
+    for i in range(3):
+        vector[i] = scale * axis[i]
+
+
+@inner
+def _missing_rotation(T: Floats, P: Floats, vector: Floats) -> None:
+    """Computes the rotation vector that takes the rotation of P to that of T."""
+    R = np.zeros((3, 3))
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                R[i, j] += T[i, k] * P[4 * j + k]
+    axis = 0.5 * (R[2, 1] - R[1, 2]), 0.5 * (R[0, 2] - R[2, 0]), 0.5 * (R[1, 0] - R[0, 1])
+    _rotation_vector(axis, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0), vector)
+
+
+@inner
+def _missing_direction(T: Floats, P: Floats, vector: Floats) -> None:
+    """Computes the rotation vector that takes the z axis of P to that of T."""
+    axis = (
+        P[6] * T[2, 2] - P[10] * T[1, 2],
+        P[10] * T[0, 2] - P[2] * T[2, 2],
+        P[2] * T[1, 2] - P[6] * T[0, 2],
+    )
+    cosine = P[2] * T[0, 2] + P[6] * T[1, 2] + P[10] * T[2, 2]
+    _rotation_vector(axis, cosine, vector)
+
+
+@apart(
+    "float64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], "
+    "float64[:, ::1])"
+)
+def measure_miss(arm: Floats, T: Floats, q: Floats, u: Floats, e: Floats, A: Floats) -> float:
+    """Returns by how much u misses the pose: the length of e, whose Jacobian goes into A."""
+    solved, dof = int(arm[SOLVED]), int(arm[DOF])
+    for j in range(solved):
+        at = RECORD * j
+        q[int(arm[PLACE + at])] = arm[UNIT + at] * u[j]
+    P, J = np.empty(12), np.empty((6, dof))
+    forward(arm, q, P, J)
+    coordinates = int(arm[COORDINATES])
+    for j in range(solved):
+        at = RECORD * j
+        column = int(arm[PLACE + at])
+        for i in range(coordinates):
+            A[i, j] = arm[MEASURE + at] * J[int(arm[COORDINATE + i]), column]
+        if arm[DIRECTIONS] == ROTATION:
+            for i in range(3):
+                A[coordinates + i, j] = J[3 + i, column]
+        elif arm[DIRECTIONS] == POINTING:
+            along = P[2] * J[3, column] + P[6] * J[4, column] + P[10] * J[5, column]
+            for i in range(3):  # turning about z changes nothing
+                A[coordinates + i, j] = J[3 + i, column] - along * P[4 * i + 2]
+    for i in range(coordinates):
+        row = int(arm[COORDINATE + i])
+        e[i] = (T[row, 3] - P[4 * row + 3]) / arm[SIZE]
+    if arm[DIRECTIONS] == ROTATION:
+        _missing_rotation(T, P, e[coordinates:])
+    elif arm[DIRECTIONS] == POINTING:
+        _missing_direction(T, P, e[coordinates:])
+    square = 0.0
+    for i in range(int(arm[EQUATIONS])):
+        square += e[i] * e[i]
+    return math.sqrt(square)
+
+
+@inner
+def wrap_angles(arm: Floats, u: Floats) -> None:
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(int(arm[SOLVED])):
+        if arm[TURNS + RECORD * j] > 0.0:
+            u[j] -= TURN * math.ceil(u[j] / TURN - 0.5)
+
+
+@inner
+def shorten(step: Floats) -> None:
+    """Makes a step no longer than it may be."""
+    longest = LONGEST
+    for j in range(len(step)):
+        longest = max(longest, abs(step[j]))
+    for j in range(len(step)):
+        step[j] *= LONGEST / longest
+
+
+@apart("void(float64[:, ::1], float64[::1], float64, float64, float64[::1])")
+def damped_step(A: Floats, e: Floats, length: float, floor: float, step: Floats) -> None:
+    """Computes the damped least squares step A' (A A' + damping)^-1 e, with a least damping.
+
+    The rows of A, each with its share of the damping's root behind it, are made orthonormal one
+    after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
+    orthogonalization, 1994): the product A A' would lose half of the digits.
+    """
+    equations, solved = A.shape
+    width = equations + solved
+    damping = DAMPING * min(length * length, 1.0) + floor
+    rows, y = np.zeros((equations, width)), np.empty(equations)
+    total = np.zeros(width)
+    for i in range(equations):
+        for j in range(solved):
+            rows[i, j] = A[i, j]
+        rows[i, solved + i] = math.sqrt(damping)
+        y[i] = e[i]
+        for k in range(i):
+            along = 0.0
+            for j in range(width):
+                along += rows[k, j] * rows[i, j]
+            for j in range(width):
+                rows[i, j] -= along * rows[k, j]
+            y[i] -= along * y[k]
+        square = 0.0
+        for j in range(width):
+            square += rows[i, j] * rows[i, j]
+        inverse = 1.0 / math.sqrt(square)
+        y[i] *= inverse
+        for j in range(width):
+            rows[i, j] *= inverse
+    for i in range(equations - 1, -1, -1):
+        missing = y[i]
+        for j in range(width):
+            missing -= rows[i, j] * total[j]
+        for j in range(width):
+            total[j] += missing * rows[i, j]
+    for j in range(solved):
+        step[j] = total[j]
+
+
+@apart("float64(float64[::1], float64[:, ::1], float64[::1], float64[::1])")
+def descend(arm: Floats, T: Floats, q: Floats, u: Floats) -> float:
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a
+    step that is right may be long, and what it leaves, half of its square, far more than was
+    missed.
+    """
+    solved = int(arm[SOLVED])
+    e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
+    least, best, step, floor = math.inf, u.copy(), np.empty(solved), FLOOR
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
+    for _ in range(STEPS + 1):
+        length = measure_miss(arm, T, q, u, e, A)
+        slow = length >= max(0.5 * last, left)
+        stalled = slow and least <= (SOLUTION if floor < FLOOR else EXACT)
+        if slow and least <= NEARLY:
+            floor = FINE
+        if length < least:
+            least = length
+            take(best, u)
+        if stalled:
+            break
+        damped_step(A, e, length, floor, step)
+        shorten(step)
+        way = 0.0
+        for j in range(solved):
+            u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if floor < FLOOR else 0.0
+    take(u, best)
+    return least
+
+
+@inner
+def _limited_step(
+    A: Floats,
+    e: Floats,
+    length: float,
+    wish: Floats,
+    u: Floats,
+    low: Floats,
+    high: Floats,
+    step: Floats,
+) -> None:
+    """Computes a step with a wish; joints that would exceed a limit go there, and are locked."""
+    equations, solved = A.shape
+    fixed, locked = np.zeros(solved), np.zeros(solved, np.uint8)
+    rest = np.empty(equations)
+    beyond = True
+    while beyond:
+        beyond = False
+        for i in range(equations):
+            rest[i] = e[i]
+            for j in range(solved):
+                rest[i] -= A[i, j] * wish[j]
+        damped_step(A, rest, length, FLOOR, step)
+        for j in range(solved):
+            step[j] += wish[j]
+        shorten(step)
+        for j in range(solved):
+            end = u[j] + step[j]
+            if locked[j]:
+                step[j] = fixed[j]
+            elif end < low[j] or end > high[j]:
+                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
+                beyond, locked[j], wish[j] = True, 1, 0.0
+                for i in range(equations):
+                    e[i] -= A[i, j] * fixed[j]
+                    A[i, j] = 0.0
+
+
+@apart(
+    "float64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], "
+    "float64[::1], float64[::1])"
+)
+def descend_towards(
+    arm: Floats, T: Floats, q: Floats, u: Floats, near: Floats, low: Floats, high: Floats
+) -> float:
+    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
+    solved = int(arm[SOLVED])
+    e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
+    least, best, step, pull = math.inf, u.copy(), np.empty(solved), PULL
+    wish = np.empty(solved)
+    for k in range(1, PULLED_STEPS + STEPS + 1):
+        length = measure_miss(arm, T, q, u, e, A)
+        if pull == 0.0:
+            if length >= 0.5 * least and least <= SOLUTION:
+                break
+            if length < least:
+                least = length
+                take(best, u)
+        for j in range(solved):
+            wish[j] = pull * (min(max(near[j], low[j]), high[j]) - u[j])
+        _limited_step(A, e, length, wish, u, low, high, step)
+        longest = 0.0
+        for j in range(solved):
+            longest = max(longest, abs(step[j]))
+            u[j] += step[j]
+        if k >= PULLED_STEPS or longest < SETTLED:
+            pull = 0.0
+    take(u, best)
+    return least
+
+
+@inner
+def start_of(arm: Floats, k: int, near: Floats, u: Floats) -> None:
+    """Sets u to start number k; number 0 is the seed."""
+    for j in range(int(arm[SOLVED])):
+        at = RECORD * j
+        u[j] = (
+            near[j]
+            if k == 0
+            else arm[SPAN_LOW + at] + arm[SPAN_WIDTH + at] * ((0.5 + k * arm[STRIDE + at]) % 1.0)
+        )
+
+
+@inner
+def sideways(arm: Floats, A: Floats, along: Floats) -> float:
+    """Returns the length of the part of a generic direction that leaves the tool where it is.
+
+    To first order; that part, one long, goes into `along`.
+    """
+    equations, solved = A.shape
+    moved, square = np.empty(equations), 0.0
+    for i in range(equations):
+        moved[i] = 0.0
+        for j in range(solved):
+            moved[i] += A[i, j] * arm[STRIDE + RECORD * j]
+    damped_step(A, moved, 0.0, FLOOR, along)
+    for j in range(solved):
+        along[j] = arm[STRIDE + RECORD * j] - along[j]
+        square += along[j] * along[j]
+    length = math.sqrt(square)
+    for j in range(solved):
+        along[j] /= length
+    return length

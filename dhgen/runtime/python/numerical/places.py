@@ -1,0 +1,53 @@
+"""Where the numbers of an arm and its task stand in the array that every function gets first.
+
+0 ... LOOP        sizes, the task, where the lists begin
+LOOP ... JOINTS   what the general algorithm knows of its loop (general/places.py)
+JOINTS ...        a record for each joint that is solved for, then the lists
+"""
+
+# Sizes
+DOF = 0  # joints of the arm
+SOLVED = 1  # joints that are solved for
+EQUATIONS = 2  # numbers that say by how much a pose is missed
+ROWS = 3  # solutions that are kept
+GIVEN = 4  # joints whose values the caller gives
+SIZE = 5  # of the arm: a step of one, for lengths [file's unit]
+RESIDUAL = 6  # what counts as a solution [arm sizes, rad]
+# The task
+COORDINATES = 7  # coordinates of the tool's origin that count
+COORDINATE = 8  # which rows of the translation they are: three places
+DIRECTIONS = 11  # NO_DIRECTION, ROTATION or POINTING
+REDUNDANT = 12  # whether every pose has infinitely many solutions
+LIMITED = 13  # whether a joint that is solved for has limits
+CHECKED = 14  # whether the task names more than the joints can choose
+# Where the lists begin
+FREE = 15  # places of the joints whose values the caller gives
+CHAIN = 16  # the forward model
+
+NO_DIRECTION, ROTATION, POINTING = 0.0, 1.0, 2.0  # of the tool's directions: none, all, its z axis
+
+LOOP = 20
+JOINTS = 100
+
+# The record of a joint that is solved for, and where its numbers stand for the first of them. A
+# value in units is a value in radians or arm sizes.
+RECORD = 11
+PLACE = JOINTS  # of the joint in the arm, from 0
+TURNS = JOINTS + 1  # 1 where it turns, 0 where it slides
+UNIT = JOINTS + 2  # 1 rad, or the arm's size
+LOWEST = JOINTS + 3  # its limits, in units
+HIGHEST = JOINTS + 4
+SPAN_LOW = JOINTS + 5  # between which values starts lie, in units
+SPAN_WIDTH = JOINTS + 6
+STRIDE = JOINTS + 7  # from start to start, in parts of that: a direction that is like no other
+MEASURE = JOINTS + 8  # what a unit moves, in arm sizes
+FACING = JOINTS + 9  # the joint's sign in the loop of the general algorithm
+ZERO = JOINTS + 10  # and what is added to its value there
+
+# The forward model: a rigid transform (twelve numbers), then for each joint its record
+BASE = 12
+CHAIN_RECORD = 15
+JOINT_TURNS = 0  # 1 where it turns, 0 where it slides
+JOINT_SIGN = 1  # of its value
+JOINT_OFFSET = 2  # what is added to that
+JOINT_AFTER = 3  # the rigid transform behind it

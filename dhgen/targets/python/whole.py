@@ -1,0 +1,50 @@
+"""Arms that are solved as a whole: their numbers, and the call of the runtime's solver."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.general.runtime_loop import runtime_loop
+from dhgen.numerical.runtime_arm import runtime_arm
+from dhgen.printing.templates import render
+from dhgen.runtime.python.general.arm import Loop
+from dhgen.runtime.python.numerical.arm import Arm
+from dhgen.targets.python.literal import literal
+
+if TYPE_CHECKING:
+    from dhgen.program.ir import AllJoints
+
+MODULES = {Arm.__module__: "_arms", Loop.__module__: "_loops"}
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """What the template names.
+
+    Attributes:
+        arm: The joints, the task and the forward model.
+        loop: The loop of the general algorithm; empty where descents alone find solutions.
+        given: Whether the caller gives values of joints.
+        free_parameter: They among parameters.
+        free_values: They as the runtime takes them.
+    """
+
+    arm: str
+    loop: str
+    given: bool
+    free_parameter: str
+    free_values: str
+
+
+def python_all_joints(whole: AllJoints) -> str:
+    """The function `_all_joints`, and what it needs."""
+    kernel, given = whole.general, whole.given
+    texts = Whole(
+        arm=literal(runtime_arm(whole.descent), MODULES),
+        loop="" if kernel is None else literal(runtime_loop(kernel), MODULES),
+        given=given,
+        free_parameter=", q_free" if given else "",
+        free_values="q_free" if given else "_NO_FREE",
+    )
+    return render("python/whole.py.jinja", whole=texts)

@@ -1,0 +1,9 @@
+"""Everything of this folder compiled beforehand, so that no call waits for it."""
+
+from . import descent, search, solutions
+
+
+def compile_apart() -> None:
+    """Compiles the functions that stand apart, or gets them from numba's cache."""
+    for module in (descent, solutions, search):
+        module.OWN.compile_apart()
