@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 import sys
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.arguments import OUT
@@ -19,6 +18,7 @@ from dhgen.method import Method
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterable, Sequence
+    from pathlib import Path
 
     from dhgen.compiler import Compilation
     from dhgen.errors import Diagnostic
@@ -126,7 +126,7 @@ def _compared(module: SolverModule) -> str:
 
 def _own(compilation: Compilation) -> list[str]:
     stems = [compilation.robot.name, *([compilation.single.name] if compilation.single else [])]
-    return [name for name in compilation.files if Path(name).stem in stems]
+    return [name for name in compilation.files if name.partition(".")[0] in stems]
 
 
 def check(options: argparse.Namespace) -> int:

@@ -16,11 +16,22 @@ PYTHON = "dhgen_runtime"  # the folder of the Python runtime beside robots
 @cache
 def runtime_files() -> Mapping[str, str]:
     """The files of the runtime by their paths in the folder of the robots."""
-    python = Path(__file__).parent / "python"
-    paths = sorted(python.rglob("*.py"))
+    return MappingProxyType({**_python_files(), **c_runtime_files()})
+
+
+@cache
+def c_runtime_files() -> Mapping[str, str]:
+    """Those in C, which robots' sources include: in the folder `dhgen`."""
+    folder = Path(__file__).parent / "c"
+    paths = sorted(path for path in (folder / "dhgen").rglob("*") if path.suffix in {".c", ".h"})
     return MappingProxyType(
-        {
-            f"{PYTHON}/{path.relative_to(python).as_posix()}": path.read_text("utf-8")
-            for path in paths
-        }
+        {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in paths}
     )
+
+
+def _python_files() -> dict[str, str]:
+    folder = Path(__file__).parent / "python"
+    paths = sorted(folder.rglob("*.py"))
+    return {
+        f"{PYTHON}/{path.relative_to(folder).as_posix()}": path.read_text("utf-8") for path in paths
+    }

@@ -13,8 +13,9 @@ from dhgen.compiler import Compilation, compile_loaded
 from dhgen.errors import DhgenError, RobotFileError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
-from dhgen.replace import naming
+from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile
+from dhgen.runtime import c_runtime_files
 from dhgen.survey.ask import ask_random, ask_singular
 from dhgen.survey.line import Answers, Line
 from dhgen.survey.oracle.arm import arm, arm_size
@@ -102,9 +103,8 @@ def _answers(compilation: Compilation, poses: int, recall: int, cpu: float) -> A
     bound = RESIDUAL if derivation.whole is None else GENERAL_RESIDUAL
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         source = Path(folder) / f"{robot.name}.c"
-        for each in (source.name, f"{robot.name}.h"):
-            with naming(Path(folder) / each):
-                (Path(folder) / each).write_text(compilation.files[each], encoding="utf-8")
+        own = {name: compilation.files[name] for name in (source.name, f"{robot.name}.h")}
+        write_files(Path(folder), {**own, **c_runtime_files()})
         rows, free = module.solver.rows, module.chain.given
         of = source, Path(folder), robot.name, len(robot.joints), rows, free
         c, fast = (compile_solver(*of, build=build) for build in (PORTABLE, NATIVE))

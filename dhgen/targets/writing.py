@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import render
-from dhgen.targets.general.emit import all_joints
+from dhgen.targets.general.emit import all_joints, runtime
 from dhgen.targets.numerical.arrays import c_arrays, python_arrays
 from dhgen.targets.python.whole import python_all_joints
 
@@ -28,11 +28,13 @@ class Writing:
         path: Of a template, but for its name.
         arrays: Those of damped least squares.
         all_joints: What solves for all joints at once.
+        runtime: What it includes.
     """
 
     path: str
     arrays: Callable[[NumericalKernel], Arrays]
     all_joints: Callable[[AllJoints, SolverModule, Module], str]
+    runtime: Callable[[AllJoints, SolverModule], str]
 
     def filled(self, template: str, **values: object) -> str:
         """A template, by its name without an ending, with its values."""
@@ -43,7 +45,14 @@ def _in_c(whole: AllJoints, module: SolverModule, of: Module) -> str:
     return all_joints(whole, module, of, IN_C)
 
 
-IN_C: Writing = Writing("c/{}.c.jinja", c_arrays, _in_c)
+def _included(whole: AllJoints, module: SolverModule) -> str:
+    return "" if whole.general is None else runtime(whole.general, module.name, IN_C)
+
+
+IN_C: Writing = Writing("c/{}.c.jinja", c_arrays, _in_c, _included)
 IN_PYTHON = Writing(
-    "python/{}.py.jinja", python_arrays, lambda whole, _, __: python_all_joints(whole)
+    "python/{}.py.jinja",
+    python_arrays,
+    lambda whole, _, __: python_all_joints(whole),
+    lambda _, __: "",
 )

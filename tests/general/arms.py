@@ -18,10 +18,12 @@ from dhgen.general.runtime_loop import runtime_loop
 from dhgen.general.setup import setup
 from dhgen.kinematics.rigid import IDENTITY
 from dhgen.numerical.runtime_arm import twelve
+from dhgen.replace import write_files
+from dhgen.runtime import c_runtime_files
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.general.arm import general_numbers
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
-from dhgen.targets.general.emit import source
+from dhgen.targets.general.emit import runtime, source
 from dhgen.targets.writing import IN_C
 
 if TYPE_CHECKING:
@@ -134,13 +136,14 @@ def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
 def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
     """The same of any kernel."""
     text = (
-        f"#include <math.h>\n{source(known, name, IN_C)}\n"
+        f"{runtime(known, name, IN_C)}\n{source(known, name, IN_C)}\n"
         f"int run(const double *T, double *q, double *residual);\n"
         f"int run(const double *T, double *q, double *residual)\n"
-        f"{{\n    return {name}_general(T, (double (*)[6])q, residual);\n}}\n"
+        f"{{\n    double (*const rows)[6] = (double (*)[6])q;\n"
+        f"    return dhgen_general_solutions(&{name}_general, T, 0, rows, residual);\n}}\n"
     )
     folder = Path(tempfile.mkdtemp())
-    (folder / "arm.c").write_text(text, encoding="utf-8")
+    write_files(folder, {"arm.c": text, **c_runtime_files()})
     library = folder / "arm.so"
     command = ["gcc", *FLAGS, *flags, "-shared", "-fPIC", "arm.c", "-o", str(library), "-lm"]
     subprocess.run(command, check=True, cwd=folder)

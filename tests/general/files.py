@@ -13,8 +13,10 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.whole import whole_program
+from dhgen.replace import write_files
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
+from dhgen.runtime import c_runtime_files
 from dhgen.targets.c.files import c_files
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
@@ -90,8 +92,7 @@ def kernel_by(chain: Chain, method: str) -> GeneralKernel:
 
 def compiled(module: SolverModule, folder: Path) -> CompiledSolver:
     """Its C, written there and compiled."""
-    for name, text in c_files(module).items():
-        (folder / name).write_text(text, encoding="utf-8")
+    write_files(folder, {**c_files(module), **c_runtime_files()})
     return library(module, folder)
 
 

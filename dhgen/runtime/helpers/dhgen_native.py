@@ -257,7 +257,8 @@ def _compiler(wanted: str | None) -> str:
 
 def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
     """The library of a source, compiled unless it is kept already."""
-    texts = [source.read_bytes(), source.with_suffix(".h").read_bytes()]
+    runtime = sorted((source.parent / "dhgen").rglob("*.h"))
+    texts = [path.read_bytes() for path in (source, source.with_suffix(".h"), *runtime)]
     # What the compiler knows of itself and of the processor, by these flags.
     texts.append(_run(compiler, *flags, "-dM", "-E", "-x", "c", os.devnull).encode())
     texts.append("\n".join((compiler, *flags)).encode())

@@ -5,9 +5,9 @@ from __future__ import annotations
 from textwrap import indent
 from typing import TYPE_CHECKING
 
-from dhgen.printing.templates import named
-from dhgen.targets.general.algorithm import algorithm, c_algorithm
 from dhgen.targets.general.rows import rows
+from dhgen.targets.general.table import general_table
+from dhgen.targets.general.wrist import wrist
 from dhgen.targets.layout import INDENT, c_array
 from dhgen.targets.numerical.emit import search, tools
 
@@ -33,14 +33,19 @@ def all_joints(whole: AllJoints, module: SolverModule, of: Module, writing: Writ
     return "\n".join(parts)
 
 
+def runtime(kernel: GeneralKernel, name: str, writing: Writing) -> str:
+    """What includes the algorithm of the runtime."""
+    return writing.filled("general/runtime", P=name.upper(), table=general_table(kernel, name))
+
+
 def source(kernel: GeneralKernel, name: str, writing: Writing) -> str:
-    """The function `<name>_general`, with all that it needs but <math.h>."""
-    own = named(c_algorithm(kernel, name))
-    return writing.filled("general/kernel", **named(algorithm(kernel, name)), **own)
+    """The arm's table for the runtime, `<name>_general`."""
+    table = general_table(kernel, name)
+    return writing.filled("general/kernel", p=name, table=table, wrist=wrist(kernel))
 
 
 def _rows(kernel: GeneralKernel, chain: Chain, name: str, writing: Writing) -> str:
-    """The function `all_joints`; it calls `<name>_general` and the descent."""
+    """The function `all_joints`; it calls the runtime and the descent."""
     solved = chain.solved  # with signs and offsets of joint values behind angles and lengths
     return writing.filled(
         "general/rows",
@@ -48,7 +53,7 @@ def _rows(kernel: GeneralKernel, chain: Chain, name: str, writing: Writing) -> s
         rows=rows(kernel, chain),
         facing=_array("facing", [repr(float(joint.sign)) for joint in solved]),
         zero=_array("zero", [repr(joint.offset) for joint in solved]),
-        spelling=c_algorithm(kernel, name).spelling,
+        table=general_table(kernel, name),
     )
 
 

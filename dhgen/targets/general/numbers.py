@@ -1,4 +1,4 @@
-"""Numbers as every language writes them."""
+"""Numbers as C writes them."""
 
 from __future__ import annotations
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
 from dhgen.targets.general.numbers import row
 
 if TYPE_CHECKING:
@@ -26,11 +25,9 @@ class Wrist:
         sine: Of the same.
         flip: On which side axis 4 leaves the lower arm.
         bent: Whether it leaves it at all.
-        degree: Of the polynomial of joint 6.
+        per_root: Solutions at a simple root of the polynomial of joint 6.
         sources: What the turns of joints 1 ... 4 bring into line with axis 3, the elbow, W and
             axis 5.
-        nearly_right: Up to which cosine two directions are at right angles.
-        barely: Where the two directions of axis 4 are one.
     """
 
     shoulder: float
@@ -42,10 +39,8 @@ class Wrist:
     sine: float
     flip: float
     bent: bool
-    degree: int
+    per_root: int
     sources: str
-    nearly_right: float
-    barely: float
 
 
 def wrist(kernel: GeneralKernel) -> Wrist | None:
@@ -56,7 +51,6 @@ def wrist(kernel: GeneralKernel) -> Wrist | None:
     K0, K1, K2, K3, _ = (link.first for link in kernel.loop.links)
     elbow = [K1[i][3] + arm.elbow * K1[i][2] for i in range(2)]
     centre = [K2[i][3] + arm.wrist_4 * K2[i][2] for i in range(2)]
-    bent = bool(arm.sine)
     return Wrist(
         shoulder=arm.shoulder,
         wrist_5=arm.wrist_5,
@@ -66,9 +60,7 @@ def wrist(kernel: GeneralKernel) -> Wrist | None:
         cosine=arm.cosine,
         sine=arm.sine,
         flip=arm.flip,
-        bent=bent,
-        degree=8 if bent else 4,
+        bent=bool(arm.sine),
+        per_root=arm.solutions_per_root,
         sources=row([K0[0][2], K0[1][2], *elbow, *centre, K3[0][2], K3[1][2]]),
-        nearly_right=NEARLY_RIGHT,
-        barely=BARELY,
     )

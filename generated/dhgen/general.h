@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The general algorithm: all solutions, at most 16, of an arm without three concurrent or parallel
+ * axes, with six joints of which two may slide. M. Raghavan and B. Roth (1993): six equations in a
+ * hidden joint and two partners, a determinant of degree 8 in the hidden joint; here it is sampled
+ * at 24 angles. An offset wrist, and four turns with two slides, have polynomials in closed form.
+ *
+ * Rooms, in reading order: arm (the table), loop, motions; monomials, equations, determinant;
+ * circle_tables, circle_cosines, circle_sines, circle, circle_parts, circle_cells, moebius, roots
+ * (of a polynomial on the circle); null_vectors, recover, refine, solutions, eliminate;
+ * closed_polynomial, offset_wrist, four_turns; search. */
+#ifndef DHGEN_GENERAL_H
+#define DHGEN_GENERAL_H
+
+#include "general/arm.h"
+#include "interface.h"
+
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most.
+ *
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
+ * q1 agree to DHGEN_ORDER_TIE in the order of q2, and so on, singular ones and nearly singular ones
+ * last. residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 -
+ * count when it is not certain that these are all: for want of a certificate of its own (where
+ * every polynomial vanishes identically there may be a continuum, which poses close by do not
+ * have), or because roots met or the arm is singular at a solution, or nearly, so that steps did
+ * not make it exact. */
+DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
+    const double *free_joints, double (*q)[6], double *residual);
+
+#if !defined(DHGEN_SHARED) || defined(DHGEN_BODIES)
+#include "general/search.h"
+#endif
+
+#endif

@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Numbers in lanes: several angles or candidates at once. */
+#ifndef DHGEN_GENERAL_LANES_H
+#define DHGEN_GENERAL_LANES_H
+
+#include "../interface.h"
+#include <math.h>
+
+/* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
+ * machine's are slow: compile for the machine, or set DHGEN_GENERAL_LANES to 1, 2, 4 or 8. */
+#ifndef DHGEN_GENERAL_LANES
+#if defined(__GNUC__) && defined(__AVX512F__)
+#define DHGEN_GENERAL_LANES 8
+#elif defined(__GNUC__) && defined(__AVX__)
+#define DHGEN_GENERAL_LANES 4
+#elif defined(__GNUC__) && defined(__SSE2__)
+#define DHGEN_GENERAL_LANES 2
+#else
+#define DHGEN_GENERAL_LANES 1
+#endif
+#endif
+
+#if DHGEN_GENERAL_LANES > 1 && defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/* Added to what is divided by, so that the quotient stays finite; it changes no number that is not
+ * next to nothing itself. */
+#define DHGEN_TINY 1e-300
+/* Up to this ratio, tan(pi/8), the polynomial is the arctangent. */
+#define DHGEN_STEEP 0.41421356237309515
+#define DHGEN_HALF_PI 1.5707963267948966
+#define DHGEN_QUARTER_PI 0.7853981633974483
+
+/* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
+ * and what could stay in registers goes through memory. */
+#if DHGEN_GENERAL_LANES == 1 || defined(__OPTIMIZE_SIZE__)
+#define DHGEN_UNROLL
+#elif defined(__clang__)
+#define DHGEN_UNROLL _Pragma("clang loop unroll(full)")
+#elif __GNUC__ >= 8
+#define DHGEN_UNROLL _Pragma("GCC unroll 16")
+#else
+#define DHGEN_UNROLL
+#endif
+
+#if DHGEN_GENERAL_LANES > 1
+typedef double dhgen_lane __attribute__((vector_size(8 * DHGEN_GENERAL_LANES)));
+typedef long long dhgen_mask __attribute__((vector_size(8 * DHGEN_GENERAL_LANES)));
+/* A vector that lies between other doubles. */
+typedef double dhgen_packed
+    __attribute__((vector_size(8 * DHGEN_GENERAL_LANES), aligned(8), may_alias));
+/* Arrays that begin where a vector may, so that none crosses the border of two cache lines. */
+#define DHGEN_ALIGNED __attribute__((aligned(8 * DHGEN_GENERAL_LANES)))
+#define DHGEN_LOAD(from) (dhgen_lane)(*(const dhgen_packed *)(from))
+#define DHGEN_STORE(to, x) (*(dhgen_packed *)(to) = (dhgen_packed)(x))
+
+DHGEN_INLINE dhgen_lane dhgen_lane_select(dhgen_mask m, dhgen_lane a, dhgen_lane b)
+{
+    return (dhgen_lane)((m & (dhgen_mask)a) | (~m & (dhgen_mask)b));
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_abs(dhgen_lane x)
+{
+    return (dhgen_lane)((dhgen_mask)x & 0x7fffffffffffffffLL);
+}
+
+/* The magnitude of x with the sign of y. */
+DHGEN_INLINE dhgen_lane dhgen_lane_with_sign(dhgen_lane x, dhgen_lane y)
+{
+    const dhgen_mask sign = (dhgen_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (dhgen_lane)(((dhgen_mask)x & 0x7fffffffffffffffLL) | sign);
+}
+
+/* x, negated where y is negative. */
+DHGEN_INLINE dhgen_lane dhgen_lane_facing(dhgen_lane x, dhgen_lane y)
+{
+    const dhgen_mask sign = (dhgen_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (dhgen_lane)((dhgen_mask)x ^ sign);
+}
+
+/* The square root, by the machine's own instruction: compilers take sqrt of <math.h> one by one,
+ * for the sake of errno. */
+DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
+{
+#if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
+    return (dhgen_lane)_mm512_sqrt_pd((__m512d)x);
+#elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
+    return (dhgen_lane)_mm256_sqrt_pd((__m256d)x);
+#elif DHGEN_GENERAL_LANES == 2 && defined(__SSE2__)
+    return (dhgen_lane)_mm_sqrt_pd((__m128d)x);
+#else
+    dhgen_lane r = x;
+    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+        r[k] = sqrt(x[k]);
+    }
+    return r;
+#endif
+}
+#else
+typedef double dhgen_lane;
+typedef int dhgen_mask;
+#define DHGEN_ALIGNED
+#define DHGEN_LOAD(from) (*(from))
+#define DHGEN_STORE(to, x) (*(to) = (x))
+
+DHGEN_INLINE dhgen_lane dhgen_lane_select(dhgen_mask m, dhgen_lane a, dhgen_lane b)
+{
+    return m ? a : b;
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_abs(dhgen_lane x)
+{
+    return fabs(x);
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_with_sign(dhgen_lane x, dhgen_lane y)
+{
+    return copysign(x, y);
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_facing(dhgen_lane x, dhgen_lane y)
+{
+    return y < 0.0 ? -x : x;
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
+{
+    return sqrt(x);
+}
+#endif
+
+DHGEN_INLINE dhgen_lane dhgen_lane_all(double x)
+{
+    const dhgen_lane zero = { 0 };
+    return zero + x;
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_max(dhgen_lane a, dhgen_lane b)
+{
+    return dhgen_lane_select(a > b, a, b);
+}
+
+DHGEN_INLINE dhgen_lane dhgen_lane_min(dhgen_lane a, dhgen_lane b)
+{
+    return dhgen_lane_select(a < b, a, b);
+}
+
+/* The largest number of all lanes. */
+DHGEN_INLINE double dhgen_lane_largest(dhgen_lane x)
+{
+    double each[DHGEN_GENERAL_LANES], most;
+    DHGEN_STORE(each, x);
+    most = each[0];
+    for (int k = 1; k < DHGEN_GENERAL_LANES; k++) {
+        most = each[k] > most ? each[k] : most;
+    }
+    return most;
+}
+
+/* Coefficients of the odd powers of the arctangent from the third on. */
+DHGEN_TABLE double dhgen_arctangent[11] = {
+    -0.3333333333333333,
+    0.19999999999995513,
+    -0.14285714284665177,
+    0.11111111015146682,
+    -0.0909090457366891,
+    0.07692183087347286,
+    -0.0666450998991572,
+    0.05858136252639731,
+    -0.050853834915688644,
+    0.039229744582632814,
+    -0.01917454359469326,
+};
+
+/* The angle of a sine and a cosine with any positive common factor, in (-pi, pi], within 3 ulp:
+ * atan of a ratio below tan(pi/8) by a polynomial. */
+DHGEN_INLINE dhgen_lane dhgen_lane_angle(dhgen_lane y, dhgen_lane x)
+{
+    const dhgen_lane ax = dhgen_lane_abs(x), ay = dhgen_lane_abs(y), zero = { 0 };
+    const dhgen_mask steep = ay > ax;
+    const dhgen_lane high = dhgen_lane_select(steep, ay, ax),
+                     low = dhgen_lane_select(steep, ax, ay);
+    const dhgen_mask turned = low > high * DHGEN_STEEP;
+    const dhgen_lane up = dhgen_lane_select(turned, low - high, low);
+    const dhgen_lane down = dhgen_lane_select(turned, low + high, high);
+    const dhgen_lane r = up / (down + DHGEN_TINY), u = r * r;
+    dhgen_lane a = dhgen_lane_all(dhgen_arctangent[10]);
+    for (int k = 9; k >= 0; k--) {
+        a = a * u + dhgen_arctangent[k];
+    }
+    a = r + r * u * a + dhgen_lane_select(turned, zero + DHGEN_QUARTER_PI, zero);
+    a = dhgen_lane_select(steep, DHGEN_HALF_PI - a, a);
+    a = dhgen_lane_select(x < 0.0, DHGEN_HALF_TURN - a, a);
+    return dhgen_lane_with_sign(a, y + 0.0);
+}
+
+#endif

@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Candidates: hidden angles with a null vector of the determinant's matrix. */
+#ifndef DHGEN_GENERAL_NULL_VECTORS_H
+#define DHGEN_GENERAL_NULL_VECTORS_H
+
+#include "circle_cells.h"
+#include "determinant.h"
+#include <math.h>
+
+/* Room for candidates: roots, the middles of close pairs, double roots, and what may be on both
+ * sides of them. */
+#define DHGEN_CANDIDATES 144
+/* Parabolas one after the other that separate two roots. */
+#define DHGEN_PARABOLAS 3
+/* As near to a double root two simple ones are looked for [rad]. */
+#define DHGEN_BESIDE 0.0001
+/* Of the largest diagonal: none is taken as smaller. */
+#define DHGEN_SMALLEST 1e-15
+/* Below this determinant the rows of a shift don't span a plane. */
+#define DHGEN_PLANE 1e-24
+/* A matrix is not singular when its smallest singular value is more than 2e-7 of all, and the one
+ * before that more than 1e-6: where two are small, so many roots crowd that the determinant,
+ * sampled, does not show whether they are real. The squares of their inverses. */
+#define DHGEN_REGULAR 25000000000000.004
+#define DHGEN_ALONE 1000000000000.0
+/* Nor does it show whether the matrix is singular where the columns that are cleared first nearly
+ * depend on each other: where their least singular value is below 3e-4 of all; its square. */
+#define DHGEN_INDEPENDENT 8.999999999999999e-08
+
+/* Starts of the iteration to null vectors: anything that no null vector is orthogonal to. */
+DHGEN_TABLE double dhgen_starts[2][6] = {
+    { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
+    { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
+};
+
+/* The three places of a parabola, behind them nothing. */
+DHGEN_TABLE double dhgen_sides[8] DHGEN_ALIGNED = { -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+/* The rows of the two shifts: by x3 and by x2. */
+DHGEN_TABLE int dhgen_up_3[3] = { 0, 1, 2 };
+DHGEN_TABLE int dhgen_down_3[3] = { 3, 4, 5 };
+DHGEN_TABLE int dhgen_up_2[4] = { 0, 1, 3, 4 };
+DHGEN_TABLE int dhgen_down_2[4] = { 1, 2, 4, 5 };
+
+/* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
+ * simple roots come first, one candidate each; after them those of roots that may be double,
+ * `group` being the same for all that belong to one such root, which is none where the matrix is
+ * regular: it has no singular value that is next to nothing, and not two small ones, as where so
+ * many roots crowd that the determinant does not show it. */
+typedef struct {
+    int count, groups, group[DHGEN_CANDIDATES], regular[DHGEN_CANDIDATES];
+    double c[DHGEN_CANDIDATES], s[DHGEN_CANDIDATES], n[6][DHGEN_CANDIDATES];
+} dhgen_candidates;
+
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+DHGEN_INLINE dhgen_lane dhgen_inverse_iteration(
+    dhgen_lane U[6][6], const dhgen_lane inverse[6], dhgen_lane x[6])
+{
+    dhgen_lane square = { 0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < i; j++) {
+            x[i] -= U[j][i] * x[j];
+        }
+        x[i] *= inverse[i];
+    }
+    for (int i = 5; i >= 0; i--) {
+        for (int j = i + 1; j < 6; j++) {
+            x[i] -= U[i][j] * x[j];
+        }
+        x[i] *= inverse[i];
+        square += x[i] * x[i];
+    }
+    const dhgen_lane length = dhgen_lane_sqrt(square) + DHGEN_TINY;
+    for (int i = 0; i < 6; i++) {
+        x[i] *= 1.0 / length;
+    }
+    return length;
+}
+
+/* The reciprocals of a diagonal, kept finite. */
+DHGEN_INLINE void dhgen_reciprocals(dhgen_lane U[6][6], dhgen_lane inverse[6])
+{
+    dhgen_lane most = dhgen_lane_abs(U[0][0]);
+    for (int i = 1; i < 6; i++) {
+        most = dhgen_lane_max(most, dhgen_lane_abs(U[i][i]));
+    }
+    most = most * DHGEN_SMALLEST + DHGEN_TINY;
+    for (int i = 0; i < 6; i++) {
+        const dhgen_lane d = U[i][i];
+        inverse[i] =
+            1.0 / dhgen_lane_select(dhgen_lane_abs(d) > most, d, dhgen_lane_with_sign(most, d));
+    }
+}
+
+/* One candidate for each simple root, all of one group. */
+DHGEN_FN void dhgen_null_vectors(const double *E, const dhgen_roots *roots, dhgen_candidates *out)
+{
+    const int behind = out->count;
+    for (int from = 0; from < roots->simple; from += DHGEN_GENERAL_LANES) {
+        double cs[2][DHGEN_GENERAL_LANES];
+        dhgen_lane factor[6][6], inverse[6], x[6], c, s;
+        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+            const int i = from + k < roots->simple ? from + k : from;
+            cs[0][k] = roots->c[i];
+            cs[1][k] = roots->s[i];
+        }
+        c = DHGEN_LOAD(cs[0]);
+        s = DHGEN_LOAD(cs[1]);
+        (void)dhgen_determinant(E, c, s, factor);
+        dhgen_reciprocals(factor, inverse);
+        for (int i = 0; i < 6; i++) {
+            x[i] = dhgen_lane_all(dhgen_starts[0][i]);
+        }
+        (void)dhgen_inverse_iteration(factor, inverse, x);
+        (void)dhgen_inverse_iteration(factor, inverse, x);
+        DHGEN_STORE(out->c + behind + from, c);
+        DHGEN_STORE(out->s + behind + from, s);
+        for (int i = 0; i < 6; i++) {
+            DHGEN_STORE(out->n[i] + behind + from, x[i]);
+        }
+    }
+    for (int i = 0; i < roots->simple; i++) {
+        out->group[out->count++] = out->groups;
+    }
+    out->groups++;
+}
+
+/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+DHGEN_FN void dhgen_determinant_near(
+    const double *E, double c, double s, double middle, double apart, double f[8])
+{
+    for (int k = 0; k < 3; k += DHGEN_GENERAL_LANES) {
+        dhgen_lane cosine = dhgen_lane_all(c), sine = dhgen_lane_all(s), factor[6][6];
+        dhgen_turn_slightly(middle + apart * DHGEN_LOAD(dhgen_sides + k), &cosine, &sine);
+        DHGEN_STORE(f + k, dhgen_determinant(E, cosine, sine, factor));
+    }
+}
+
+/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
+ * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
+ * are apart. */
+DHGEN_FN void dhgen_separate(const double *E, double c, double s, dhgen_roots *out)
+{
+    double middle = 0.0, apart = DHGEN_BESIDE;
+    for (int round = 0; round < DHGEN_PARABOLAS; round++) {
+        double f[8], slope, bend, square;
+        dhgen_determinant_near(E, c, s, middle, apart, f);
+        slope = 0.5 * (f[2] - f[0]);
+        bend = 0.5 * (f[2] + f[0]) - f[1];
+        square = slope * slope - 4.0 * bend * f[1];
+        middle -= 0.5 * slope / bend * apart;
+        apart *= sqrt(square) / fabs(bend);
+        if (!(apart > 0.0 && fabs(middle) + apart < DHGEN_BESIDE)) {
+            return; /* none, or apart so far that they are known */
+        }
+    }
+    for (int sign = -1; sign <= 1 && out->simple < DHGEN_ROOTS; sign += 2) {
+        const double x = middle + 0.5 * sign * apart;
+        out->c[out->simple] = c * cos(x) - s * sin(x);
+        out->s[out->simple++] = s * cos(x) + c * sin(x);
+    }
+}
+
+/* Adds a candidate while there is room. */
+DHGEN_FN void dhgen_add_candidate(dhgen_candidates *out, double c, double s, const double n[6])
+{
+    if (out->count == DHGEN_CANDIDATES) {
+        return;
+    }
+    out->group[out->count] = out->groups;
+    out->c[out->count] = c;
+    out->s[out->count] = s;
+    for (int i = 0; i < 6; i++) {
+        out->n[i][out->count] = n[i];
+    }
+    out->count++;
+}
+
+/* Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
+ * null vectors become candidates. The shift's rows are n[up[i]] and n[down[i]]. */
+DHGEN_FN void dhgen_split_plane(double n[2][6], int rows, const int *up, const int *down, double c,
+    double s, dhgen_candidates *out)
+{
+    double A[2][2] = { { 0.0 } }, G[2][2] = { { 0.0 } }, H[2][2] = { { 0.0 } };
+    double M[2][2], det, det_h, half, spread;
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 2; j++) {
+            for (int k = 0; k < rows; k++) {
+                A[i][j] += n[i][down[k]] * n[j][up[k]];
+                G[i][j] += n[i][down[k]] * n[j][down[k]];
+                H[i][j] += n[i][up[k]] * n[j][up[k]];
+            }
+        }
+    }
+    det = G[0][0] * G[1][1] - G[0][1] * G[0][1];
+    det_h = H[0][0] * H[1][1] - H[0][1] * H[0][1];
+    if (det < det_h) { /* 1/x is the better unknown */
+        const double swap = A[0][1];
+        A[0][1] = A[1][0];
+        A[1][0] = swap;
+        det = det_h;
+        G[0][0] = H[0][0];
+        G[0][1] = H[0][1];
+        G[1][1] = H[1][1];
+    }
+    if (det < DHGEN_PLANE) {
+        return;
+    }
+    for (int j = 0; j < 2; j++) {
+        M[0][j] = (G[1][1] * A[0][j] - G[0][1] * A[1][j]) / det;
+        M[1][j] = (G[0][0] * A[1][j] - G[0][1] * A[0][j]) / det;
+    }
+    half = 0.5 * (M[0][0] - M[1][1]);
+    spread = half * half + M[0][1] * M[1][0];
+    spread = spread > 0.0 ? sqrt(spread) : 0.0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        /* (M - x) w = 0 from the longer of its rows */
+        const double x = 0.5 * (M[0][0] + M[1][1]) + sign * spread;
+        const double a = M[0][0] - x, d = M[1][1] - x;
+        const int upper = fabs(a) + fabs(M[0][1]) > fabs(d) + fabs(M[1][0]);
+        const double w0 = upper ? M[0][1] : d, w1 = upper ? -a : -M[1][0];
+        double sum[6];
+        for (int i = 0; i < 6; i++) {
+            sum[i] = w0 * n[0][i] + w1 * n[1][i];
+        }
+        dhgen_add_candidate(out, c, s, sum);
+    }
+}
+
+/* Two vectors, orthogonal, at which a factor is smallest. Returns 1 where it is regular, with no
+ * singular value that is next to nothing and not two small ones, else 0. */
+DHGEN_INLINE dhgen_lane dhgen_smallest_vectors(dhgen_lane factor[6][6], dhgen_lane x[2][6])
+{
+    dhgen_lane inverse[6], length, second, squares = { 0 };
+    dhgen_reciprocals(factor, inverse);
+    for (int i = 0; i < 6; i++) {
+        x[0][i] = dhgen_lane_all(dhgen_starts[0][i]);
+        x[1][i] = dhgen_lane_all(dhgen_starts[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
+    }
+    for (int step = 0; step < 4; step++) {
+        dhgen_lane along = { 0 };
+        length = dhgen_inverse_iteration(factor, inverse, x[0]);
+        second = dhgen_inverse_iteration(factor, inverse, x[1]);
+        for (int i = 0; i < 6; i++) {
+            along += x[0][i] * x[1][i];
+        }
+        for (int i = 0; i < 6; i++) {
+            x[1][i] -= along * x[0][i];
+        }
+    }
+    return dhgen_lane_select((length * squares < DHGEN_REGULAR) & (second * squares < DHGEN_ALONE),
+        dhgen_lane_all(1.0), dhgen_lane_all(0.0));
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+DHGEN_FN void dhgen_null_plane(const double *E, double c, double s, dhgen_candidates *out)
+{
+    dhgen_lane factor[6][6], x[2][6];
+    double n[2][6];
+    if (out->groups == DHGEN_CANDIDATES) {
+        return;
+    }
+    (void)dhgen_determinant(E, dhgen_lane_all(c), dhgen_lane_all(s), factor);
+    out->regular[out->groups] = dhgen_lane_largest(dhgen_smallest_vectors(factor, x)) > 0.0
+        && dhgen_lane_largest(dhgen_independence(E, dhgen_lane_all(c), dhgen_lane_all(s)))
+            > DHGEN_INDEPENDENT;
+    for (int r = 0; r < 2; r++) {
+        double square = 0.0;
+        for (int i = 0; i < 6; i++) {
+            n[r][i] = dhgen_lane_largest(x[r][i]);
+            square += n[r][i] * n[r][i];
+        }
+        square = sqrt(square) + DHGEN_TINY;
+        for (int i = 0; i < 6; i++) {
+            n[r][i] /= square;
+        }
+    }
+    dhgen_add_candidate(out, c, s, n[0]);
+    dhgen_split_plane(n, 3, dhgen_up_3, dhgen_down_3, c, s, out);
+    dhgen_split_plane(n, 4, dhgen_up_2, dhgen_down_2, c, s, out);
+    out->groups++;
+}
+
+#endif

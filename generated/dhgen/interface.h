@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a robot's file and the runtime agree on: the number of their interface, statuses, and the
+ * marks of functions and tables. */
+#ifndef DHGEN_INTERFACE_H
+#define DHGEN_INTERFACE_H
+
+#include <math.h>
+#include <stddef.h>
+
+/* NaN and infinity mark what is no solution and no limit: a compiler that is told that they don't
+ * exist makes solutions of poses that are out of reach. */
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
+#endif
+
+/* A robot's file names the interface that it was generated for, and refuses another one. */
+#define DHGEN_INTERFACE 1
+
+/* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
+ * functions of the runtime, DHGEN_APART before those whose stack and code have to stay out of their
+ * callers, DHGEN_TABLE before constant tables. DHGEN_API stands before what robots' files call:
+ * with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their files have its
+ * declarations only. */
+#if defined(__GNUC__)
+#define DHGEN_UNUSED __attribute__((unused))
+#define DHGEN_NOINLINE __attribute__((noinline))
+#define DHGEN_ALWAYS __attribute__((always_inline))
+#else
+#define DHGEN_UNUSED
+#define DHGEN_NOINLINE
+#define DHGEN_ALWAYS
+#endif
+#ifndef DHGEN_FN
+#define DHGEN_FN DHGEN_UNUSED static
+#endif
+#ifndef DHGEN_INLINE
+#define DHGEN_INLINE DHGEN_UNUSED static inline
+#endif
+#ifndef DHGEN_APART
+#define DHGEN_APART DHGEN_NOINLINE DHGEN_UNUSED static
+#endif
+#ifndef DHGEN_TABLE
+#define DHGEN_TABLE static const
+#endif
+#ifndef DHGEN_API
+#ifdef DHGEN_SHARED
+#define DHGEN_API
+#else
+#define DHGEN_API DHGEN_APART
+#endif
+#endif
+
+#define DHGEN_TURN 6.283185307179586
+#define DHGEN_HALF_TURN 3.141592653589793
+
+/* The statuses of rows. The last three are a solver's notes to the runtime: no caller sees them. */
+enum {
+    DHGEN_OK,
+    DHGEN_UNREACHABLE,
+    DHGEN_FREE_JOINT,
+    DHGEN_OUT_OF_LIMITS,
+    DHGEN_INVALID_POSE,
+    DHGEN_CLOSE = 64,  /* roots nearly meet: the row may stand between two solutions */
+    DHGEN_LOST = 128,  /* + j: the row was lost after joint j had been chosen freely */
+    DHGEN_NEARLY = 192 /* + j: the same, joint j is nearly free, and q[1] of the row is its angle */
+};
+
+/* Notes why a row is lost, and how far it is from a solution: negative out of reach, positive where
+ * it misses the pose. */
+DHGEN_INLINE void dhgen_lose(int why, double off, double *q, unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
+/* The angle moved by whole turns to (-pi, pi]. */
+DHGEN_INLINE double dhgen_wrap(double angle)
+{
+    return angle - DHGEN_TURN * ceil(angle / DHGEN_TURN - 0.5);
+}
+
+#endif
