@@ -275,7 +275,7 @@ SHARED = {
 
 def macros() -> dict[str, float]:
     text = "\n".join(c_runtime_files().values())
-    found = re.findall(r"#define DHGEN_(\w+) (-?[\d.]+(?:e[+-]?\d+)?)\n", text)
+    found = re.findall(r"#define DHGEN_(\w+) \(?(-?[\d.]+(?:e[+-]?\d+)?)\)?\n", text)
     return {name: float(value) for name, value in found}
 
 

@@ -13,7 +13,7 @@
 /* How far they are spread at most: |a|. */
 #define DHGEN_STRONGEST 0.9
 /* The mean of the roots over the first harmonic of log |f|: -1 / (24 8). */
-#define DHGEN_MEAN_PER_HARMONIC -0.005208333333333333
+#define DHGEN_MEAN_PER_HARMONIC (-0.005208333333333333)
 
 /* A Moebius map of the circle, a lens: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y
  * inside the circle maps the circle of w = e^(i psi) to itself and shows what lies around the

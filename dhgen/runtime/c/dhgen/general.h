@@ -15,6 +15,10 @@
 #include "general/arm.h"
 #include "interface.h"
 
+#if defined(__cplusplus) && defined(DHGEN_SHARED)
+extern "C" {
+#endif
+
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most.
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
@@ -26,6 +30,10 @@
  * not make it exact. */
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
     const double *free_joints, double (*q)[6], double *residual);
+
+#if defined(__cplusplus) && defined(DHGEN_SHARED)
+}
+#endif
 
 #if !defined(DHGEN_SHARED) || defined(DHGEN_BODIES)
 #include "general/search.h"

@@ -1,0 +1,101 @@
+"""The general algorithm's C under every compiler that is here, as C and C++, alone and inside."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import dhgen.runtime
+
+FOLDER = Path(dhgen.runtime.__file__).parent / "c"
+STRICT = (
+    *("-pedantic-errors", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion"),
+    "-Werror",
+)
+LANGUAGES = {
+    "gcc": ("-std=c99",),
+    "clang": ("-std=c99",),
+    "g++": ("-x", "c++", "-std=c++14"),
+    "clang++": ("-x", "c++", "-std=c++14"),
+}
+COMPILERS = [name for name in LANGUAGES if shutil.which(name)]
+HEADERS = sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.glob("dhgen/general/*.h"))
+INSIDE = """\
+#include <math.h>
+#include <stddef.h>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+namespace inside {
+#include "dhgen/general.h"
+}
+"""
+
+
+def said(compiler: str, text: str, *flags: str, folder: Path) -> str:
+    """What a compiler says of a source."""
+    (folder / "own.c").write_text(text, encoding="utf-8")
+    own = (*LANGUAGES[compiler], "-O2", *STRICT, f"-I{FOLDER}", *flags)
+    command = [compiler, *own, "-fsyntax-only", "own.c"]
+    return subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, check=False
+    ).stderr.strip()
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_nothing_is_said_of_it(compiler: str, lanes: int, tmp_path: Path) -> None:
+    text = '#define DHGEN_SHARED\n#include "dhgen/general.c"\n'
+    wide = (f"-DDHGEN_GENERAL_LANES={lanes}", "-Wno-psabi")  # vectors wider than the machine's
+    assert said(compiler, text, *wide, folder=tmp_path) == ""
+
+
+@pytest.mark.parametrize("flags", ["-march=native", "-Os", "-DDHGEN_TRAITS=0x200u"])
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_nothing_is_said_of_it_in_a_robots_file(compiler: str, flags: str, tmp_path: Path) -> None:
+    assert said(compiler, '#include "dhgen/general.h"\n', flags, folder=tmp_path) == ""
+
+
+@pytest.mark.parametrize("compiler", [name for name in COMPILERS if name.endswith("++")])
+def test_it_may_stand_in_a_namespace(compiler: str, tmp_path: Path) -> None:
+    assert said(compiler, INSIDE, folder=tmp_path) == ""
+
+
+@pytest.mark.parametrize("header", HEADERS)
+def test_a_header_includes_what_it_needs(header: str, tmp_path: Path) -> None:
+    assert said(COMPILERS[0], f'#include "{header}"\n', folder=tmp_path) == ""
+
+
+@pytest.mark.parametrize("flag", ["-ffast-math", "-ffinite-math-only"])
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_it_refuses_to_do_without_nan(compiler: str, flag: str, tmp_path: Path) -> None:
+    told = said(compiler, '#include "dhgen/general.h"\n', flag, folder=tmp_path)
+    assert "needs NaN and infinity: compile without -ffast-math" in told
+
+
+def test_it_is_formatted() -> None:
+    formatter = shutil.which("clang-format")
+    if formatter is None:
+        pytest.skip("no clang-format")
+    files = [str(path) for path in sorted(FOLDER.rglob("*")) if path.suffix in {".c", ".h"}]
+    done = subprocess.run(
+        [formatter, "--dry-run", "-Werror", *files],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == ""
+
+
+def test_clang_tidy_finds_nothing() -> None:
+    if shutil.which("clang-tidy") is None:
+        pytest.skip("no clang-tidy")
+    command = ["clang-tidy", "--quiet", str(FOLDER / "dhgen" / "general.c")]
+    done = subprocess.run(
+        [*command, "--", "-std=c99", "-DDHGEN_SHARED"], capture_output=True, text=True, check=False
+    )
+    assert done.stdout == ""
+    assert done.returncode == 0
