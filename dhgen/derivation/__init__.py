@@ -1,20 +1,36 @@
-"""The derivation target: why the solver is what it is, for people to follow by hand.
+"""The derivation as a document: why the solver is what it is, for people to follow by hand.
 
 `derivation_document` writes Markdown for GitHub, `derivation_terminal` the same as plain text,
 `derivation_summary` a dozen lines, `alternatives_text` the routes that were not taken.
 
-All of them draw on a `Story`: `sections` say what stands around the steps, `types` what a step of
-each equation type says, in letters from `notation`; `text` prints what they make.
+| read            | what is in it                                                               |
+|-----------------|-----------------------------------------------------------------------------|
+| document        | the order of the sections                                                   |
+| story           | what all of them draw from: the arm, its steps, how polynomials are written |
+| sections        | what stands around the steps                                                |
+| steps           | a step: its heading, its equations, and what its type's printer adds        |
+| step_context    | one step on its way to paper: its letters, its sign                         |
+| quotes          | the equations of a step as they stand in the matrices                       |
+| known_functions | sines and cosines that a step has found, as later steps take them           |
+| types           | a printer for each equation type                                            |
+| conditions      | where a combination vanishes, in joint angles                               |
+| joint_space     | what that means for the arm                                                 |
+| effects         | what the program does there                                                 |
+| geometry        | how axes lie, and the arm's size                                            |
+| notation        | letters, cells, polynomials and matrices as formulas                        |
+| text            | formulas and documents as values, templates, Markdown, plain text           |
+| summary         | what the terminal shows after a run                                         |
+
+Prose that does not vary is Markdown in `templates/derivation`; here is what varies.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.alternatives import alternatives_text
 from dhgen.derivation.document import document_blocks, singular_places
 from dhgen.derivation.story import Story
-from dhgen.derivation.summary import summary_text
+from dhgen.derivation.summary import alternatives_text, summary_text
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
 from dhgen.printing.comments import plain_path

@@ -1,4 +1,4 @@
-"""How neighbouring axes lie: parallel, meeting in a point, or neither."""
+"""How neighbouring axes lie: parallel, meeting in a point, or neither; and the arm's size."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Chain, Fixed, Slide, Turn
+from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -99,3 +100,12 @@ def _value(polynomial: Polynomial, values: list[float]) -> float:
             part *= value**exponent
         total += part
     return total
+
+
+def size_in_words(chain: Chain) -> str:
+    """Where the arm's size comes from, to which tolerances and weights are relative."""
+    slides = [joint for joint in chain.joints if joint.kind is JointKind.PRISMATIC]
+    ends = [abs(end) for slide in slides for end in slide.limits or ()]
+    if chain.size in ends:
+        return "the farthest limit of a slide"
+    return "the sum of all its lengths"

@@ -8,15 +8,19 @@ from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.sections.joints import as_sum, solved_sums
 from dhgen.derivation.text.blocks import Display, paragraph
 from dhgen.derivation.text.formula import Call, Relation
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.kinematics.ring import used_places
+from dhgen.kinematics.algebra import POSE_PLACES, SHOULDER_NAMES, AngleSum
+from dhgen.kinematics.ring import substitute, used_places
+from dhgen.kinematics.transform import compose, translation
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.derivation.step_context import StepContext
+    from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
+
 
 TAKEN = (
     "Later steps use {} and {}: the two arguments, divided by the square root of the sum of their "
@@ -86,3 +90,33 @@ def _used(context: StepContext, angle: AngleSum) -> bool:
     parts = [a for a in algebra.angles if joints <= {j for j, _ in a.terms} and a not in own]
     places = {algebra.index[name] for part in parts for name in (part.cosine, part.sine)}
     return any(places & places_of(step) for step in later)
+
+
+def by_joints(story: Story, polynomial: Polynomial) -> Polynomial | None:
+    """A polynomial in joints alone; None where it holds what the arm angle gives."""
+    algebra = story.algebra
+    used = used_places(polynomial)
+    shoulder = [name for names in SHOULDER_NAMES for name in names]
+    if algebra.chain.arm_angle and used & {algebra.index[name] for name in shoulder}:
+        return None
+    values = _values(story, {algebra.ring.symbols[place].name for place in used})
+    change = {algebra.index[name]: value for name, value in values.items()}
+    return algebra.normal(substitute(polynomial, change)) if change else polynomial
+
+
+def _values(story: Story, used: set[str]) -> dict[str, Polynomial]:
+    """The pose entries and the coordinates of named points, as far as they are used."""
+    algebra, problem = story.algebra, story.derivation.problem
+    whole = 0, len(problem.links)
+    forward = problem.spans.product(*whole)
+    values = {name: forward.entry(*place) for name, place in POSE_PLACES.items() if name in used}
+    pool = story.derivation.pool
+    seen = [(p.names, p.in_tool, forward) for p in pool.points if used & {*p.names}]
+    back = problem.spans.inverse(*whole)
+    seen += [(p.names, p.in_base, back) for p in pool.base_points if used & {*p.names}]
+    for names, coordinates, transform in seen:
+        point = compose(transform, translation(algebra.ring, coordinates), algebra.normal)
+        values |= {
+            name: at for name, at in zip(names, point.translation, strict=True) if name in used
+        }
+    return values

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.geometry import NEAR
 from dhgen.derivation.notation.names import letter, unknown_symbol
 from dhgen.derivation.text.formula import equal, number, times
-from dhgen.derivation.text.terms import width
+from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.walk import occurs
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import terms_in_numbers

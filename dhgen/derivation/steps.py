@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.known_functions import implied, with_functions
 from dhgen.derivation.notation.names import cosine, sine, unknown_symbol
-from dhgen.derivation.origins import where_from
+from dhgen.derivation.quotes import where_from
 from dhgen.derivation.step_context import StepContext
 from dhgen.derivation.text.blocks import Paragraph, display, joined, paragraph, say
 from dhgen.derivation.text.formula import Formula, Listing, equal

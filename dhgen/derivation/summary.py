@@ -1,9 +1,10 @@
-"""The derivation in a dozen lines, for the terminal after a run."""
+"""The derivation in a dozen lines, and the steps that were not taken, for the terminal."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.notation.matrices import element_of
 from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.general_loop import joint_symbol
 from dhgen.derivation.steps import quoted
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.numerical.kernel import NumericalKernel
+    from dhgen.paul.derivation import Derivation
+    from dhgen.paul.step import Step
+
 
 CHECKED = "every pose is checked: the task asks for more than the arm can choose"
 LONGEST = 62  # characters of an equation; the rest is in the derivation
@@ -79,3 +83,20 @@ def _singular(each: Singularity) -> str:
     else:
         place = f"at {show(condition, PLAIN)}"
     return f"degenerate {place}: {words(each.meaning)}"
+
+
+def alternatives_text(derivation: Derivation) -> str:
+    """For each step, what was taken, and what else would have been valid, cheapest first."""
+    lines: list[str] = []
+    for number, step in enumerate(derivation.steps, start=1):
+        lines.append(f"{number}. {_line(step)}   (taken)")
+        others = [_line(other) for other in derivation.alternatives[number - 1]]
+        lines += [f"     {line}" for line in dict.fromkeys(others) if line != _line(step)]
+    return "\n".join(lines) + "\n"
+
+
+def _line(step: Step) -> str:
+    """theta_3, two values: type 8, U_0[1,4] and U_0[2,4]."""
+    names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
+    where = " and ".join(show(element_of(origin), PLAIN) for origin in sorted(step.origins))
+    return f"{names}: type {step.kind.value}, {counted(step.roots, 'value')}, {where}"

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.derivation.known_side import by_joints
-from dhgen.derivation.sections.arm_angle_row import arm_angle_places
+from dhgen.derivation.known_functions import by_joints
+from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.step_context import Singularity, StepContext
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Prose

@@ -14,8 +14,8 @@ from dhgen.derivation import (
     derivation_summary,
     derivation_terminal,
 )
+from dhgen.derivation.sections.closing import tree_text
 from dhgen.derivation.sections.transforms import PAGE
-from dhgen.derivation.sections.tree import tree_text
 from dhgen.derivation.types import PRINTERS
 from dhgen.paul.step import Kind
 from tests.derivation.golden import FOLDER, made, without_cost

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from dhgen.derivation.never_zero import are_never_zero
+from dhgen.derivation.conditions import are_never_zero
 from tests.derivation.made import made_of
 from tests.derivation.stories import document
 from tests.kinematics.values import algebra_of, table

@@ -26,9 +26,8 @@ from dhgen.derivation.text.formula import (
     subtract,
     times,
 )
-from dhgen.derivation.text.lines import laid_out
+from dhgen.derivation.text.lines import laid_out, terms_within, width
 from dhgen.derivation.text.style import LATEX, PLAIN, Style
-from dhgen.derivation.text.terms import terms_within, width
 from tests.derivation.stories import ALL_WHOLE, NAMES, WHOLE, WITH_STEPS, document, story
 from tests.derivation.values import evaluate
 

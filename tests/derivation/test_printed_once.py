@@ -13,11 +13,11 @@ from dhgen.derivation.sections.forward import forward_section
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Display, Paragraph
 from dhgen.derivation.text.formula import Relation
+from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import words
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
-from dhgen.derivation.text.terms import width
 from tests.derivation.stories import NAMES, story
 from tests.derivation.test_formulas_hold import configuration, with_pose
 

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from dhgen.derivation.document import document_blocks
-from dhgen.derivation.sections.near import near_blocks
+from dhgen.derivation.sections.general import near_blocks
 from dhgen.derivation.text.markdown import markdown
 from tests.derivation.made import made_of
 from tests.derivation.stories import NAMES, WHOLE, story

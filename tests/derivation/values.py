@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.derivation.notation.expressions import expression_symbol
-from dhgen.derivation.sections.variables import sign_and_offset
+from dhgen.derivation.sections.tables import sign_and_offset
 from dhgen.derivation.text.formula import (
     Call,
     Element,

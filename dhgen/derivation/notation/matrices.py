@@ -15,21 +15,26 @@ from dhgen.derivation.notation.names import (
     link,
     product_of,
     shoulder_target,
+    single,
     target,
 )
-from dhgen.derivation.text.formula import times
+from dhgen.derivation.text.formula import Element, Formula, Symbol, times
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import LATEX, PLAIN
 from dhgen.kinematics.product import product
+from dhgen.kinematics.ring import substitute
 from dhgen.kinematics.transform import Transform, compose, translation
 from dhgen.paul.arm_plane import SHOULDER
+from dhgen.paul.equation import MOMENT
 from dhgen.paul.inverse_forms import inverted_column
 from dhgen.paul.mixed_forms import right_inverse
 from dhgen.paul.shoulder_forms import shoulder_side
 
 if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
-    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.algebra import Algebra, AngleSum
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.equation import Matrix
+    from dhgen.paul.equation import Matrix, Origin
     from dhgen.paul.pool import Pool
 
 
@@ -119,3 +124,38 @@ def middle_name(place: Matrix) -> Formula:
 def sides(form: Form, row: int, column: int) -> tuple[Polynomial, Polynomial]:
     """An element of both sides, row and column from 1: the side with U_0, then the joints'."""
     return form.left.entry(row - 1, column - 1), form.right.entry(row - 1, column - 1)
+
+
+def element_of(origin: Origin) -> Formula:
+    """U_1[2,4], the squared length of a column 4, or an element of column 3 x column 4."""
+    name = left_name(origin.matrix, origin.dof)
+    latex, plain = show(name, LATEX), show(name, PLAIN)
+    if origin.row == 0:
+        return Symbol(rf"\lVert {latex}[\cdot,4] \rVert^2", f"‖{plain}[·,4]‖²")
+    if origin.column == MOMENT:
+        return Symbol(
+            rf"({latex}[\cdot,3] \times {latex}[\cdot,4])[{origin.row}]",
+            f"({plain}[·,3] × {plain}[·,4])[{origin.row}]",
+        )
+    return Element(name, origin.row, origin.column)
+
+
+def expanded(algebra: Algebra, polynomial: Polynomial) -> Polynomial:
+    """The polynomial with cosines and sines of single joints only."""
+    change: dict[int, Polynomial] = {}
+    for angle in algebra.angles:
+        if len(angle.terms) > 1:
+            cosine, sine = of_single(algebra, angle)
+            change[algebra.index[angle.cosine]] = cosine
+            change[algebra.index[angle.sine]] = sine
+    return algebra.normal(substitute(polynomial, change)) if change else polynomial
+
+
+def of_single(algebra: Algebra, angle: AngleSum) -> tuple[Polynomial, Polynomial]:
+    """Cosine and sine of an angle sum by those of its joints."""
+    cosine, sine = algebra.ring.one, algebra.ring.zero
+    for joint, sign in angle.terms:
+        c = algebra.generator(single(joint).cosine)
+        s = sign * algebra.generator(single(joint).sine)
+        cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+    return cosine, sine

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.notation.expand import expanded
-from dhgen.derivation.notation.matrices import forward_of, link_matrix
-from dhgen.derivation.notation.names import forward_matrix, link, target
-from dhgen.derivation.sections.given_pose import BASE, POSE, TOOL, given_pose
+from dhgen.derivation.notation.matrices import expanded, forward_of, link_matrix
+from dhgen.derivation.notation.names import forward_matrix, inverse, link, target
 from dhgen.derivation.sections.jacobian import jacobian_blocks, jacobian_columns
 from dhgen.derivation.sections.transforms import (
     fills_pages,
@@ -29,7 +27,8 @@ from dhgen.kinematics.transform import compose, identity
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
-    from dhgen.derivation.text.formula import Formula
+    from dhgen.derivation.text.formula import Formula, Relation
+
 
 T_BASE_TOOL = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
 
@@ -192,3 +191,22 @@ def _relations(story: Story) -> list[Block]:
     )
     given = paragraph(text, POSE, given_pose(story), target(0))
     return [given, display(Listing(tuple(found)))]
+
+
+BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
+POSE = Symbol(r"\mathit{POS}", "POS")
+
+
+def moved_left(story: Story) -> tuple[bool, bool]:
+    """Whether a base and a tool are moved to the side of the pose."""
+    problem, algebra = story.derivation.problem, story.algebra
+    still, chain = identity(algebra.ring), algebra.chain
+    base = problem.base_left and algebra.lift(chain.base) != still
+    return base, problem.tool_left and algebra.lift(chain.tool) != still
+
+
+def given_pose(story: Story) -> Relation:
+    """U_0 = Z^-1 POS E^-1 = (t_ij), without what does not move."""
+    base, tool = moved_left(story)
+    left, right = [inverse(BASE)] * base, [inverse(TOOL)] * tool
+    return equal(target(0), times(*left, POSE, *right), Symbol("(t_{ij})", "(tᵢⱼ)"))

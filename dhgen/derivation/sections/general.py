@@ -1,90 +1,70 @@
-"""The inverse of an arm without a closed form: the elimination in words, equations and numbers."""
+"""The inverse of an arm without a closed form: what its template names.
+
+The prose is `templates/derivation/general.md.jinja`, with a template for each of the algorithms:
+the elimination, the offset wrist's polynomial before it, or four turns and two slides.
+"""
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.sections.elimination import elimination
-from dhgen.derivation.sections.four_turns import four_turns
-from dhgen.derivation.sections.general_closing import general_closing
+from dhgen.derivation.geometry import size_in_words
 from dhgen.derivation.sections.general_loop import (
+    begin_with_motions,
     joint_symbol,
-    loop_letters,
+    loop_from_the_hidden_joint,
     loop_that_closes,
 )
-from dhgen.derivation.sections.near import near_blocks
-from dhgen.derivation.sections.no_turn import check, one_more_turn
-from dhgen.derivation.sections.offset_wrist import offset_wrist
-from dhgen.derivation.text.blocks import Display, Heading, Paragraph, paragraph, say
+from dhgen.derivation.text.blocks import paragraph, say
+from dhgen.derivation.text.formula import ZERO, Symbol, equal
+from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.text.words import joined, numeral
+from dhgen.general.circle import SAMPLES
+from dhgen.general.hidden_slide import UNIT
+from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
+from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
+from dhgen.paul.refusal import NEARLY_CONCURRENT, NEARLY_PARALLEL
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.offset_wrist import OffsetWrist
     from dhgen.kinematics.chain import Chain
-
-
-POINTING = (
-    "The task names where the tool is and where its z axis points, and leaves its turn about that "
-    "axis open. That turn, {}, is taken as a sixth joint behind the tool: with any choice of the x "
-    "and y axes the pose is then complete, and the value of the sixth joint is not needed."
-)
-UNRELATED = "No three neighbouring axes{} are parallel or meet in one point"
-_FIRST = "an equation for the last of them, which this wrist allows, or by "
-OF_MOVING = " of the joints that move"
+    from dhgen.kinematics.neighbours import Triple
 
 
 def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
     """What replaces the steps of Paul's method; `unit` is that of lengths."""
-    blocks: list[Block] = [
-        Heading(2, say("Inverse")),
-        paragraph(f"{_why(kernel)} {_most(kernel)}"),
-        *([paragraph(POINTING, joint_symbol(kernel, 5))] if kernel.pointing else []),
-        *([one_more_turn(kernel)] if kernel.checked else []),
-        *near_blocks(chain, unit),
-        Paragraph(
-            say("The forward model is a loop that closes:"),
-            say("The loop."),
-        ),
-        Display((loop_that_closes(kernel),)),
-        loop_letters(kernel, chain),
-    ]
+    loop = [joint_symbol(kernel, place) for place in range(6)]
+    values = _elimination(kernel) if kernel.eliminations else _four_turns(kernel)
     if kernel.wrist is not None:
-        blocks += offset_wrist(kernel, kernel.wrist, unit)
-    if kernel.eliminations:
-        blocks += elimination(kernel, chain)
-    else:
-        blocks += four_turns(kernel)
-    return [
-        *blocks,
-        *_rest(kernel),
-        *([check(kernel, chain)] if kernel.checked else []),
-        *general_closing(kernel),
-    ]
-
-
-def _why(kernel: GeneralKernel) -> str:
-    """Why the joints do not come one after the other, and what finds them."""
-    steps = "order of the equations of Paul's method gives the joints one after the other."
-    if kernel.eliminations:
-        unrelated = UNRELATED.format(OF_MOVING if kernel.given else "")
-        beginning = f"No {steps}" if kernel.pointing else f"{unrelated}, and no {steps}"
-        return (
-            f"{beginning} {_joints(kernel)} are found together{_given(kernel)}, by "
-            f"{_FIRST if kernel.wrist else ''}the elimination of M. Raghavan and B. Roth (1993)."
-        )
-    return (
-        f"No {steps} {_joints(kernel)}, four turns and two slides, are found "
-        f"together{_given(kernel)}: the directions give three turns by the fourth, and the "
-        "position an equation in that one."
+        values |= _offset_wrist(kernel.wrist, kernel.loop.size, unit)
+    if kernel.checked:
+        values |= _check(kernel)
+    return blocks_of(
+        "general",
+        eliminates=bool(kernel.eliminations),
+        wrist=kernel.wrist is not None,
+        pointing=kernel.pointing,
+        checked=kernel.checked,
+        given=bool(kernel.given),
+        numbers=tuple(map(str, kernel.numbers)),
+        loop=loop,
+        order=[loop[place] for place in kernel.first.joints],
+        further=[loop[each.joints[0]] for each in kernel.formulations[1:]],
+        joints=_joints(kernel),
+        others_given=_others_given(kernel),
+        near=near_blocks(chain, unit),
+        closes=loop_that_closes(kernel),
+        begin_with_motions=begin_with_motions(kernel, chain),
+        or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),
+        singular=equal(Symbol(r"\det J", "det J"), ZERO),
+        samples=SAMPLES,
+        size=size_in_words(chain),
+        **values,
     )
-
-
-def _most(kernel: GeneralKernel) -> str:
-    count = "sixteen" if kernel.eliminations else "eight"
-    if kernel.checked:  # the arm itself has fewer as a rule, as `one_more_turn` says
-        return f"Together they have at most {count} solutions."
-    return f"An arm of this kind has at most {count} solutions."
 
 
 def _joints(kernel: GeneralKernel) -> str:
@@ -93,7 +73,7 @@ def _joints(kernel: GeneralKernel) -> str:
     return joined([joints, *others]).capitalize()
 
 
-def _given(kernel: GeneralKernel) -> str:
+def _others_given(kernel: GeneralKernel) -> str:
     """What the other joints are for."""
     others = sorted(set(range(1, 7 + len(kernel.given))) - set(kernel.numbers))
     if not others:
@@ -103,29 +83,91 @@ def _given(kernel: GeneralKernel) -> str:
     return f" while joints {', '.join(map(str, others))} keep the values that the caller gives"
 
 
-def _rest(kernel: GeneralKernel) -> list[Block]:
-    others = [joint_symbol(kernel, each.joints[0]) for each in kernel.formulations[1:]]
-    blocks: list[Block] = [
-        Paragraph(
-            say(
-                "A simple root belongs to one solution and a double root to two. If the solutions "
-                "found are as many as these roots, and their number is even, none is "
-                "missing. Otherwise "
-                + (
-                    f"the same is done with {', then with '.join('{}' for _ in others)} in the "
-                    f"place of {{}}, and then from a nearby pose."
-                    if others
-                    else "the search is repeated from a nearby pose and followed back."
-                ),
-                *others,
-                *([joint_symbol(kernel, kernel.first.joints[0])] if others else []),
-            ),
-            say("4. The certificate."),
-        ),
-        paragraph(
-            "Rows are ordered by the value of joint 1, then of joint 2 and so on. Where roots meet "
-            "or the certificate fails, damped least squares from the seed (joint values that the "
-            "caller may give) and from a few evenly spread starts add what they find."
-        ),
-    ]
-    return blocks
+def _elimination(kernel: GeneralKernel) -> dict[str, object]:
+    slides = kernel.loop.slides
+    right = joint_symbol(kernel, slides[0]) if kernel.slides_on_the_right else None
+    return {
+        "hidden_first": loop_from_the_hidden_joint(kernel),
+        "hides_a_slide": kernel.hides_a_slide,
+        "right_slide": right,
+        "slide_unit": f"{UNIT:g}",
+        "variables": _variables(kernel),
+    }
+
+
+def _variables(kernel: GeneralKernel) -> Prose:
+    """In which the equations are polynomials: of both partners of the hidden joint."""
+    partners = kernel.first.joints[1:3]
+    symbols = [joint_symbol(kernel, place) for place in partners]
+    slide = [place in kernel.loop.slides for place in partners]
+    if not any(slide):
+        return say("the half-angle tangents of {} and {}", *symbols)
+    texts = ["the length {}" if each else "the half-angle tangent of {}" for each in slide]
+    return say(" and ".join(texts), *symbols)
+
+
+def _four_turns(kernel: GeneralKernel) -> dict[str, object]:
+    """The turns, the hidden one first, and the slides, in the order of the loop from there on."""
+    slides, order = kernel.loop.slides, kernel.first.joints
+    return {
+        "turns": [joint_symbol(kernel, joint) for joint in order if joint not in slides],
+        "slides": [joint_symbol(kernel, joint) for joint in order if joint in slides],
+    }
+
+
+def _offset_wrist(wrist: OffsetWrist, size: float, unit: str) -> dict[str, object]:
+    angle = short_number(math.degrees(math.atan2(wrist.sine, wrist.cosine)), 6)
+    return {
+        "upper": f"{short_number(wrist.upper * size, 6)} {unit}",
+        "lower": f"{short_number(wrist.lower * size, 6)} {unit}",
+        "angle": Symbol(rf"\psi = {angle}^\circ", f"ψ = {angle.replace('-', '−')}°"),
+        "bent": bool(wrist.sine),
+    }
+
+
+def _check(kernel: GeneralKernel) -> dict[str, object]:
+    """What a joint too few for the task takes: a turn that the arm does not have, and a check."""
+    count = kernel.asked
+    return {
+        "turn": joint_symbol(kernel, count),
+        "last": joint_symbol(kernel, count - 1),
+        "count": numeral(count),
+        "more": numeral(count + 1),
+        "nearly_none": f"{NEARLY_NONE:g}",
+        "nearly_none_in_doubt": f"{NEARLY_NONE_IN_DOUBT:g}",
+        "consistent": _power(TOLERANCES.consistent),
+        "polished": _power(TOLERANCES.polished),
+    }
+
+
+def _power(value: float) -> str:
+    """A power of ten, without the zero that Python puts before its exponent."""
+    return f"{value:.0e}".replace("e-0", "e-")
+
+
+MISSED = "What keeps this arm from a closed form: "
+
+
+def near_blocks(chain: Chain, unit: str) -> list[Block]:
+    """By how much axes miss one point or one direction; `unit` is that of lengths."""
+    triples = [t for t in axis_triples(chain) if min(t.tilt, t.miss / chain.size) >= EXACT]
+    apart = [t for t in triples if t.miss < NEARLY_CONCURRENT * chain.size]
+    leaning = [t for t in triples if t not in apart and t.tilt < NEARLY_PARALLEL]
+    said = [f"{_axes(t)} are not quite parallel but {_degrees(t)} apart" for t in leaning]
+    if apart:
+        axes = joined([_axes(t) for t in apart])
+        length = joined([f"{short_number(t.miss, 4)} {unit}" for t in apart])
+        said.append(
+            f"{axes} do not meet in one point. What they miss it by, the largest distance between "
+            "neighbours of three or between the feet of their common normals on the middle one, is "
+            f"{length}{', in this order' * (len(apart) > 1)}"
+        )
+    return [paragraph(f"{MISSED}{'; '.join(said)}.")] if said else []
+
+
+def _axes(triple: Triple) -> str:
+    return f"axes {joined([str(joint) for joint in triple.joints])}"
+
+
+def _degrees(triple: Triple) -> str:
+    return f"{short_number(math.degrees(triple.tilt), 3)} degrees"

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.text.blocks import paragraph
 from dhgen.derivation.text.formula import Symbol
 from dhgen.kinematics.chain import Slide, Turn
 
 if TYPE_CHECKING:
-    from dhgen.derivation.text.blocks import Block
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
@@ -27,30 +25,7 @@ def loop_that_closes(kernel: GeneralKernel) -> Symbol:
     )
 
 
-def loop_letters(kernel: GeneralKernel, chain: Chain) -> Block:
-    """What stands between the joints, before the first and behind the last."""
-    k_0, k_4, c_0, c_6, a_1, a_5 = (
-        Symbol(f"{x}_{k}", f"{x}{k}")
-        for x, k in (("K", 0), ("K", 4), ("C", 0), ("C", 6), ("A", 1), ("A", 5))
-    )
-    if kernel.given:
-        return paragraph(
-            "{} to {} are the transforms between these joints, {} is that before the first of "
-            "them, and {} that behind the last, known with the values that the caller gives.",
-            *(k_0, k_4, c_0, c_6),
-        )
-    between, parts = "{} to {} are the constant transforms between the joints", [k_0, k_4]
-    if _begin_with_motions(kernel, chain):
-        between += ", {} to {} with {}"
-        parts += [a_1, a_5, Symbol(r"\theta_i = 0", "θᵢ = 0")]
-        if kernel.loop.slides:
-            between += " or {}"
-            parts.append(Symbol("r_i = 0", "rᵢ = 0"))
-    ends = ". {} is the transform before the first joint, and {} that behind the last."
-    return paragraph(between + ends, *parts, c_0, c_6)
-
-
-def _begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:
+def begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:
     """Whether what stands between two joints is one link's constant part."""
     own = kernel.asked == len(chain.links) == len(kernel.numbers)
     return own and all(isinstance(link[0], Turn | Slide) for link in chain.links)

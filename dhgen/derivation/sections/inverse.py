@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.notation.names import inverse as inverse_name
 from dhgen.derivation.notation.names import letter, link, target
 from dhgen.derivation.notation.polynomial import Writer, alphabet
-from dhgen.derivation.sections.elements import element_blocks
-from dhgen.derivation.sections.given_pose import BASE, POSE, TOOL, given_pose, moved_left
-from dhgen.derivation.sections.points import point_blocks
+from dhgen.derivation.sections.elements import element_blocks, point_blocks
+from dhgen.derivation.sections.forward import BASE, POSE, TOOL, given_pose, moved_left
 from dhgen.derivation.sections.shoulder import shoulder_blocks
 from dhgen.derivation.sections.types_table import types_table
 from dhgen.derivation.steps import leaves_a_joint_free

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.blocks import display, paragraph
 from dhgen.derivation.text.formula import Formula, Matrix, Symbol, equal, times
-from dhgen.derivation.text.lines import WIDTH
-from dhgen.derivation.text.terms import width
+from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.text.words import many
 from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.product import product

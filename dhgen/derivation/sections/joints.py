@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.effects import comparisons
 from dhgen.derivation.notation.expressions import expression_symbol
 from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
-from dhgen.derivation.sections.variables import joints_of, sign_and_offset
+from dhgen.derivation.sections.tables import joints_of, sign_and_offset
 from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say
 from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus
 from dhgen.derivation.text.words import counted, numeral

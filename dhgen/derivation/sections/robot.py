@@ -1,15 +1,16 @@
-"""The title, the opening paragraph, and the section about the robot as the user wrote it."""
+"""The title, the opening paragraph, the names of rows, and the robot as the user wrote it."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.expressions import text_symbol
-from dhgen.derivation.sections.branch_names import branch_legend
+from dhgen.derivation.notation.names import branch_sign, unknown_symbol
 from dhgen.derivation.sections.frames import frame_sentences
 from dhgen.derivation.sections.parameters import constant_blocks
 from dhgen.derivation.sections.tables import axes_blocks, table_blocks
-from dhgen.derivation.text.blocks import Given, Heading, Paragraph, joined, paragraph, say
+from dhgen.derivation.text.blocks import Given, Heading, Paragraph, Prose, joined, paragraph, say
+from dhgen.derivation.text.formula import ONE, equal, minus
 from dhgen.derivation.text.words import counted, many, numeral
 from dhgen.method import Method
 from dhgen.robot.robot import DhTable, JointKind
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Symbol
+    from dhgen.program.ir import Axis
+
 
 _TASKS = {
     TaskKind.POSE: "the pose of the tool, position and orientation",
@@ -117,4 +120,36 @@ def _solutions(story: Story) -> str:
     return (
         f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "
         "branch signs of every row."
+    )
+
+
+LOOKS = (
+    " Each sign chooses one of the two values that its step finds. Which of two looks like its "
+    "name depends on how the arm is built and mounted; what a row means never changes."
+)
+
+
+def branch_legend(story: Story) -> list[Block]:
+    """The words of every choice, with its sign, its step and what the step gives."""
+    if story.derivation.whole is not None or not story.has_branch_words:
+        return []
+    choices = [_choice(story, place, axis) for place, axis in enumerate(story.program.axes)]
+    signed = any(axis.count == 2 for axis in story.program.axes)
+    text = f"In these names {'; '.join('{}' for _ in choices)}.{LOOKS if signed else ''}"
+    return [Paragraph(Prose(text, tuple(choices)))]
+
+
+def _choice(story: Story, place: int, axis: Axis) -> Prose:
+    unknowns = story.steps[axis.step - 1].unknowns
+    unknown = joined([say("{}", unknown_symbol(each)) for each in unknowns])
+    if axis.count != 2:
+        first, last = axis.meaning[0], axis.meaning[-1]
+        return say(f"{first} to {last} are the roots of step {axis.step} for {{}}", unknown)
+    plus, opposite = axis.meaning
+    sign = branch_sign(place)
+    return say(
+        f"{plus} is {{}} and {opposite} is {{}} in step {axis.step}, which gives {{}}",
+        equal(sign, ONE),
+        equal(sign, minus(ONE)),
+        unknown,
     )

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.blocks import Paragraph, display, say
 from dhgen.derivation.text.formula import ONE, ZERO, Element, Matrix, Relation, equal
-from dhgen.derivation.text.lines import WIDTH, laid_out
+from dhgen.derivation.text.lines import WIDTH, laid_out, width
 from dhgen.derivation.text.style import PLAIN
-from dhgen.derivation.text.terms import width
 from dhgen.derivation.text.words import joined as listed
 from dhgen.derivation.text.words import many
 

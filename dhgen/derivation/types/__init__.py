@@ -8,11 +8,9 @@ from dhgen.derivation.types.angle import print_angle
 from dhgen.derivation.types.angle_and_length import print_angle_and_length
 from dhgen.derivation.types.angle_pair import print_angle_pair
 from dhgen.derivation.types.circle import print_circle
-from dhgen.derivation.types.length import print_length
+from dhgen.derivation.types.lengths import print_length, print_squared_length, print_two_lengths
 from dhgen.derivation.types.polar import print_polar
-from dhgen.derivation.types.squared_length import print_squared_length
 from dhgen.derivation.types.two_angles import print_two_angles
-from dhgen.derivation.types.two_lengths import print_two_lengths
 from dhgen.paul.step import Kind
 
 if TYPE_CHECKING:

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.conditions import unsigned
-from dhgen.derivation.notation.elements import element_of
+from dhgen.derivation.geometry import size_in_words
 from dhgen.derivation.notation.expressions import number_symbol
+from dhgen.derivation.notation.matrices import element_of
 from dhgen.derivation.notation.names import cosine, sine, theta
-from dhgen.derivation.sections.size import size_in_words
 from dhgen.derivation.step_context import type_letter
 from dhgen.derivation.text.blocks import Given, display, paragraph, say
 from dhgen.derivation.text.formula import (
