@@ -8,7 +8,7 @@ from dhgen.derivation.notation.names import joint_symbol, single, theta
 from dhgen.derivation.text.blocks import joined, say
 from dhgen.derivation.text.formula import ONE, ZERO, equal, minus
 from dhgen.paul.form import Length
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.program.ir import Failure, Guard
 
 if TYPE_CHECKING:

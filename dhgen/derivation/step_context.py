@@ -12,7 +12,6 @@ from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.walk import occurs
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import terms_in_numbers
-from dhgen.paul.step import Kind
 
 if TYPE_CHECKING:
     from dhgen.derivation.quotes import Quote
@@ -124,7 +123,7 @@ class StepContext:
             return facings[0]
         if not name[1:2].isdigit():
             return 1  # of what both equations become
-        if self.step.kind in _VECTOR_KINDS and name not in {"Z1", "Z2"}:
+        if self.step.kind.is_two_links and name not in {"Z1", "Z2"}:
             return 1
         return facings[int(name[1]) - 1]  # X1, Z2, P1c: the equation's number comes second
 
@@ -164,9 +163,6 @@ class StepContext:
         """Whether a letter is a plain number."""
         polynomial = self.polynomial(name)
         return not polynomial or bool(polynomial.is_ground)
-
-
-_VECTOR_KINDS = frozenset({Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM})
 
 
 def type_letter(name: str) -> Symbol:

@@ -15,7 +15,7 @@ from dhgen.derivation.text.words import numeral
 from dhgen.derivation.types import PRINTERS
 from dhgen.derivation.types.angle_pair import is_direct
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Relation
     from dhgen.paul.form import Form
+
+
+HOMOGENEOUS_IN_002 = 1  # document 002 has a type of its own for X s + Y c = 0
 
 
 @lru_cache(maxsize=32)  # several sections ask what steps say
@@ -73,7 +76,7 @@ def _lead(context: StepContext) -> Prose:
     names = joined([say("{}", unknown_symbol(unknown)) for unknown in step.unknowns])
     other = _document_002_number(context)
     also = f" (document 002: type {other})" if other else ""
-    return say(f"{context.number}. {{}}, {values} — type {step.kind.value}{also}.", names)
+    return say(f"{context.number}. {{}}, {values} — type {step.kind.number}{also}.", names)
 
 
 def has_number_in_002(story: Story, number: int) -> bool:
@@ -84,16 +87,12 @@ def has_number_in_002(story: Story, number: int) -> bool:
 
 def _document_002_number(context: StepContext) -> int | None:
     """The number of the step's equations in document 002, which has four types."""
-    step = context.step
-    match step.kind:
-        case Kind.ANGLE:
-            return 2 if step.coefficient("Z") else 1
-        case Kind.ANGLE_AND_SUM:
-            return 3
-        case Kind.ANGLE_PAIR:
-            return 4 if is_direct(context) else None
-        case _:
-            return None
+    kind = context.step.kind
+    if kind is Kind.ANGLE and not context.step.coefficient("Z"):
+        return HOMOGENEOUS_IN_002
+    if kind is Kind.ANGLE_PAIR and not is_direct(context):
+        return None
+    return kind.value.document_002
 
 
 def quoted(story: Story, number: int) -> list[Relation]:

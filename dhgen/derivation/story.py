@@ -15,9 +15,10 @@ from dhgen.derivation.text.formula import ONE
 from dhgen.derivation.text.walk import leads_negative
 from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.branches import branch_labels
+from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import right_inverse
-from dhgen.paul.step import Kind, learn
+from dhgen.paul.step import learn
 
 if TYPE_CHECKING:
     from dhgen.derivation.notation.matrices import Form

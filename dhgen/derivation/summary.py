@@ -70,7 +70,7 @@ def _step(story: Story, number: int) -> tuple[str, str, str, str]:
     equations = ", ".join(show(equation, PLAIN) for equation in quoted(story, number))
     if len(equations) > LONGEST:
         equations = equations[: LONGEST - 1].rstrip() + "…"
-    kind = f"type {step.kind.value}"
+    kind = f"type {step.kind.number}"
     return f"{number}. {names}", kind, counted(step.roots, "value"), equations
 
 
@@ -99,4 +99,4 @@ def _line(step: Step) -> str:
     """theta_3, two values: type 8, U_0[1,4] and U_0[2,4]."""
     names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
     where = " and ".join(show(element_of(origin), PLAIN) for origin in sorted(step.origins))
-    return f"{names}: type {step.kind.value}, {counted(step.roots, 'value')}, {where}"
+    return f"{names}: type {step.kind.number}, {counted(step.roots, 'value')}, {where}"

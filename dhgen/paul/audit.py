@@ -19,7 +19,7 @@ from dhgen.kinematics.task_rates import task_jacobian
 from dhgen.paul.factors import Factors
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.second import with_second_equations
-from dhgen.paul.step import Kind, learn
+from dhgen.paul.step import learn
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -41,7 +41,6 @@ ROUTES = 24  # so many orders are looked into
 NULL = 1e-5  # of the largest singular value: zeros are known to about half the digits
 FREE = 1e-3  # a part of an angle in a null vector
 OFTEN = 1  # condition on the joints, which home poses and right angles meet
-SAYING = {Kind.ANGLE: "X Y", Kind.ANGLE_PAIR: "X1 Y1", Kind.POLAR: "Y1 Y2"}
 
 
 def best_route(search: Search, pool: Pool) -> Route | None:
@@ -156,8 +155,7 @@ def _factors(pool: Pool, step: Step) -> Factors | None:
 def _saying(step: Step) -> list[Polynomial]:
     """What tells an angle by not being zero."""
     both = [step] if step.second is None else [step, step.second]
-    letters = SAYING.get(step.kind, "").split()
-    found = [each.coefficient(letter) for each in both for letter in letters]
+    found = [each.coefficient(letter) for each in both for letter in step.kind.value.leading]
     return [polynomial for polynomial in found if polynomial]
 
 

@@ -10,13 +10,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Part
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
 
-_ELBOWS = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
-_SLIDES = {Kind.POLAR, Kind.ANGLE_AND_LENGTH, Kind.SQUARED_LENGTH}
 _WORDS = {
     "shoulder": ("left", "right"),
     "elbow": ("down", "up"),
@@ -54,12 +52,9 @@ def branch_labels(words: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
 
 
 def _part(step: Step) -> str:
-    if step.kind is Kind.CIRCLE:
-        return "root"
-    if step.kind in _SLIDES:
-        return "slide"
-    if step.kind in _ELBOWS:
-        return "elbow"
+    part = step.kind.value.part
+    if part is not Part.END:
+        return str(part.value)
     return "shoulder" if _first_joint(step) == 1 else "wrist"
 
 

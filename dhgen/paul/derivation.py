@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.method import Method
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import FEW_SIZES, Kind
+from dhgen.paul.step import FEW_SIZES
 from dhgen.paul.witness import OWN_LENGTHS, build_witnesses
 
 if TYPE_CHECKING:
@@ -20,11 +20,6 @@ if TYPE_CHECKING:
 # Roots so far apart have lost as many digits, and what is divided by the offset as many again. Of
 # 400 poses of a UR5 an offset of 1e-5 m in the wrist lost no row, of 1e-6 m three, of 1e-7 m 45.
 LITTLE = 1e-4
-FACTORS = {
-    Kind.LENGTH: (("X",),),
-    Kind.ANGLE: (("X", "Y"),),
-    Kind.ANGLE_PAIR: (("X1", "Y1"), ("X2", "Y2")),
-}
 
 
 def hangs_on_little(pool: Pool, steps: Sequence[Step]) -> bool:
@@ -40,5 +35,5 @@ def hangs_on_little(pool: Pool, steps: Sequence[Step]) -> bool:
         witnesses.largest([step.coefficient(letter) for letter in letters], OWN_LENGTHS, unit)
         < LITTLE
         for step in steps
-        for letters in FACTORS.get(step.kind, ())
+        for letters in step.kind.value.divisors
     )

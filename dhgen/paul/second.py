@@ -17,10 +17,11 @@ from dhgen.kinematics.ring import substitute
 from dhgen.kinematics.transform import compose
 from dhgen.paul.equation import MOMENT, Equation, Origin, merged
 from dhgen.paul.form_reader import FormReader
+from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import mixed_forms, right_inverse
 from dhgen.paul.problem import Withheld
-from dhgen.paul.step import Kind, View, learn, steps_of
+from dhgen.paul.step import View, learn, steps_of
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.witness import build_witnesses
 from dhgen.paul.zeros import outlasts

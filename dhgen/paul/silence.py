@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.paul.witness import OWN_LENGTHS, VANISHING
 
 if TYPE_CHECKING:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from enum import Enum
 from typing import TYPE_CHECKING, Protocol
 
 from dhgen.kinematics.algebra import AngleSum
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.normal import NormalForm
     from dhgen.paul.equation import Origin
     from dhgen.paul.form import Form, Unknown
+    from dhgen.paul.kind import Kind
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.witness import Witnesses
 
@@ -30,22 +30,6 @@ NEARLY_NOTHING = 12_000
 NOTHING = 1e-2
 SHORT = 0.06  # of the arm's size: an angle that is divided by it is good to a digit less
 FEW_SIZES = 4  # so many lengths of an arm make its size, more or less
-
-
-class Kind(Enum):
-    """The equation types of document 003; the value is the number a reader finds there."""
-
-    LENGTH = 1  # X r = Y
-    ANGLE = 2  # X s + Y c = Z
-    ANGLE_PAIR = 3  # two such equations in one angle
-    POLAR = 4  # X1 r s = Y1, X2 r c = Y2
-    ANGLE_AND_LENGTH = 5  # X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r
-    TWO_ANGLES = 6  # W s_k = X c_i + Y s_i + Z1, W c_k = X s_i - Y c_i + Z2
-    TWO_ANGLES_TURNED = 7  # the same with W1 c_k + W2 s_k
-    ANGLE_AND_SUM = 8  # X c_i + Y c_{i+k} = Z1, X s_i + Y s_{i+k} = Z2
-    CIRCLE = 9  # beyond the table: two equations linear in two angles, a quartic
-    SQUARED_LENGTH = 10  # X r^2 + Y r = Z
-    TWO_LENGTHS = 11  # beyond the table: two equations linear in two lengths
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +62,6 @@ class Step:
         unknowns: What becomes known: one angle sum or length, both (types 4 and 5), or two lengths.
         forms: The equations as they look at this point.
         letters: The type's letters and what they are here, in the type's order.
-        roots: How many values the step gives.
         penalty: For ranking: how ill-conditioned and how long.
         second: Of type 2 with Z = 0: another such step for the same angle, whose X and Y stay
             where those of this one vanish.
@@ -90,10 +73,14 @@ class Step:
     unknowns: tuple[Unknown, ...]
     forms: tuple[Form, ...]
     letters: tuple[tuple[str, Polynomial | Products], ...]
-    roots: int
     penalty: int
     second: Step | None = None
     silent: int = 0
+
+    @property
+    def roots(self) -> int:
+        """How many values the step gives."""
+        return self.kind.value.roots
 
     @property
     def origins(self) -> tuple[Origin, ...]:

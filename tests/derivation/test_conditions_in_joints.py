@@ -16,7 +16,7 @@ from dhgen.derivation.text.formula import Relation
 from dhgen.derivation.text.plain import words
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from tests.derivation.stories import NAMES, OWN, story
 from tests.derivation.test_formulas_hold import configuration, with_pose
 from tests.derivation.values import evaluate

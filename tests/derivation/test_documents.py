@@ -17,7 +17,7 @@ from dhgen.derivation import (
 from dhgen.derivation.sections.closing import tree_text
 from dhgen.derivation.sections.transforms import PAGE
 from dhgen.derivation.types import PRINTERS
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from tests.derivation.golden import FOLDER, made, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
 from tests.derivation.made import made_of
@@ -177,7 +177,7 @@ def test_summary(name: str) -> None:
     lines = text.splitlines()
     for number, step in enumerate(of.steps, start=1):
         assert lines[number - 1].startswith(f"{number}. ")
-        assert f"type {step.kind.value}" in lines[number - 1]
+        assert f"type {step.kind.number}" in lines[number - 1]
     assert len(lines) <= 16
 
 

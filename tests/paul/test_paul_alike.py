@@ -12,7 +12,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.robot.load import load
 
 if TYPE_CHECKING:

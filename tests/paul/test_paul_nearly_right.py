@@ -11,7 +11,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derive import derive
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load

@@ -13,11 +13,12 @@ from dhgen.paul import form_reader
 from dhgen.paul.derive import derive
 from dhgen.paul.form import unknown_name
 from dhgen.paul.inverse_forms import with_inverse_forms
+from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.search import Search
-from dhgen.paul.step import Kind, Step, learn
+from dhgen.paul.step import Step, learn
 from dhgen.paul.types import QUARTIC
 from dhgen.paul.witness import OWN_LENGTHS, build_witnesses
 from dhgen.robot.load import load
@@ -46,13 +47,13 @@ joints:
 def route(name: str) -> list[tuple[int, str]]:
     """The types of a derivation and what they give."""
     return [
-        (step.kind.value, " ".join(map(unknown_name, step.unknowns)))
+        (step.kind.number, " ".join(map(unknown_name, step.unknowns)))
         for step in derivation(name).steps
     ]
 
 
 def kinds(name: str) -> set[int]:
-    return {step.kind.value for step in all_steps(name)}
+    return {step.kind.number for step in all_steps(name)}
 
 
 def places(steps: list[Step], kind: Kind) -> set[tuple[str, ...]]:

@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.step import Kind, Step
+from dhgen.paul.kind import Kind
 from tests.kinematics.values import number
 from tests.paul.arms import all_steps, derivation, random_values
 from tests.robots.cases import COUNTS, NAMES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from dhgen.paul.step import Step
 
 
 def sides(step: Step, values: Mapping[str, float]) -> list[tuple[float, float]]:

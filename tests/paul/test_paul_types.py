@@ -7,16 +7,19 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.paul.form import unknown_name
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.paul.types.angle import Angle
-from dhgen.paul.types.angle_and_length import AngleAndLength
+from dhgen.paul.types.angle_and_length import AngleAndLength, Polar
 from dhgen.paul.types.angle_pair import MAY_VANISH_REASON, AnglePair
-from dhgen.paul.types.length import SingleLength
-from dhgen.paul.types.length_on_a_line import LengthOnALine, line_of
-from dhgen.paul.types.polar import Polar
-from dhgen.paul.types.squared_length import SquaredLength
+from dhgen.paul.types.lengths import (
+    LengthOnALine,
+    SingleLength,
+    SquaredLength,
+    TwoLengths,
+    determinant,
+    line_of,
+)
 from dhgen.paul.types.two_angles import TwoAngles
-from dhgen.paul.types.two_lengths import TwoLengths, determinant
 from tests.kinematics.values import table
 from tests.paul.arms import Bench
 

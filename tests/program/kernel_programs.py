@@ -16,7 +16,8 @@ from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.derive import derive
 from dhgen.paul.form import Length
-from dhgen.paul.step import Kind, Step
+from dhgen.paul.kind import Kind
+from dhgen.paul.step import Step
 from dhgen.program.interpret import Rows, interpret
 from dhgen.program.lowering.checks import Checks
 from dhgen.program.lowering.context import Lowering
@@ -72,8 +73,7 @@ def kernel_program(
             values[letter] = values[number[-2:]] * (-1 if number[0] == "-" else 1)
     angles = () if kind in {Kind.LENGTH, Kind.SQUARED_LENGTH} else (ANGLE,)
     unknowns = (*angles, *((slide(),) if slides else ()))
-    roots = {Kind.LENGTH: 1, Kind.ANGLE_PAIR: 1}.get(kind, 2)
-    step = Step(kind, unknowns, (), tuple(values.items()), roots, 0)
+    step = Step(kind, unknowns, (), tuple(values.items()), 0)
     context = Lowering(Derivation(pool(), (step,), ((),)), TOLERANCES, Checks(rows=False))
     context.step_number = 1
     KERNELS[kind](context, step)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from tests.program.kernel_programs import kernel_program, run
 
 if TYPE_CHECKING:

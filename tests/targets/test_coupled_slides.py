@@ -10,7 +10,7 @@ import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from tests.oracle.sets import all_solutions
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver
 from tests.targets.made import in_c, poses_of, residual, robot

@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.types.angle import print_angle
-from dhgen.derivation.types.angle_and_length import print_angle_and_length
+from dhgen.derivation.types.angle_and_length import print_angle_and_length, print_polar
 from dhgen.derivation.types.angle_pair import print_angle_pair
 from dhgen.derivation.types.circle import print_circle
 from dhgen.derivation.types.lengths import print_length, print_squared_length, print_two_lengths
-from dhgen.derivation.types.polar import print_polar
 from dhgen.derivation.types.two_angles import print_two_angles
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,13 +1,13 @@
-"""Type 5: X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r."""
+"""Types 4 and 5: an angle and a length, as polar coordinates or by two linear equations."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.effects import merged_effect
+from dhgen.derivation.effects import free_effect, merged_effect, nothing_said
 from dhgen.derivation.notation.names import cosine, letter, sine, theta, unknown_symbol
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
-from dhgen.derivation.text.blocks import display, paragraph, say
+from dhgen.derivation.text.blocks import Given, display, paragraph, say
 from dhgen.derivation.text.formula import (
     ONE,
     ZERO,
@@ -26,6 +26,42 @@ from dhgen.derivation.text.formula import (
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
     from dhgen.derivation.text.formula import Formula
+
+
+def print_polar(context: StepContext) -> StepText:
+    """Polar coordinates, or the opposite ones."""
+    r = unknown_symbol(context.step.unknowns[1])
+    s, c = sine(context.angle), cosine(context.angle)
+    (full_u, u), (full_v, v) = _quotient(context, "1"), _quotient(context, "2")
+    axis = Given(str(context.angle.terms[-1][0]))
+    text = "the slide is drawn in as far as axis {}, and " + nothing_said(context)
+    meaning = say(text, axis, theta(context.angle))
+    zero = equal(r, ZERO)
+    free = Singularity(context.number, zero, zero, meaning, free_effect(context), frees=True)
+    blocks = (
+        paragraph("Length and angle are the polar coordinates of a known vector,"),
+        display(equal(times(r, s), full_u, u), equal(times(r, c), full_v, v)),
+        paragraph("or, with the opposite length, those of the opposite vector:"),
+        display(
+            equal(r, times(context.sign, root(add(square(u), square(v))))),
+            equal(theta(context.angle), atan2(times(context.sign, u), times(context.sign, v))),
+        ),
+        paragraph(
+            "There is always a solution. Degenerate when {}: {}. Then {}.",
+            zero,
+            meaning,
+            free.effect,
+        ),
+    )
+    return StepText(blocks, (free,))
+
+
+def _quotient(context: StepContext, number: str) -> tuple[Formula, Formula]:
+    """Y / X in full, and with the letters of earlier steps."""
+    below = context.value("X" + number)
+    full = context.story.write(context.polynomial("Y" + number))
+    return over(full, below), over(context.value("Y" + number), below)
+
 
 V1, W1, V2, W2 = (type_letter(name) for name in ("V1", "W1", "V2", "W2"))
 A, B, C, D = (letter(name, name) for name in "ABCD")

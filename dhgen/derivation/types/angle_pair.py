@@ -26,7 +26,6 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.kinematics.ring import constant_value
-from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
 
 if TYPE_CHECKING:
@@ -177,10 +176,9 @@ def _only_if(context: StepContext) -> Prose:
 def _links(context: StepContext) -> tuple[float, float] | None:
     """How long two links are, where the same equations gave the angle between them."""
     own = {form.equation for form in context.step.forms}
-    kinds = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
     algebra = context.story.algebra
     for step in context.story.steps[: context.number - 1]:
-        if step.kind not in kinds or {form.equation for form in step.forms} != own:
+        if not step.kind.is_two_links or {form.equation for form in step.forms} != own:
             continue
         vectors = [[step.coefficient(name + part) for part in "12"] for name in "VW"]
         if not all(algebra.is_constant(part) for parts in vectors for part in parts):

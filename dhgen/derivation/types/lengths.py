@@ -21,7 +21,7 @@ from dhgen.derivation.text.formula import (
     subtract,
     times,
 )
-from dhgen.paul.types.length_on_a_line import line_of
+from dhgen.paul.types.lengths import line_of
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import NEARLY_NOTHING, Kind, Step, placing
+from dhgen.paul.kind import Kind
+from dhgen.paul.step import NEARLY_NOTHING, Step, placing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -51,4 +52,4 @@ class Angle:
         penalty += CANCELLING if x and y and z else 0
         penalty += NEARLY_NOTHING if view.is_nearly_nothing(x, y) else 0
         letters = (("X", x), ("Y", y), ("Z", z))
-        return (Step(Kind.ANGLE, (angle,), (form,), letters, 2, penalty),)
+        return (Step(Kind.ANGLE, (angle,), (form,), letters, penalty),)

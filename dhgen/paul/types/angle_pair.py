@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.paul.step import NEARLY_NOTHING, NOTHING, Kind, Step, placing
+from dhgen.paul.kind import Kind
+from dhgen.paul.step import NEARLY_NOTHING, NOTHING, Step, placing
 from dhgen.paul.witness import OWN_LENGTHS
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ class AnglePair:
         )
         length = sum(len(value) for _, value in letters)
         penalty = _conditioning(read, view) + length + placing(first)
-        return (Step(Kind.ANGLE_PAIR, (read.angle,), (first, second), letters, 1, penalty),)
+        return (Step(Kind.ANGLE_PAIR, (read.angle,), (first, second), letters, penalty),)
 
 
 def stretch(x1: Polynomial, y1: Polynomial, x2: Polynomial, y2: Polynomial) -> Polynomial | None:

@@ -22,7 +22,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.paul.form import is_multiple
-from dhgen.paul.step import Kind, Step
+from dhgen.paul.kind import Kind
+from dhgen.paul.step import Step
 from dhgen.paul.witness import COUNT, is_rounding
 
 if TYPE_CHECKING:
@@ -41,7 +42,6 @@ if TYPE_CHECKING:
     Parts = tuple[Polynomial, Polynomial, Polynomial, Polynomial]
 
 PENALTY = 500
-ROOTS = 4
 SAME = 1e-9  # of two products that are one by the arm's geometry
 FLAT = 1e-11  # of the polynomial's size: a slope this small is that of a double root
 TURNS = np.arange(8) * (np.pi / 4.0)  # from the true angle [rad]
@@ -207,7 +207,7 @@ def _step(split: Split, ratio: Ratio | None) -> Step:
     if ratio is not None:
         letters = (*letters, *zip(("V1x", "V1y", "V2x", "V2y"), ratio.parts, strict=True))
     penalty = PENALTY + sum(len(value) for _, value in letters)
-    return Step(Kind.CIRCLE, (split.kept,), split.forms, letters, ROOTS, penalty)
+    return Step(Kind.CIRCLE, (split.kept,), split.forms, letters, penalty)
 
 
 def _splits(forms: Sequence[Form], view: View) -> list[Split] | str:

@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.paul.form import is_multiple
-from dhgen.paul.step import Kind, Step, placing
+from dhgen.paul.kind import Kind
+from dhgen.paul.step import Step, placing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -169,7 +170,7 @@ def _by_difference(
         letters = (*letters, ("Z", view.products(*_square(1, *vectors.known), *minus_rest)))
     if kind is not Kind.ANGLE_AND_SUM:
         penalty += NOT_A_SUM
-    return Step(kind, (angle,), vectors.forms, letters, 2, penalty)
+    return Step(kind, (angle,), vectors.forms, letters, penalty)
 
 
 def _by_elimination(vectors: _Vectors, kind: Kind, view: View) -> Step:
@@ -184,7 +185,7 @@ def _by_elimination(vectors: _Vectors, kind: Kind, view: View) -> Step:
     total = view.products(*_square(1, z1, z2), *rest)
     letters = (*vectors.letters, ("N", view.products(*rest)))
     letters = (*letters, ("X", across), ("Y", along), ("Z", total))
-    return Step(kind, (v.angle,), vectors.forms, letters, 2, penalty)
+    return Step(kind, (v.angle,), vectors.forms, letters, penalty)
 
 
 def _square(sign: int, x: Polynomial, y: Polynomial) -> tuple[Term, Term]:

@@ -17,8 +17,8 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task_entries import task_entries
 from dhgen.kinematics.task_rates import units
 from dhgen.paul.audit import places_without_a_word, silent_places
-from dhgen.paul.step import Kind
-from dhgen.paul.types.two_lengths import determinant
+from dhgen.paul.kind import Kind
+from dhgen.paul.types.lengths import determinant
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Roots
 from dhgen.tolerances import TOLERANCES

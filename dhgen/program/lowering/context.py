@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.method import Method
 from dhgen.paul.branches import branch_words
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.program.building.builder import Builder
 from dhgen.program.lowering.angles import Angles
 from dhgen.program.lowering.polynomials import PolynomialLowering

@@ -121,4 +121,4 @@ def _unknowns(step: Step) -> str:
 def _source(step: Step) -> str:
     """The type, and where its equations stand."""
     origins = step.origins if step.second is None else (*step.origins, *step.second.origins)
-    return f"type {step.kind.value}: {' and '.join(origin.name for origin in origins)}"
+    return f"type {step.kind.number}: {' and '.join(origin.name for origin in origins)}"

@@ -9,16 +9,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import Kind
+from dhgen.paul.kind import Kind
 from dhgen.program.lowering.types.angle import lower_angle
-from dhgen.program.lowering.types.angle_and_length import lower_angle_and_length
+from dhgen.program.lowering.types.angle_and_length import lower_angle_and_length, lower_polar
 from dhgen.program.lowering.types.angle_pair import lower_angle_pair
 from dhgen.program.lowering.types.circle import lower_circle
-from dhgen.program.lowering.types.length import lower_length
-from dhgen.program.lowering.types.polar import lower_polar
-from dhgen.program.lowering.types.squared_length import lower_squared_length
+from dhgen.program.lowering.types.lengths import (
+    lower_length,
+    lower_squared_length,
+    lower_two_lengths,
+)
 from dhgen.program.lowering.types.two_angles import lower_two_angles
-from dhgen.program.lowering.types.two_lengths import lower_two_lengths
 
 if TYPE_CHECKING:
     from collections.abc import Callable

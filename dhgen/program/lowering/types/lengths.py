@@ -1,21 +1,73 @@
-"""Type 11: two lengths."""
+"""Types 1, 10 and 11: a length, a length from its square, and two lengths."""
 
 from __future__ import annotations
 
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from dhgen.paul.types.two_lengths import determinant
+from dhgen.paul.types.lengths import determinant
 from dhgen.program.ir import Failure
 from dhgen.program.lowering.letters import letters
+from dhgen.program.lowering.roots import reach_of, signed_root
 from dhgen.program.lowering.short import is_short, is_within_reach, vanishes
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
+    from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.context import Lowering
 
     Row = tuple[Node, Node, Node]  # X, Y, Z
+
+
+def lower_length(context: Lowering, step: Step) -> None:
+    """Type 1: r = Y / X; where X may vanish, the seed's r if Y vanishes too."""
+    unknown = step.length
+    builder = context.builder
+    y, x = letters(context, step, "Y X")
+    if context.are_constant(step.coefficient("X")):
+        context.angles.solved_slide(unknown.name, builder.div(y, x))
+        return
+    degree = context.scales.degree(step.coefficient("X"))
+    free = is_short(context, builder.absolute(x), degree, f"free{unknown.joint}")
+    near = vanishes(context, y, step.coefficient("Y"))
+    within = is_within_reach(context, y, x)
+    condition = builder.select(free, near, within)
+    margin = builder.select(free, _margin(builder, near), _margin(builder, within))
+    builder.guard(condition, Failure.ENDLESS, margin, context.angles.options())
+    safe = builder.hint(builder.select(free, builder.integer(1), x), f"divisor{unknown.joint}")
+    seed = context.angles.chosen_slide(unknown.joint, free)
+    length = builder.select(free, seed, builder.div(y, safe))
+    context.angles.solved_slide(unknown.name, length)
+
+
+def _margin(builder: Builder, condition: Node) -> Node:
+    """By how much x <= limit holds."""
+    x, limit = builder.entries[condition].operands
+    return builder.sub(limit, x)
+
+
+def lower_squared_length(context: Lowering, step: Step) -> None:
+    """Type 10: a quadratic in r.
+
+    Rounding of Z moves a root by itself over the distance of both. A length that may be nothing
+    else is zero: what it gives a direction to is free then, and not anywhere.
+    """
+    unknown = step.length
+    builder, suffix = context.builder, str(unknown.joint)
+    x, y, z = letters(context, step, "X Y Z")
+    half = builder.hint(builder.div(y, builder.mul(builder.integer(2), x)), f"H{suffix}")
+    square = builder.add(builder.square(half), builder.div(z, x))
+    discriminant = builder.name(square, f"D{suffix}")
+    within = reach_of(context, discriminant, context.scales.distances(2), 1)
+    root = signed_root(context, suffix, within)
+    length = builder.sub(root, half)
+    size = builder.absolute(length)
+    apart = builder.apply("maximum", builder.absolute(root), size)
+    noise = context.scales.tolerance(context.scales.tolerances.nothing, 2, "nothing")
+    none = builder.apply("at_most", builder.mul(size, apart), noise)
+    length = builder.select(none, builder.integer(0), length)
+    context.angles.solved_slide(unknown.name, length)
 
 
 def lower_two_lengths(context: Lowering, step: Step) -> None:
