@@ -28,10 +28,10 @@ if TYPE_CHECKING:
 def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
     """What the arm looks like where an angle of type 2 with Z = 0 is free."""
     parallel = _parallel_around(context.story.algebra, joints)
-    if parallel is not None and not context.step.silent:
+    if parallel is not None and not context.step.degenerate:
         return _sum_that_is_left(context.story.algebra, *parallel)
     works = nothing_said(context)
-    if context.step.silent or is_left_to_the_pose(context):
+    if context.step.degenerate or is_left_to_the_pose(context):
         works = f"this equation holds for every {{}}, and {others_decide(context)}"
     if _is_about_first_axis(context):
         text = "{} lies on axis 1, and " + works

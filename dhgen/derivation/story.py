@@ -14,7 +14,7 @@ from dhgen.derivation.quotes import quotes_of
 from dhgen.derivation.text.formula import ONE
 from dhgen.derivation.text.walk import leads_negative
 from dhgen.kinematics.ring import content, primitive
-from dhgen.paul.branches import branch_labels
+from dhgen.paul.derivation import branch_labels
 from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import right_inverse

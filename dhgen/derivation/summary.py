@@ -14,7 +14,7 @@ from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import counted
 from dhgen.general.kernel import GeneralKernel
-from dhgen.paul.refusal import missed_structure
+from dhgen.paul.refusal.unsolved import missed_structure
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity

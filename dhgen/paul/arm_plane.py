@@ -22,8 +22,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import constant_value
 from dhgen.kinematics.transform import dot
-from dhgen.paul.mixed_forms import right_inverse
-from dhgen.paul.moving import moving_parts
+from dhgen.paul.mixed_forms import moving_parts, right_inverse
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -10,19 +10,21 @@ from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.no_arm_angle import demand_arm_angle
 from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
-from dhgen.paul.audit import best_route, silence
-from dhgen.paul.choices import good_choices
+from dhgen.paul.degeneracy import best_route, degenerate_steps, is_ill_conditioned
 from dhgen.paul.derivation import Derivation
-from dhgen.paul.inverse_forms import with_inverse_forms
-from dhgen.paul.little import hangs_on_little
+from dhgen.paul.further_forms import with_arm_plane, with_inverse_forms
 from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.redundant import redundant
-from dhgen.paul.refusal import refusal
+from dhgen.paul.refusal.free_joint_advice import free_joint_advice
+from dhgen.paul.refusal.redundancy import redundant
+from dhgen.paul.refusal.size_limits import (
+    are_too_many_given,
+    demand_few_directions,
+    demand_few_given,
+)
+from dhgen.paul.refusal.unsolved import refusal
 from dhgen.paul.search import Search
-from dhgen.paul.shoulder_forms import with_arm_plane
-from dhgen.paul.too_many import demand_few_directions, demand_few_given, too_many_given
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
@@ -47,11 +49,11 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     spare = surplus(chain)
     if spare.count and not numerical:  # before its products, which of many joints fill the memory
         start = open_from_the_start(chain, spare)
-        raise UnsolvedError(redundant(chain, spare, start, good_choices(*start, derive)))
+        raise UnsolvedError(redundant(chain, spare, start, free_joint_advice(*start, derive)))
     if not numerical:
         demand_few_given(chain)
     problem = build_problem(build_algebra(chain))
-    if spare.count or too_many_given(chain.given):
+    if spare.count or are_too_many_given(chain.given):
         kernel = numerical_kernel(chain, redundant=bool(spare.count))
         return Derivation(Pool(problem, (), ()), (), (), kernel)
     pool = build_pool(problem)
@@ -99,16 +101,16 @@ def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:
 def _is_frail(derivation: Derivation) -> bool:
     """Whether roots of a quartic may lie too close to be told apart."""
     rooted = derivation.method is Method.QUARTIC
-    return rooted and hangs_on_little(derivation.pool, derivation.steps)
+    return rooted and is_ill_conditioned(derivation.pool, derivation.steps)
 
 
 def _is_better(other: Derivation, found: Derivation) -> bool:
-    """Whether fewer of its steps are often silent, or as few and it has fewer rows.
+    """Whether fewer of its steps are often degenerate, or as few and it has fewer rows.
 
-    Where a step is silent a row holds one of several solutions.
+    Where a step is degenerate a row holds one of several solutions.
     """
-    often_silent, its_own = (silence(each.steps)[0] for each in (found, other))
-    return (its_own, other.branches) < (often_silent, found.branches)
+    often, its_own = (degenerate_steps(each.steps)[0] for each in (found, other))
+    return (its_own, other.branches) < (often, found.branches)
 
 
 def _usual_rows(chain: Chain) -> int:

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.transform import Transform, compose, dot
 from dhgen.paul.equation import Equation, Origin, merged
-from dhgen.paul.mixed_forms import mixed_forms, right_inverse
-from dhgen.paul.moving import may_help, right_joints
+from dhgen.paul.mixed_forms import may_help, mixed_forms, right_inverse, right_joints
 from dhgen.paul.problem import Withheld
 
 if TYPE_CHECKING:

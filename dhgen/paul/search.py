@@ -12,24 +12,29 @@ from dataclasses import dataclass
 from itertools import chain, combinations, count
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.paul.form_reader import FormReader
+from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.silence import without_needless_silence
 from dhgen.paul.step import View, learn, steps_of
-from dhgen.paul.witness import build_witnesses
+from dhgen.paul.witness import OWN_LENGTHS, VANISHING, build_witnesses
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator, Sequence
 
+    from dhgen.arrays import FloatArray
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Equation, Line
     from dhgen.paul.form import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
     from dhgen.paul.step import EquationType, Step
 
+
 SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
-SILENT = 5_000  # more than any length: a step that may say nothing of an angle that is not free
+DEGENERATE = 5_000  # more than any length: a step that may say nothing of an angle that is not free
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +61,7 @@ class Search:
         self._witnesses = build_witnesses(pool)
         self._offers: dict[State, tuple[Step, ...]] = {}
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
-        self._silent: set[tuple[State, int]] = set()
+        self._degenerate: set[tuple[State, int]] = set()
         self._partners: set[frozenset[int]] = set()
         self._places = {id(equation): place for place, equation in enumerate(pool.equations)}
         self._lines = _lines(pool.equations)
@@ -87,7 +92,7 @@ class Search:
         found: dict[tuple[Unknown, ...], tuple[int, int, Step]] = {}
         for place, step in enumerate(self.offers(knowledge)):
             price = step.penalty + DOUBLING * (step.roots - 1)
-            price += SILENT if (knowledge.state, id(step)) in self._silent else 0
+            price += DEGENERATE if (knowledge.state, id(step)) in self._degenerate else 0
             known = found.get(step.unknowns)
             if known is None or price < known[0]:
                 found[step.unknowns] = price, place, step
@@ -96,13 +101,13 @@ class Search:
 
     def avoid(self, route: Route, places: Container[int]) -> bool:
         """Makes steps of a route cost more where they stand; whether any did not before."""
-        known = len(self._silent)
+        known = len(self._degenerate)
         knowledge = self._start
         for place, step in enumerate(route.steps):
             if place in places:
-                self._silent.add((knowledge.state, id(step)))
+                self._degenerate.add((knowledge.state, id(step)))
             knowledge = learn(knowledge, step)
-        return len(self._silent) > known
+        return len(self._degenerate) > known
 
     def offers(self, knowledge: Knowledge) -> tuple[Step, ...]:
         """The steps that a state allows, cheapest first."""
@@ -111,7 +116,7 @@ class Search:
             groups = self.groups(self._reader.forms(knowledge))
             self._witnesses.learn(chain.from_iterable(groups))
             offered = [step for group in groups for step in self._steps(group, view)]
-            found = without_needless_silence(offered, view)
+            found = without_needless_degeneracy(offered, view)
             found.sort(key=lambda step: (step.roots, step.penalty))
             self._offers[knowledge.state] = tuple(found)
         return self._offers[knowledge.state]
@@ -188,3 +193,60 @@ def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
         id(equation): sum(1 << numbers.setdefault(line, len(numbers)) for line in equation.lines)
         for equation in equations
     }
+
+
+def without_needless_degeneracy(steps: list[Step], view: View) -> list[Step]:
+    """Without X s + Y c = Z whose X and Y may vanish where constant factors say the same.
+
+    That is so where X or Y is zero in both, and where the equation is a multiple of the constant
+    one, be it for another angle, by a factor that varies.
+    """
+    angles = [step for step in steps if step.kind is Kind.ANGLE]
+    sure = [step for step in angles if all(map(view.is_constant, _factors(step)))]
+    told = set(map(id, sure))
+    doubtful = [step for step in angles if id(step) not in told]
+    if not sure or not doubtful:
+        return steps
+    known = [_place(step, view) for step in sure]
+    places, squares = (np.stack(each) for each in zip(*known, strict=True))
+    degenerate = {
+        id(step)
+        for step in doubtful
+        if any(_are_single(step, other) for other in sure)
+        or _is_multiple(*_place(step, view), places, squares)
+    }
+    return [step for step in steps if id(step) not in degenerate]
+
+
+def _factors(step: Step) -> tuple[Polynomial, Polynomial]:
+    return step.coefficient("X"), step.coefficient("Y")
+
+
+def _are_single(step: Step, other: Step) -> bool:
+    """Whether both hold the sine or the cosine of one angle alone."""
+    alone = not all(_factors(step)) and not all(_factors(other))
+    return alone and step.unknowns == other.unknowns
+
+
+def _is_multiple(
+    place: FloatArray, square: FloatArray, places: FloatArray, squares: FloatArray
+) -> bool:
+    """Whether an equation of type 2 differs from one of others by a factor that varies.
+
+    Then the solution is as far from the direction of (X, Y) in both, whatever their angles are.
+    The others are in rows.
+    """
+    factors = (square / squares)[:, OWN_LENGTHS]
+    varies = np.ptp(factors, axis=1) > VANISHING * np.max(factors, axis=1)
+    same = np.max(np.abs(places - place), axis=1) <= VANISHING
+    return bool(np.any(varies & same))
+
+
+def _place(step: Step, view: View) -> tuple[FloatArray, FloatArray]:
+    """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
+    angle = step.angle
+    algebra, on = view.knowledge.runs.algebra, view.witnesses.evaluate
+    x, y = map(on, _factors(step))
+    c, s = (on(algebra.generator(name)) for name in (angle.cosine, angle.sine))
+    square = x * x + y * y
+    return (x * c - y * s) ** 2 / square, square

@@ -65,8 +65,8 @@ class Step:
         penalty: For ranking: how ill-conditioned and how long.
         second: Of type 2 with Z = 0: another such step for the same angle, whose X and Y stay
             where those of this one vanish.
-        silent: How many conditions make its equations say nothing about an angle that is not
-            free: one is often met, two seldom. 0 where that never happens.
+        degenerate: How many conditions make its equations lose an angle that is not free: one
+            is often met, two seldom. 0 where that never happens.
     """
 
     kind: Kind
@@ -75,7 +75,7 @@ class Step:
     letters: tuple[tuple[str, Polynomial | Products], ...]
     penalty: int
     second: Step | None = None
-    silent: int = 0
+    degenerate: int = 0
 
     @property
     def roots(self) -> int:

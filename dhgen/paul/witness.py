@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.algebra import POSE_NAMES, SHOULDER_NAMES
-from dhgen.paul.pose_values import PoseValues
+from dhgen.paul.common_zeros import PoseValues
 from dhgen.paul.samples import Samples, terms_on
 
 if TYPE_CHECKING:

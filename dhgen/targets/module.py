@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task_entries import telling_entries
-from dhgen.paul.branches import branch_labels
+from dhgen.paul.derivation import branch_labels
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular

@@ -14,7 +14,7 @@ import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.method import Method
-from dhgen.paul.redundant import nearly_redundant
+from dhgen.paul.refusal.redundancy import near_redundancy
 from dhgen.program.interpret import interpret
 from dhgen.robot.task import TaskKind
 from dhgen.tolerances import TOLERANCES
@@ -68,7 +68,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
     try:
         return _verify(module, folder)
     except VerificationError as error:
-        raise VerificationError("\n".join([str(error), *nearly_redundant(module.chain)])) from error
+        raise VerificationError("\n".join([str(error), *near_redundancy(module.chain)])) from error
 
 
 def _verify(module: SolverModule, folder: Path) -> Report:

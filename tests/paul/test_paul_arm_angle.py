@@ -13,7 +13,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derive import derive
 from dhgen.paul.kind import Kind
 from dhgen.paul.mobility import open_from_the_start, surplus
-from dhgen.paul.redundant import redundant
+from dhgen.paul.refusal.redundancy import redundant
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
 from dhgen.survey.oracle.arm_angle import arm_angle

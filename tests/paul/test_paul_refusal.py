@@ -5,12 +5,12 @@ import pytest
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
-from dhgen.paul.choices import GENERAL, Choice, choices_text
 from dhgen.paul.derive import derive
 from dhgen.paul.mobility import Surplus, crowded_axes
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.refusal import missed_structure, refusal
+from dhgen.paul.refusal.free_joint_advice import GENERAL, Choice, choices_text
+from dhgen.paul.refusal.unsolved import missed_structure, refusal
 from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED
 from tests.kinematics.values import algebra_of, table

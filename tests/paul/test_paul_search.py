@@ -12,7 +12,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.paul import form_reader
 from dhgen.paul.derive import derive
 from dhgen.paul.form import unknown_name
-from dhgen.paul.inverse_forms import with_inverse_forms
+from dhgen.paul.further_forms import with_inverse_forms
 from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import build_pool

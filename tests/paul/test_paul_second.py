@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from dhgen.paul.common_zeros import outlasts
 from dhgen.paul.equation import MOMENT
-from dhgen.paul.second import across
+from dhgen.paul.fallback_equation import across
 from dhgen.paul.witness import build_witnesses
-from dhgen.paul.zeros import outlasts
 from tests.paul.arms import derivation
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from dhgen.errors import VerificationError
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.redundant import nearly_redundant
+from dhgen.paul.refusal.redundancy import near_redundancy
 from dhgen.robot.load import load
 from dhgen.verify.verify import verify
 from tests.general.files import without_derivation
@@ -50,9 +50,9 @@ def test_it_is_not_said_of_arms_that_are_so_in_earnest_or_not_at_all(
     tmp_path: Path, twist: str
 ) -> None:
     (tmp_path / "arm.yaml").write_text(SLIDES.replace("TWIST", twist), encoding="utf-8")
-    assert not nearly_redundant(build_chain(load(tmp_path / "arm.yaml")))
+    assert not near_redundancy(build_chain(load(tmp_path / "arm.yaml")))
 
 
 @pytest.mark.parametrize("name", ["puma560_calibrated", "kinova_gen3_7", "scara"])
 def test_it_is_not_said_of_robots(name: str) -> None:
-    assert not nearly_redundant(build_chain(robot(name)))
+    assert not near_redundancy(build_chain(robot(name)))

@@ -26,9 +26,8 @@ from dhgen.kinematics.ring import substitute
 from dhgen.kinematics.transform import Transform, compose, translation
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.equation import MOMENT
-from dhgen.paul.inverse_forms import inverted_column
+from dhgen.paul.further_forms import inverted_column, shoulder_side
 from dhgen.paul.mixed_forms import right_inverse
-from dhgen.paul.shoulder_forms import shoulder_side
 
 if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula

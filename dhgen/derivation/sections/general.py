@@ -24,7 +24,7 @@ from dhgen.general.circle import SAMPLES
 from dhgen.general.hidden_slide import UNIT
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
-from dhgen.paul.refusal import NEARLY_CONCURRENT, NEARLY_PARALLEL
+from dhgen.paul.refusal.unsolved import NEARLY_CONCURRENT, NEARLY_PARALLEL
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:

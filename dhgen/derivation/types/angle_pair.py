@@ -138,7 +138,7 @@ def _free(context: StepContext, *, together: bool) -> Singularity:
     """Where the angle is free: vectors vanish together, or at least the determinant does."""
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
     works = nothing_said(context)
-    if context.step.silent:
+    if context.step.degenerate:
         works = f"these equations hold for every {{}}, and {others_decide(context)}"
     meaning = say(works, theta(context.angle))
     if about is not None and together and all(o.column == 4 for o in context.step.origins):

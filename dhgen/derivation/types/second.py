@@ -23,7 +23,7 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.paul.equation import MOMENT
-from dhgen.paul.second import across
+from dhgen.paul.fallback_equation import across
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext

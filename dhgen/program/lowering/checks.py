@@ -16,7 +16,7 @@ from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task_entries import task_entries
 from dhgen.kinematics.task_rates import units
-from dhgen.paul.audit import places_without_a_word, silent_places
+from dhgen.paul.degeneracy import degenerate_places, indeterminate_places
 from dhgen.paul.kind import Kind
 from dhgen.paul.types.lengths import determinant
 from dhgen.program.interpret import interpret
@@ -73,8 +73,8 @@ def checks_needed(
         lowered: The program with given checks.
     """
     chain = derivation.problem.algebra.chain
-    silent = silent_places(derivation.pool, derivation.steps)
-    q = np.concatenate([_everywhere(chain), silent])
+    degenerate = degenerate_places(derivation.pool, derivation.steps)
+    q = np.concatenate([_everywhere(chain), degenerate])
     checks = Checks(rows=derivation.problem.overdetermined)
     program = lowered(checks)
     if not checks.rows and _has_strangers(chain, program, q):
@@ -88,7 +88,7 @@ def checks_needed(
         return led  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
-    about = places_without_a_word(derivation.pool, derivation.steps) if checks.rows else silent
+    about = indeterminate_places(derivation.pool, derivation.steps) if checks.rows else degenerate
     q = np.concatenate([q, _beside(chain, about)])
     tightened = (
         _may_be_inexact(derivation, program, checks)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.method import Method
-from dhgen.paul.branches import branch_words
+from dhgen.paul.derivation import branch_words
 from dhgen.paul.kind import Kind
 from dhgen.program.building.builder import Builder
 from dhgen.program.lowering.angles import Angles

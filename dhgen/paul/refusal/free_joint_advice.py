@@ -1,4 +1,4 @@
-"""Which joints of a redundant arm make good free ones: found by solving the arm that remains."""
+"""Joints of a redundant arm that make good free ones, found by solving the arm that remains."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task_rates import units
 from dhgen.method import Method
 from dhgen.paul.mobility import surplus
-from dhgen.paul.too_many import too_many_given
+from dhgen.paul.refusal.size_limits import are_too_many_given
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Choice:
     method: Method
 
 
-def good_choices(
+def free_joint_advice(
     chain: Chain, spare: Surplus, derive: Callable[[Chain], Derivation]
 ) -> tuple[Choice, ...]:
     """The free joints for which the remaining arm is solved, best first; none if they are too many.
@@ -67,7 +67,7 @@ def good_choices(
         spare: What its task leaves open.
         derive: Solves an arm, or raises UnsolvedError.
     """
-    if too_many_given(chain.given + spare.count):
+    if are_too_many_given(chain.given + spare.count):
         return ()
     sets = list(combinations(spare.joints, spare.count))
     found: list[Choice] = []

@@ -1,10 +1,10 @@
-"""A second equation for an angle whose own says nothing at some places: over-determined tasks.
+"""A second equation for an angle whose own degenerates at some places: over-determined tasks.
 
 X s + Y c = 0 loses its digits where X and Y are small. Where a task asks for more than the arm can
-choose there may be another such equation that stays: a point may lie on axis 1 while the tool still
-leans to the side where the arm is. Where the pool has none, the moment of an axis may be one: with
-z and p, columns 3 and 4 of a form of T, z x p is the moment of the line along z about the frame's
-origin (J. Pluecker), and a slide along z is not in it.
+choose there may be another such equation that keeps them: a point may lie on axis 1 while the tool
+still leans to the side where the arm is. Where the pool has none, the moment of an axis may be one:
+with z and p, columns 3 and 4 of a form of T, z x p is the moment of the line along z about the
+frame's origin (J. Pluecker), and a slide along z is not in it.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.ring import substitute
 from dhgen.kinematics.transform import compose
+from dhgen.paul.common_zeros import outlasts
 from dhgen.paul.equation import MOMENT, Equation, Origin, merged
 from dhgen.paul.form_reader import FormReader
 from dhgen.paul.kind import Kind
@@ -24,7 +25,6 @@ from dhgen.paul.problem import Withheld
 from dhgen.paul.step import View, learn, steps_of
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.witness import build_witnesses
-from dhgen.paul.zeros import outlasts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
 
 
-def with_second_equations(pool: Pool, steps: tuple[Step, ...]) -> tuple[Step, ...]:
+def with_fallback_equations(pool: Pool, steps: tuple[Step, ...]) -> tuple[Step, ...]:
     """The steps, with a second equation where the task has one and the first may say nothing.
 
     Only an over-determined task has any: else all equations for an angle vanish together.

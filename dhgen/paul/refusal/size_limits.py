@@ -1,4 +1,4 @@
-"""How many joints are taken on: products of more than that, written out, fill the memory."""
+"""Limits on the number of joints: products of more than that, written out, fill the memory."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from dhgen.kinematics.chain import parallel_groups
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
+
 
 MOST_DIRECTIONS = 20  # each of them doubles the products; axes beside parallel ones don't
 MOST_GIVEN = 8
@@ -35,7 +36,7 @@ def demand_few_given(chain: Chain) -> None:
     Raises:
         UnsolvedError: The caller gives too many.
     """
-    if too_many_given(chain.given):
+    if are_too_many_given(chain.given):
         raise UnsolvedError(
             f"up to {MOST_GIVEN} joints may be given: with the {chain.given} under `free`, the "
             "equations of the others would fill the memory\n"
@@ -43,6 +44,6 @@ def demand_few_given(chain: Chain) -> None:
         )
 
 
-def too_many_given(count: int) -> bool:
+def are_too_many_given(count: int) -> bool:
     """Whether formulas in so many values that the caller gives would fill the memory."""
     return count > MOST_GIVEN

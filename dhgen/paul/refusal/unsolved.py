@@ -1,4 +1,4 @@
-"""What is said when no order of equations solves an arm: how far it went, what stood in the way."""
+"""Why no order of equations solves an arm: how far it went, what stood in the way."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.search import Search
     from dhgen.paul.step import EquationType, View
+
 
 MOST_GROUPS = 3
 MOST_REASONS = 5  # lines for one group

@@ -11,7 +11,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.audit import OFTEN, audited, silent_places
+from dhgen.paul.degeneracy import OFTEN, degenerate_places, with_degeneracies
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.derive import derive
 from dhgen.paul.search import Search
@@ -90,7 +90,9 @@ def cheapest(name: str) -> Derivation:
     for types in (CLOSED, QUARTIC):
         route = Search(made.pool, types).best()
         if route is not None:
-            return Derivation(made.pool, audited(made.pool, route.steps, {}), route.alternatives)
+            return Derivation(
+                made.pool, with_degeneracies(made.pool, route.steps, {}), route.alternatives
+            )
     raise AssertionError(name)
 
 
@@ -106,10 +108,10 @@ def rows_at(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_an_order_is_taken_in_which_no_step_is_silent(name: str) -> None:
-    q = silent_places(cheapest(name).pool, cheapest(name).steps)
+    q = degenerate_places(cheapest(name).pool, cheapest(name).steps)
     assert len(q)
     chosen = derivation(name)
-    assert not any(step.silent for step in chosen.steps)
+    assert not any(step.degenerate for step in chosen.steps)
     assert chosen.branches == cheapest(name).branches
     rows, misses = rows_at(lower(chosen), chain_of(name), q, np.zeros_like(q))
     assert not rows.free.any()
@@ -121,7 +123,7 @@ def test_an_order_is_taken_in_which_no_step_is_silent(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_rows_of_a_step_that_is_silent_are_checked(name: str) -> None:
     made = cheapest(name)
-    q = silent_places(made.pool, made.steps)
+    q = degenerate_places(made.pool, made.steps)
     program = lower(made)
     for seed in (q, np.zeros_like(q)):
         rows, misses = rows_at(program, chain_of(name), q, seed)
@@ -134,7 +136,7 @@ def test_an_order_with_more_rows_is_taken_where_one_is_silent_at_a_right_angle()
     arm = table(*SLIDE_ON_A_SHOULDER, convention="modified")
     chain = build_chain(arm)
     made = derive(chain)
-    assert all(step.silent != OFTEN for step in made.steps)
+    assert all(step.degenerate != OFTEN for step in made.steps)
     q = np.array([[np.pi, 0.0, -0.52, 0.0, 0.0]])
     rows, misses = rows_at(lower(made), chain, q, q)
     solutions = solve(arm, numeric_arm(chain).pose(q[0])).regular

@@ -1,4 +1,4 @@
-"""What is said of an arm with more joints than its task fixes: which they are, and what serves."""
+"""Why an arm with more joints than its task fixes is not solved, and what the user may do."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.no_arm_angle import why_no_arm_angle
-from dhgen.paul.choices import choices_text
 from dhgen.paul.mobility import (
     NEARLY_NULL,
     crowded_axes,
@@ -15,13 +14,14 @@ from dhgen.paul.mobility import (
     still_coordinates,
     surplus,
 )
-from dhgen.paul.too_many import MOST_GIVEN, too_many_given
+from dhgen.paul.refusal.free_joint_advice import choices_text
+from dhgen.paul.refusal.size_limits import MOST_GIVEN, are_too_many_given
 from dhgen.robot.task import Task, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
-    from dhgen.paul.choices import Choice
     from dhgen.paul.mobility import Surplus
+    from dhgen.paul.refusal.free_joint_advice import Choice
 
 
 def redundant(
@@ -55,7 +55,7 @@ def _given(
 ) -> tuple[str, ...]:
     """Which joints may be given, to solve for the others."""
     start, whole = before
-    if too_many_given(start.given + whole.count):
+    if are_too_many_given(start.given + whole.count):
         return (f"{whole.count} are too many to be given under `free`: {MOST_GIVEN} may be",)
     values = "its value" if whole.count == 1 else "their values"
     which = _which(whole, chain.free, kept=start.free == chain.free)
@@ -66,7 +66,7 @@ def _given(
     )
 
 
-def nearly_redundant(chain: Chain) -> list[str]:
+def near_redundancy(chain: Chain) -> list[str]:
     """That joints nearly move without moving the tool, wherever the arm is; nothing if they don't.
 
     Of an arm that is so in earnest, it is not said.
