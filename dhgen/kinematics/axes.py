@@ -16,14 +16,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
 from dhgen.kinematics.constants import ConstantTable
-from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
 from dhgen.kinematics.ring import terms_in_numbers
-from dhgen.kinematics.transform import Transform, compose, identity, inverse
+from dhgen.kinematics.transform import Transform, compose, identity, inverse, read_frame
 from dhgen.robot.angles import SNAP
+from dhgen.robot.exact import Surd, square_root, surd
 from dhgen.robot.expression import ZERO
 from dhgen.robot.robot import Frame, JointKind
-from dhgen.robot.surds import Surd, square_root, surd
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

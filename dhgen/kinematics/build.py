@@ -9,9 +9,15 @@ from dhgen.kinematics.axes import exact_axes
 from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
 from dhgen.kinematics.common_normals import table_of_axes
 from dhgen.kinematics.constants import ConstantTable
-from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
-from dhgen.kinematics.transform import compose, identity, rotation_x, rotation_z, translation
+from dhgen.kinematics.transform import (
+    compose,
+    identity,
+    read_frame,
+    rotation_x,
+    rotation_z,
+    translation,
+)
 from dhgen.robot.expression import ZERO, evaluate
 from dhgen.robot.robot import Convention, DhTable, JointKind
 

@@ -24,8 +24,8 @@ from dhgen.kinematics.expressions import (
     multiple_of_pi,
     rational_number,
 )
+from dhgen.robot.exact import surd
 from dhgen.robot.expression import Binary, Call, Name, Negate, Number, evaluate
-from dhgen.robot.surds import surd
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence

@@ -6,8 +6,8 @@ import operator as arithmetic
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from dhgen.robot.exact import surd
 from dhgen.robot.expression import Binary, Call, Name, Negate, Number, Pi
-from dhgen.robot.surds import surd
 
 if TYPE_CHECKING:
     from dhgen.robot.expression import Expression

@@ -3,19 +3,55 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import lcm
 from typing import TYPE_CHECKING
 
 from sympy.polys.domains import QQ
 
-from dhgen.kinematics.packed import BITS, add_product, packed, unpacked
-
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Constant, Polynomial
-    from dhgen.kinematics.packed import Packed
+
+
+BITS = 8  # of an exponent
+Packed = dict[int, int]  # coefficients by monomials
+
+
+def packed(polynomials: Sequence[Polynomial]) -> tuple[list[Packed], int]:
+    """Polynomials times their common denominator, and that."""
+    below = lcm(*{int(c.denominator) for each in polynomials for c in each.values()})
+    return [
+        {
+            int.from_bytes(bytes(monomial), "little"): int(c.numerator)
+            * (below // int(c.denominator))
+            for monomial, c in each.items()
+        }
+        for each in polynomials
+    ], below
+
+
+def unpacked(ring: PolyRing, terms: Mapping[int, int], below: int) -> Polynomial:
+    """The polynomial with these terms over a common denominator; zeros are left out."""
+    domain, size = ring.domain, len(ring.gens)
+    numbers = {number: domain(number, below) for number in set(terms.values())}
+    polynomial = ring.zero
+    for monomial, number in terms.items():
+        if number:
+            polynomial[tuple(monomial.to_bytes(size, "little"))] = numbers[number]
+    return polynomial
+
+
+def add_product(total: Packed, factor: int, first: Packed, second: Packed) -> None:
+    """Adds the product of a number and two polynomials to a sum."""
+    for one, number in first.items():
+        scaled = factor * number
+        for other, coefficient in second.items():
+            monomial = one + other
+            total[monomial] = total.get(monomial, 0) + scaled * coefficient
+
 
 LOWEST = (1 << BITS) - 1  # the bits of the exponent at place 0
 ABOVE_ONE = LOWEST - 1  # those of them that are set above one

@@ -10,8 +10,10 @@ if TYPE_CHECKING:
 
     from sympy.polys.rings import PolyRing
 
-    from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.constants import ConstantTable, Polynomial
     from dhgen.kinematics.normal import NormalForm
+    from dhgen.robot.robot import Frame
+
 
 AXES = range(3)
 
@@ -99,3 +101,21 @@ def turn_between(rotation: Sequence[Sequence[Polynomial]]) -> int:
     if third.ring.one == third:
         return 1
     return -1 if -third.ring.one == third else 0
+
+
+def read_frame(frame: Frame, table: ConstantTable, letter: str, meaning: str) -> Transform:
+    """A constant frame; its numbers get names that begin with `letter`."""
+    rotation = [
+        table.scalar(
+            entry,
+            f"{letter}{place // 3 + 1}{place % 3 + 1}",
+            f"{meaning}, entry {place // 3 + 1},{place % 3 + 1}",
+        )
+        for place, entry in enumerate(frame.rotation)
+    ]
+    origin = [
+        table.length(entry, f"{letter}{axis}", f"{axis} of the {meaning}")
+        for axis, entry in zip("xyz", frame.xyz, strict=True)
+    ]
+    rows = tuple(tuple(rotation[3 * row : 3 * row + 3]) for row in range(3))
+    return Transform(rows, tuple(origin))

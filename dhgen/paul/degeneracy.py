@@ -19,7 +19,7 @@ import numpy as np
 
 from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_rates import task_jacobian
+from dhgen.kinematics.task import task_jacobian
 from dhgen.paul.common_zeros import Factors
 from dhgen.paul.fallback_equation import with_fallback_equations
 from dhgen.paul.knowledge import initial_knowledge

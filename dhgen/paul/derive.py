@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel
 from dhgen.kinematics.algebra import build_algebra
-from dhgen.kinematics.no_arm_angle import demand_arm_angle
+from dhgen.kinematics.arm_angle import demand_arm_angle
 from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.degeneracy import best_route, degenerate_steps, is_ill_conditioned

@@ -16,7 +16,7 @@ import numpy as np
 
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_rates import task_jacobian, units
+from dhgen.kinematics.task import task_jacobian, units
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import Spans
-from dhgen.kinematics.task_entries import task_entries
+from dhgen.kinematics.task import task_entries
 from dhgen.kinematics.transform import Transform, identity
 from dhgen.robot.task import TaskKind
 

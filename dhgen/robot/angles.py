@@ -6,6 +6,7 @@ import math
 from fractions import Fraction
 from typing import Literal
 
+from dhgen.robot.exact import Surd, number
 from dhgen.robot.expression import (
     ONE,
     ZERO,
@@ -19,8 +20,6 @@ from dhgen.robot.expression import (
     evaluate,
     to_text,
 )
-from dhgen.robot.simplify import number
-from dhgen.robot.surds import Surd
 
 SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
 SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it

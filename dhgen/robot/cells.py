@@ -19,6 +19,8 @@ from dhgen.robot.angles import (
     unit_notice,
 )
 from dhgen.robot.arithmetic import parse
+from dhgen.robot.cell_notes import Taken, UsedNames, taken
+from dhgen.robot.exact import canonical
 from dhgen.robot.expression import (
     ZERO,
     Expression,
@@ -27,12 +29,9 @@ from dhgen.robot.expression import (
 )
 from dhgen.robot.lengths import Length
 from dhgen.robot.names import RESERVED
-from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
-from dhgen.robot.taken import Taken, taken
 from dhgen.robot.tokens import CellError, UnknownNameError, circle_through
 from dhgen.robot.units import SaidUnits
-from dhgen.robot.used import UsedNames
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping

@@ -19,8 +19,7 @@ from ruamel.yaml.events import (
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from dhgen.errors import Diagnostic, RobotFileError
-from dhgen.robot.nodes import is_null, span_of
-from dhgen.robot.pairs import Pairs, index_pairs
+from dhgen.robot.nodes import Pairs, index_pairs, is_null, span_of
 from dhgen.robot.source import SourceText, Span, quoted
 from dhgen.robot.syntax import blank_told, syntax_errors
 

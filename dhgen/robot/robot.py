@@ -10,8 +10,8 @@ from dhgen.robot.expression import ZERO
 
 if TYPE_CHECKING:
     from dhgen.errors import Diagnostic
+    from dhgen.robot.cell_notes import Taken
     from dhgen.robot.expression import Expression
-    from dhgen.robot.taken import Taken
     from dhgen.robot.task import Task
 
 

@@ -1,25 +1,134 @@
-"""The shape of a robot file: its keys, and what each may hold."""
+"""The shape of a robot file: its keys, what each may hold, and the same as a JSON Schema."""
 
 from __future__ import annotations
 
-from typing import Any, Literal
+import json
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
-
-from dhgen.robot.names import MAX_ROBOT_NAME, LengthUnit
-from dhgen.robot.values import (
-    Cell,
-    ExpectedError,
-    Free,
-    Limits,
-    Matrix,
-    Quadruple,
-    RobotName,
-    Switch,
-    Task,
-    Text,
-    Triple,
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    WithJsonSchema,
+    model_validator,
 )
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+
+from dhgen.robot.names import MAX_ROBOT_NAME, LengthUnit, why_no_robot_name, why_no_text
+
+if TYPE_CHECKING:
+    from pydantic_core.core_schema import WithDefaultSchema
+
+
+ARM_ANGLE = "arm_angle"  # what `free` says instead of joints
+TASKS = ("pose", "position", "orientation", "pointing")
+COORDINATES = ("x", "y", "z")
+SWITCHES = ("true", "True", "TRUE", "false", "False", "FALSE")  # as YAML writes them
+
+
+class ExpectedError(ValueError):
+    """What a value should have been; a reader of the message is told what it is besides."""
+
+
+def _robot_name(name: str) -> str:
+    reason = why_no_robot_name(name)
+    if reason:
+        raise ValueError(f"the robot can't have this name: {reason}")
+    return name
+
+
+def _one_line(text: str) -> str:
+    # Folded and literal blocks of YAML end in a line end, and may hold some.
+    line = " ".join(part.strip() for part in text.strip().split("\n"))
+    reason = why_no_text(line, 2000)
+    if reason:
+        raise ValueError(f"this text can't be used: {reason}")
+    return line
+
+
+def _task(value: object) -> object:
+    if isinstance(value, list):
+        if (
+            not value
+            or not set(map(str, value)) <= set(COORDINATES)
+            or len(set(value)) < len(value)
+        ):
+            raise ValueError("a list of coordinates holds some of x, y, z, each once")
+        return value
+    if value not in TASKS:
+        raise ExpectedError(f"one of {', '.join(TASKS)}, or a list of some of x, y, z")
+    return value
+
+
+def _joint_number(value: object) -> object:
+    if value == ARM_ANGLE:
+        raise ValueError(f"it stands without a list: write free: {ARM_ANGLE}")
+    if not re.fullmatch(r"-?[0-9]{1,4}", str(value)):
+        raise ExpectedError("the number of a joint")
+    return value
+
+
+def _switch(value: object) -> object:
+    # pydantic also takes 1, yes and on, which YAML and the schema for editors do not
+    if str(value) not in SWITCHES:
+        raise ExpectedError("true or false")
+    return value
+
+
+def _free(value: object) -> object:
+    if value == ARM_ANGLE:
+        return []
+    if not isinstance(value, list):
+        raise ExpectedError(f"a list of joints, or {ARM_ANGLE}")
+    return value
+
+
+def _end(value: object) -> object:
+    # What to write in its place depends on the joint, which is read later.
+    return "null" if value is None else value
+
+
+_CELL = {"type": ["number", "string"]}
+Cell = Annotated[str, WithJsonSchema(_CELL)]
+JointNumber = Annotated[int, BeforeValidator(_joint_number)]
+Switch = Annotated[bool, BeforeValidator(_switch)]
+Free = Annotated[
+    list[JointNumber],
+    BeforeValidator(_free),
+    WithJsonSchema(
+        {"anyOf": [{"enum": [ARM_ANGLE]}, {"items": {"type": "integer"}, "type": "array"}]}
+    ),
+]
+RobotName = Annotated[str, AfterValidator(_robot_name)]
+Text = Annotated[str, AfterValidator(_one_line)]
+Triple = Annotated[list[Cell], Field(min_length=3, max_length=3)]
+Quadruple = Annotated[list[Cell], Field(min_length=4, max_length=4)]
+End = Annotated[str, BeforeValidator(_end), WithJsonSchema(_CELL)]
+Limits = Annotated[list[End], Field(min_length=2, max_length=2)]
+Matrix = Annotated[list[Quadruple], Field(min_length=4, max_length=4)]
+Task = Annotated[
+    str | list[str],
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"enum": list(TASKS)},
+                {
+                    "type": "array",
+                    "items": {"enum": list(COORDINATES)},
+                    "minItems": 1,
+                    "uniqueItems": True,
+                },
+            ]
+        }
+    ),
+    BeforeValidator(_task),
+]
+
 
 MAX_JOINTS = 64
 MAX_PARAMETERS = 128
@@ -172,3 +281,34 @@ class RobotFile(_Strict):
         description="Whether the compiler also writes C in single precision, NAME_f32.c and .h, "
         "for small controllers. For arms in closed form only.",
     )
+
+
+class _EditorSchema(GenerateJsonSchema):
+    """Without titles, which only repeat the keys, and defaults, which only say "left out"."""
+
+    def field_title_should_be_set(self, schema: object) -> bool:  # noqa: ARG002
+        return False
+
+    def default_schema(self, schema: WithDefaultSchema) -> JsonSchemaValue:
+        described = super().default_schema(schema)
+        if not isinstance(described.get("default"), str):
+            described.pop("default", None)
+        return described
+
+
+def schema_text() -> str:
+    """The JSON Schema of robot files, as it is committed for editors."""
+    schema = RobotFile.model_json_schema(schema_generator=_EditorSchema)
+    schema["$schema"] = _EditorSchema.schema_dialect
+    schema["oneOf"] = [{"required": ["joints"]}, {"required": ["axes"]}]
+    return json.dumps(schema, indent=2, sort_keys=True) + "\n"
+
+
+def main(arguments: list[str]) -> None:
+    """Write the schema to the given file, robots/robot.schema.json without one."""
+    target = Path(arguments[0] if arguments else "robots/robot.schema.json")
+    target.write_text(schema_text(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

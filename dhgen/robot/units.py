@@ -1,10 +1,12 @@
-"""The units that a file's expressions say: what speaks of pi or deg, and what does so by halves."""
+"""The joint variable in a cell, and the units that its expression is in."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.angles import degrees_text, turns_notice
+from dhgen.robot.exact import add, negate, subtract
 from dhgen.robot.expression import (
     DEGREE,
     ZERO,
@@ -19,10 +21,46 @@ from dhgen.robot.expression import (
     to_text,
 )
 from dhgen.robot.source import quoted
-from dhgen.robot.variable import VARIABLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+
+VARIABLE = Name("q")
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """sign*q + offset; a sign of 0 means that there is no q."""
+
+    sign: int
+    offset: Expression
+
+
+def split(expression: Expression) -> Split | None:
+    """An expression as sign*q + offset; None when q stands in it in any other way."""
+    if not contains_variable(expression):
+        return Split(0, expression)
+    match expression:
+        case Name():
+            return Split(1, ZERO)
+        case Negate(operand):
+            inner = split(operand)
+            return None if inner is None else Split(-inner.sign, negate(inner.offset))
+        case Binary("+" | "-" as operator, left, right):
+            a, b = split(left), split(right)
+            if a is None or b is None or (a.sign and b.sign):
+                return None
+            sign = b.sign if operator == "+" else -b.sign
+            combine = add if operator == "+" else subtract
+            return Split(a.sign + sign, combine(a.offset, b.offset))
+        case _:
+            return None
+
+
+def contains_variable(expression: Expression) -> bool:
+    """Whether q occurs."""
+    return VARIABLE in parts(expression)
 
 
 class SaidUnits:

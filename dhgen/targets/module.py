@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task_entries import telling_entries
+from dhgen.kinematics.task import telling_entries
 from dhgen.paul.derivation import branch_labels
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits

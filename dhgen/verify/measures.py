@@ -8,8 +8,7 @@ import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
-from dhgen.kinematics.task_entries import task_entries
-from dhgen.kinematics.task_rates import task_rates
+from dhgen.kinematics.task import task_entries, task_rates
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray

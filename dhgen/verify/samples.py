@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_rates import task_rates, units
+from dhgen.kinematics.task import task_rates, units
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.verify.singular import TRIED, singular_places, whole_turns

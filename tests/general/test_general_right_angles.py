@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_rates import task_rates
+from dhgen.kinematics.task import task_rates
 from dhgen.survey.oracle.forward import forward
 from tests.targets.calling import HELD, LANGUAGES, gap
 from tests.targets.made import made_up, solving

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task_entries import telling_entries
+from dhgen.kinematics.task import telling_entries
 from tests.kinematics.values import number
 from tests.paul.arms import derivation, random_values
 from tests.robots.cases import NAMES

@@ -11,7 +11,7 @@ from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Let
 from dhgen.program.reserved import NOTHING
 from dhgen.program.role import Source
-from dhgen.robot.reserved import C_KEYWORDS, C_LIBRARY
+from dhgen.robot.names import C_KEYWORDS, C_LIBRARY
 from dhgen.targets.reserved import RESERVED
 from tests.derivation.stories import NAMES, ROBOTS, story
 

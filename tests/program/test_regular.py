@@ -12,7 +12,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_entries import task_entries
+from dhgen.kinematics.task import task_entries
 from dhgen.paul.derive import derive
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import Rows, interpret, outputs

@@ -11,9 +11,8 @@ from hypothesis import strategies as st
 
 from dhgen.robot.angles import exact_angle, exact_cosine, twelfths
 from dhgen.robot.arithmetic import parse
+from dhgen.robot.exact import Surd, add, canonical, multiply, negate, number, subtract, surd
 from dhgen.robot.expression import ONE, ZERO, Expression, Name, Negate, evaluate, to_text
-from dhgen.robot.simplify import add, canonical, multiply, negate, number, subtract
-from dhgen.robot.surds import Surd, surd
 
 FRACTIONS = st.fractions(-20, 20, max_denominator=12)
 SURDS = st.builds(lambda a, b, c, d: Surd((a, b, c, d)), *[FRACTIONS] * 4)

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhgen.robot.expression import ONE, ZERO, Negate, Number, evaluate, to_text
-from dhgen.robot.rotations import from_quaternion, nearest_rotation, to_quaternion
+from dhgen.robot.frames import from_quaternion, nearest_rotation, to_quaternion
 from tests.robot.robot_texts import MINIMAL, axes, marked, mistake, mistakes, robot
 
 if TYPE_CHECKING:

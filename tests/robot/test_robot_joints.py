@@ -15,7 +15,7 @@ from dhgen.robot.robot import (
     JointKind,
     ReferenceAxes,
 )
-from dhgen.robot.wording import NO_LIMITS
+from dhgen.robot.shape import NO_LIMITS
 from tests.robot.robot_texts import (
     axes,
     marked,

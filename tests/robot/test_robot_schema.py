@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from dhgen.robot.editor_schema import main, schema_text
 from dhgen.robot.load import load
+from dhgen.robot.schema import main, schema_text
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 FILES = sorted(ROBOTS.glob("*.yaml"))
@@ -16,7 +16,7 @@ FILES = sorted(ROBOTS.glob("*.yaml"))
 
 def test_the_committed_schema_is_current() -> None:
     committed = (ROBOTS / "robot.schema.json").read_text(encoding="utf-8")
-    assert committed == schema_text(), "run: python -m dhgen.robot.editor_schema"
+    assert committed == schema_text(), "run: python -m dhgen.robot.schema"
 
 
 def test_the_command_writes_it(tmp_path: Path) -> None:

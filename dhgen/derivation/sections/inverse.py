@@ -23,7 +23,7 @@ from dhgen.derivation.text.blocks import (
 )
 from dhgen.derivation.text.formula import Listing, Symbol, equal, times
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task_entries import task_entries
+from dhgen.kinematics.task import task_entries
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.robot.task import TaskKind
 

@@ -14,7 +14,7 @@ from dhgen.general.arm import is_general, slides_of
 from dhgen.general.kernel import general_method, most_solutions
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_rates import units
+from dhgen.kinematics.task import units
 from dhgen.method import Method
 from dhgen.paul.mobility import surplus
 from dhgen.paul.refusal.size_limits import are_too_many_given

@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.no_arm_angle import why_no_arm_angle
+from dhgen.kinematics.arm_angle import why_no_arm_angle
 from dhgen.paul.mobility import (
     NEARLY_NULL,
     crowded_axes,

@@ -14,8 +14,7 @@ import numpy as np
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task_entries import task_entries
-from dhgen.kinematics.task_rates import units
+from dhgen.kinematics.task import task_entries, units
 from dhgen.paul.degeneracy import degenerate_places, indeterminate_places
 from dhgen.paul.kind import Kind
 from dhgen.paul.types.lengths import determinant

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task_entries import telling_entries
+from dhgen.kinematics.task import telling_entries
 from dhgen.program.lowering.vectors import inner
 
 if TYPE_CHECKING:

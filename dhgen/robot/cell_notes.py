@@ -1,4 +1,4 @@
-"""Cells that are taken as an exact value next to their own, of which the derivation tells."""
+"""What is noted of cells: the parameters that they use, and exact values taken in their place."""
 
 from __future__ import annotations
 
@@ -6,10 +6,42 @@ from dataclasses import dataclass
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from dhgen.robot.expression import ZERO, Expression, to_text
+from dhgen.robot.expression import ZERO, Expression, Name, parts, to_text
 
 if TYPE_CHECKING:
     from dhgen.robot.reader import Path
+
+
+class UsedNames:
+    """The names in the cells that have been read."""
+
+    def __init__(self) -> None:
+        self._arm: set[str] = set()
+        self._of: dict[str, set[str]] = {}
+
+    def note(self, path: Path, expression: Expression) -> None:
+        """A cell has been read."""
+        if path[0] == "parameters":
+            self._of[str(path[1])] = names(expression)
+        else:
+            self._arm |= names(expression)
+
+    def unused(self) -> tuple[str, ...]:
+        """The parameters that no cell of the arm uses, not even by way of others."""
+        used: set[str] = set()
+        pending = sorted(self._arm)
+        while pending:
+            name = pending.pop()
+            if name not in used:
+                used.add(name)
+                pending += self._of.get(name, ())
+        return tuple(name for name in self._of if name not in used)
+
+
+def names(expression: Expression) -> set[str]:
+    """The names that occur."""
+    return {part.name for part in parts(expression) if isinstance(part, Name)}
+
 
 LISTS = ("joints", "axes")
 
