@@ -12,7 +12,7 @@ from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
-from dhgen.program.lowering.whole import whole_program
+from dhgen.program.lowering.lower import whole_program
 from dhgen.replace import write_files
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind

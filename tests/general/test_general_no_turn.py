@@ -12,7 +12,7 @@ from dhgen.general.no_turn import without_turn
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.interpret import interpret
-from dhgen.program.lowering.whole import whole_program
+from dhgen.program.lowering.lower import whole_program
 from dhgen.robot.load import load
 from dhgen.status import Status
 from tests.general.files import SLIDE, TURNS, compiled, skew, without_derivation

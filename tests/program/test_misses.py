@@ -13,8 +13,8 @@ from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.checks import Checks
 from dhgen.program.lowering.context import Lowering
+from dhgen.program.lowering.final_check import misses
 from dhgen.program.lowering.lower import lower
-from dhgen.program.lowering.misses import misses
 from dhgen.program.lowering.types import KERNELS
 from dhgen.tolerances import TOLERANCES
 from tests.kinematics.values import table

@@ -10,7 +10,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.program.ir import Apply, Let, NamedConstant, Program, Variable
 from dhgen.program.lowering.forward import forward_program, jacobian_program
-from dhgen.program.reuse import reusing
+from dhgen.program.lowering.programs import reusing
 from tests.derivation.stories import story
 
 if TYPE_CHECKING:

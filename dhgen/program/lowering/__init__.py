@@ -1,1 +1,8 @@
-"""From a derivation to a program, step by step; and from joint values to pose and Jacobian."""
+"""From a derivation to a program, step by step; and from joint values to pose and Jacobian.
+
+Read `programs` and `lower`, which go through it all. What a step works with is in `context`, with
+`target`, `angles`, `polynomials` and `arm_scale`; `types` lower a step each, with `coefficients`,
+`thresholds`, `roots`, `set_angle`, `distances` and `frame_columns`; `shoulder` is for arms with an
+arm angle. `final_check` and `checks` are about rows that miss their pose. `forward` and `arm_angle`
+are the programs from joint values.
+"""

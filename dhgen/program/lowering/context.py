@@ -1,8 +1,8 @@
-"""What kernels work with: values by the names of the algebra, the joints that are known, scales."""
+"""What a step works with: values by the algebra's names, the joints that are known, scales."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
@@ -11,8 +11,8 @@ from dhgen.paul.derivation import branch_words
 from dhgen.paul.kind import Kind
 from dhgen.program.building.builder import Builder
 from dhgen.program.lowering.angles import Angles
+from dhgen.program.lowering.arm_scale import Scales
 from dhgen.program.lowering.polynomials import PolynomialLowering
-from dhgen.program.lowering.scales import Scales
 from dhgen.program.lowering.target import Target
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
@@ -26,8 +26,20 @@ if TYPE_CHECKING:
     from dhgen.paul.problem import Problem
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.checks import Checks
-    from dhgen.program.lowering.earlier_root import EarlierRoot
     from dhgen.tolerances import Tolerances
+
+
+@dataclass(frozen=True, slots=True)
+class EarlierRoot:
+    """A square root on whose sign later steps hang.
+
+    Attributes:
+        axis: The sign's place.
+        share: Its value without sign, not zero, over what it is where lengths are the arm's size.
+    """
+
+    axis: int
+    share: Node
 
 
 class Lowering:

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Literal
 from mpmath import mp, mpf
 
 from dhgen.kinematics.ring import divided, split, used_places
+from dhgen.program.lowering.arm_scale import Extremes
 from dhgen.program.lowering.roots import Reach, follows, not_below
-from dhgen.program.lowering.scales import Extremes
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial

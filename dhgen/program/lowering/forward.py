@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.program.building.builder import Builder
-from dhgen.program.lowering.joints import offset_constant
+from dhgen.program.lowering.angles import offset_constant
 from dhgen.program.lowering.vectors import cross
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source

@@ -6,25 +6,27 @@ from dataclasses import replace
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
+from dhgen.general.kernel import GeneralKernel
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.form import unknown_name
-from dhgen.program.lowering.carried import no_parts, parts_of
+from dhgen.program.ir import AllJoints, Axis, Failure, Guard, Heading, Program, Variable
 from dhgen.program.lowering.checks import Checks, checks_needed
 from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.final_check import check_rows
+from dhgen.program.lowering.frame_columns import no_parts, parts_of
 from dhgen.program.lowering.polynomials import LONG
 from dhgen.program.lowering.shoulder import lower_shoulder
 from dhgen.program.lowering.types import KERNELS
-from dhgen.program.lowering.whole import whole_program
 from dhgen.program.regular.regular import effort
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
-    from dhgen.program.ir import Program
-    from dhgen.program.lowering.carried import PartsOf
+    from dhgen.program.lowering.frame_columns import PartsOf
     from dhgen.tolerances import Tolerances
 
 
@@ -122,3 +124,35 @@ def _source(step: Step) -> str:
     """The type, and where its equations stand."""
     origins = step.origins if step.second is None else (*step.origins, *step.second.origins)
     return f"type {step.kind.number}: {' and '.join(origin.name for origin in origins)}"
+
+
+FOUND, CHOSEN = "found", "chosen"
+
+
+def whole_program(chain: Chain, kernel: GeneralKernel | NumericalKernel) -> Program:
+    """The program of an arm whose joints come all at once, rows by ascending joint values."""
+    names = tuple(f"q{joint.number}" for joint in chain.joints)
+    if isinstance(kernel, GeneralKernel):
+        title, words = f"the {kernel.method} loop", _numbered("root", kernel.rows)
+        descent = replace(numerical_kernel(chain, redundant=False), most=kernel.rows)
+        statement = AllJoints(0, names, FOUND, CHOSEN, descent, kernel, bool(chain.free))
+    else:
+        title = "damped least squares"
+        words = ("nearest",) if kernel.redundant else _numbered("solution", kernel.rows)
+        statement = AllJoints(0, names, FOUND, CHOSEN, kernel, given=bool(chain.free))
+    return Program(
+        name=chain.name,
+        constants=(),
+        axes=(Axis("solution", words, 1),),
+        body=(
+            Heading(f"all joints: {title}"),
+            statement,
+            Guard(Variable(FOUND), (0,), Failure.REACH),
+        ),
+        outputs=tuple(Variable(name) for name in names),
+        free=((0, CHOSEN),),
+    )
+
+
+def _numbered(word: str, count: int) -> tuple[str, ...]:
+    return tuple(f"{word}{number}" for number in range(1, count + 1))

@@ -8,7 +8,7 @@ from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Failure
-from dhgen.program.lowering.earlier_root import EarlierRoot
+from dhgen.program.lowering.context import EarlierRoot
 
 if TYPE_CHECKING:
     from dhgen.program.building.graph import Node

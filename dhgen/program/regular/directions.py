@@ -1,12 +1,86 @@
-"""Vectors that have to be their own directions: that they are of length 1 says the same."""
+"""Vectors that are others turned by a constant angle, and vectors that are their own directions.
+
+(a k + b r, a r - b k) is (k, r) turned by -atan2(b, a): the law of cosines gives such vectors, with
+r a signed root and k a length, and the angle of (k, r) depends on fewer signs, or is odd in them.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING
+
+from mpmath import mp, mpf
 
 if TYPE_CHECKING:
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
+
+
+DIGITS = 40  # of the constant angle before it is rounded: the same on every machine
+Product = tuple["Node", ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TurnedPair:
+    """A vector and the angle by which another is turned back from it.
+
+    Attributes:
+        sine: Its y, as the factors of a product.
+        cosine: Its x.
+        turn: The angle.
+    """
+
+    sine: Product
+    cosine: Product
+    turn: float
+
+
+def turned_pair(builder: Builder, sine: Node, cosine: Node) -> TurnedPair | None:
+    """The vector of which (cosine, sine) is a multiple, turned by a constant angle."""
+    y, x = _terms(builder, sine), _terms(builder, cosine)
+    if len(y) != 2 or set(y) != set(x):
+        return None
+    one, other = sorted(y)
+    for r, k in ((one, other), (other, one)):
+        a, b = y[r], x[r]
+        if x[k] == a and y[k] == -b and a != 0 and b != 0:
+            with mp.workdps(DIGITS):
+                turn = float(mp.atan2(_exact(b), _exact(a)))
+            return TurnedPair(r, k, turn)
+    return None
+
+
+def _exact(value: Fraction) -> mpf:
+    return mpf(value.numerator) / mpf(value.denominator)
+
+
+def _terms(builder: Builder, node: Node) -> dict[Product, Fraction]:
+    """A sum as products of what is not constant, each with its coefficient."""
+    entry = builder.entries[node]
+    match entry.operator, entry.operands:
+        case "neg", (operand,):
+            return {key: -value for key, value in _terms(builder, operand).items()}
+        case (("add" | "sub"), (left, right)):
+            sign = 1 if entry.operator == "add" else -1
+            total = _terms(builder, left)
+            for key, value in _terms(builder, right).items():
+                total[key] = total.get(key, Fraction(0)) + sign * value
+            return total
+        case _:
+            factor, product = _factors(builder, node)
+            return {tuple(sorted(product)): factor}
+
+
+def _factors(builder: Builder, node: Node) -> tuple[Fraction, list[Node]]:
+    """A product as a constant and the rest."""
+    entry = builder.entries[node]
+    if entry.value is not None:
+        return entry.value, []
+    if entry.operator != "mul":
+        return Fraction(1), [node]
+    (one, first), (two, second) = (_factors(builder, operand) for operand in entry.operands)
+    return one * two, first + second
 
 
 def by_their_lengths(builder: Builder, misses: list[Node]) -> list[Node]:

@@ -12,9 +12,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from dhgen.program.regular.directions import turned_pair
 from dhgen.program.regular.limits import half_turn, whole_turn
 from dhgen.program.regular.rewriting import Rewriting
-from dhgen.program.regular.turned import turned_pair
 
 if TYPE_CHECKING:
     from dhgen.program.building.builder import Builder

@@ -19,11 +19,10 @@ from dhgen.program.ir import (
     Pose,
     Variable,
 )
-from dhgen.program.regular.assumptions import Assumptions, joined, meeting
-from dhgen.program.regular.brink import Brink
+from dhgen.program.regular.assumptions import Assumptions, Endings, joined, meeting
 from dhgen.program.regular.directions import by_their_lengths
-from dhgen.program.regular.endings import Endings
 from dhgen.program.regular.limits import Limiting
+from dhgen.program.regular.reach_boundary import Brink
 from dhgen.program.regular.signed import Signed, SignedArithmetic
 from dhgen.program.role import Tolerance
 

@@ -5,11 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from dhgen.program.lowering.coefficients import named, remember
 from dhgen.program.lowering.distances import Distance, extremes_of, reached, squared_distance
-from dhgen.program.lowering.finish import NearlyFree, finish, finish_direction, finish_nearly_free
-from dhgen.program.lowering.letters import named, remember
 from dhgen.program.lowering.roots import Reach, keep_one, over, reach_of, signed_root
-from dhgen.program.lowering.short import is_nearly_short, is_short, is_short_square
+from dhgen.program.lowering.set_angle import (
+    NearlyFree,
+    finish,
+    finish_direction,
+    finish_nearly_free,
+)
+from dhgen.program.lowering.thresholds import is_nearly_short, is_short, is_short_square
 
 if TYPE_CHECKING:
     from fractions import Fraction

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
 from dhgen.paul.types.angle_pair import stretch
-from dhgen.program.lowering.finish import finish
-from dhgen.program.lowering.letters import letters
+from dhgen.program.lowering.coefficients import letters
 from dhgen.program.lowering.roots import over
-from dhgen.program.lowering.short import is_nearly_short, is_short_square
+from dhgen.program.lowering.set_angle import finish
+from dhgen.program.lowering.thresholds import is_nearly_short, is_short_square
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step

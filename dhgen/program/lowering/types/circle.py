@@ -6,8 +6,8 @@ from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Failure
-from dhgen.program.lowering.letters import letters
-from dhgen.program.lowering.short import is_short
+from dhgen.program.lowering.coefficients import letters
+from dhgen.program.lowering.thresholds import is_short
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import AngleSum

@@ -6,11 +6,11 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
+from dhgen.program.lowering.arm_scale import Extremes
+from dhgen.program.lowering.coefficients import letters
 from dhgen.program.lowering.distances import reached
-from dhgen.program.lowering.finish import finish
-from dhgen.program.lowering.letters import letters
 from dhgen.program.lowering.roots import signed_root
-from dhgen.program.lowering.scales import Extremes
+from dhgen.program.lowering.set_angle import finish
 from dhgen.program.lowering.types.angle import lower_angle
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""The letters of a type at a step: their values, and what is known once it is solved."""
+"""The coefficients of a step's type: their values, and what is known once it is solved."""
 
 from __future__ import annotations
 

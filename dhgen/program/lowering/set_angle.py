@@ -1,11 +1,11 @@
-"""The end of a step: its angle is known, or free, or known to few digits."""
+"""The end of a step: its angle is set, or indeterminate, or known to few digits."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.lowering.short import is_nearly_short
+from dhgen.program.lowering.thresholds import is_nearly_short
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import AngleSum

@@ -1,4 +1,4 @@
-"""What counts as nothing: vectors too short to fix an angle, equations that hold by themselves."""
+"""Thresholds below which a vector is too short to fix an angle, or an equation holds by itself."""
 
 from __future__ import annotations
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.tolerances import Tolerances
 
+
 BOTH_SIDES = 100  # one width serves both sides if it is not so many times the other
 
 

@@ -1,4 +1,4 @@
-"""Numbers besides the arm's lengths: tolerances in its size, and its longest and shortest reach."""
+"""Numbers in the arm's size: tolerances, and the longest and shortest reach."""
 
 from __future__ import annotations
 
