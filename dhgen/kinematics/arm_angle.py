@@ -1,4 +1,4 @@
-"""The arm angle: where the elbow of an arm of seven joints stands on its circle.
+"""The arm angle: where the elbow of an arm of seven joints is on its circle.
 
 Axes 1, 2, 3 meet in the shoulder S, axes 5, 6, 7 in the wrist W. With the hand held, the elbow E,
 the point of axis 4 nearest to S, can still move on a circle about the line from S to W. Its angle
@@ -170,7 +170,7 @@ def _base_plane(
 
 
 def reference_axis(arm: NumericArm) -> int:
-    """The axis of the base frame that stands for the arm's line where that is on axis 1.
+    """The axis of the base frame that replaces the arm's line where that is on axis 1.
 
     It is x (0), or y (1) where axis 1 points along x.
     """
@@ -196,7 +196,7 @@ def demand_arm_angle(chain: Chain) -> None:
     """Refuses arms without an arm angle.
 
     Raises:
-        UnsolvedError: The arm has none; the text says what it lacks.
+        UnsolvedError: The arm has none; the text names what it lacks.
     """
     reasons = why_no_arm_angle(chain)
     if reasons:

@@ -4,7 +4,7 @@ When every axis points along a direction whose frame is exact, the chain is buil
 as they are, with their parameters: frame i is the reference frame carried along by joint i, at
 a point of axis i. Any other set of axes is for `common_normals.py`, and so is one where letters
 hide that an axis meets another, or lies level with it, seen along a slanting direction. So is one
-without letters of the user's whose points stand elsewhere on slanting axes than where these are
+without letters of the user's whose points are elsewhere on slanting axes than where these are
 nearest to their neighbours: there is nothing to be kept.
 """
 
@@ -60,7 +60,7 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
     if not robot.parameters and not all(_is_level(step, normal) for step in steps[1:-1]):
         return None
     *links, last = steps
-    # wherever the arm stands in its frame, and that in the caller's
+    # wherever the arm is in its frame, and that in the caller's
     lengths = [_distance(step, values) for step in (*steps[1:], tool)]
     return Chain(
         name=robot.name,
@@ -150,7 +150,7 @@ def _steps(
 
 
 def _is_level(step: Transform, normal: NormalForm) -> bool:
-    """Whether a frame stands where its axis is nearest to the one before."""
+    """Whether a frame's origin is where its axis is nearest to the one before."""
     (x, y, _), direction = step.translation, step.column(2)
     return not normal(x * direction[0] + y * direction[1])
 

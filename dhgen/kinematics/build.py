@@ -89,7 +89,7 @@ def _read(
 
 def _row_cells(number: int, row: DhRow, table: ConstantTable) -> _RowCells:
     revolute = row.kind is JointKind.REVOLUTE
-    still = ZERO if revolute else row.theta  # q stands in theta: its offset is the joint's
+    still = ZERO if revolute else row.theta  # q is in theta: its offset is the joint's
     fixed = row.d if revolute else ZERO
     return _RowCells(
         theta=table.cosine_sine(still, f"t{number}", f"the angle of joint {number}"),

@@ -140,7 +140,7 @@ def arm_size(lengths: Iterable[float], joints: Sequence[ChainJoint]) -> float:
 
 
 def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """Runs of revolute joints whose axes stay parallel: (joint, direction) pairs.
+    """Runs of revolute joints whose axes are always parallel: (joint, direction) pairs.
 
     The direction is +1 or -1, relative to the first axis of the run. Prismatic joints between them
     do not break a run.

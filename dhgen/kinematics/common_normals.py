@@ -1,8 +1,8 @@
 """A modified Denavit-Hartenberg table from axes in space, by the common normals of neighbours.
 
 In floating point, for axes whose directions are not exact: what comes out near a multiple of
-15 degrees or near zero becomes exact, so that parallel and concurrent axes stay what they are.
-The common normal of nearly parallel axes may be hundreds of metres away; there frames stand beside
+15 degrees or near zero becomes exact, so that axes remain parallel or concurrent. The
+common normal of nearly parallel axes may be hundreds of metres away; there frames are put beside
 each other instead, and a row has a shift along y besides.
 """
 
@@ -127,7 +127,7 @@ def _pose(x: FloatArray, z: FloatArray, origin: FloatArray) -> FloatArray:
 
 
 def _row(axis: AxisJoint, before: _Passage, after: _Passage, size: float) -> DhRow:
-    """Of the modified convention: what leads to the axis along x, and from it along z."""
+    """Of the modified convention: the parameters along x to the axis, and along z from it."""
     return DhRow(
         kind=axis.kind,
         sign=1,

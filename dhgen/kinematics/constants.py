@@ -1,4 +1,4 @@
-"""The numbers of a robot file as exact ring elements: lengths keep names, exact twists stay exact.
+"""The numbers of a robot file as exact ring elements: lengths keep names, exact twists are exact.
 
 A length is a polynomial in named constants with rational coefficients; a twist gives a cosine and a
 sine. Multiples of 90 degrees become 0 and 1, multiples of 15 degrees use the square roots of 2 and
@@ -86,7 +86,7 @@ class _Cell:
     """What is read, and the name that its number gets where it has none.
 
     Attributes:
-        whole: All that the cell says.
+        whole: The cell's whole expression.
         name: The name.
         meaning: What the whole is.
         is_length: Whether it scales with the arm.
@@ -116,7 +116,7 @@ def generator(ring: PolyRing, name: str) -> Polynomial:
 class ConstantTable:
     """Collects the constants of one arm while its transforms are read, in order of appearance.
 
-    Values stay expressions here; `ring` is made when all constants are known, and `length`,
+    Values are kept as expressions here; `ring` is made when all constants are known, and `length`,
     `cosine_sine` are asked twice: first to collect the names, then to give the polynomials.
     """
 
@@ -280,7 +280,7 @@ def _angle(argument: Expression, cell: _Cell) -> str:
 
 
 class _Any:
-    """Stands for a polynomial while names are only being collected."""
+    """A placeholder for a polynomial while names are being collected."""
 
     def _same(self, *_: Any) -> _Any:  # noqa: ANN401 - any operand leaves it what it is
         return self

@@ -66,7 +66,7 @@ def _combine_pi_parts(
 
 
 def bare_number(expression: Expression) -> Fraction | None:
-    """The number that is all an expression says, with its sign; None where it says more."""
+    """The number, with its sign, that an expression consists of; None where it is more."""
     match expression:
         case Number(value):
             return value

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def given_values(arm: NumericArm, q: FloatArray, tolerances: Tolerances = TOLERANCES) -> FloatArray:
-    """What a caller gives to be told joint values again.
+    """The values that a caller would give to get joint values back.
 
     Args:
         arm: The arm.

@@ -101,7 +101,7 @@ def _miss(
 def _common_normal(
     axis: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArray]
 ) -> tuple[float, float]:
-    """Distance of two axes, and where along the first one their common normal stands."""
+    """Distance of two axes, and the foot of their common normal along the first one."""
     (point, direction), (other_point, other_direction) = axis, other
     normal = np.cross(direction, other_direction)
     between = other_point - point

@@ -14,7 +14,7 @@ TIE = 1e-9  # values closer than this don't decide which of two solutions comes 
 
 
 def _ascending(first: FloatArray, second: FloatArray) -> int:
-    """Negative when the joint values `first` (n,) stand before `second`."""
+    """Negative when the joint values `first` (n,) come before `second`."""
     gaps = first - second
     apart = np.flatnonzero(np.abs(gaps) > TIE)
     return 0 if not len(apart) else int(np.sign(gaps[apart[0]]))

@@ -1,6 +1,6 @@
 """What the arm angle fixes: the rotation of the shoulder, once the elbow's angle is known.
 
-The line from shoulder to wrist and the side of it on which the elbow stands are known from the pose
+The line from shoulder to wrist and the side of it on which the elbow lies are known from the pose
 and the arm angle; from frame 3, which the shoulder turns, both are seen by the elbow's angle alone.
 So A_1 A_2 A_3 is known in its nine rotation entries.
 """
@@ -48,7 +48,7 @@ class ArmPlane:
         shoulder: The shoulder in the base frame (constants).
         wrist_in_tool: The wrist in the frame of U_0 (constants).
         first: Direction of axis 1 in the base frame.
-        reference: The axis of the base frame, from 0, that stands for the arm's line in the plane
+        reference: The axis of the base frame, from 0, that replaces the arm's line in the plane
             that angles count from where that line is on axis 1.
         fourth: Direction of axis 4 in frame 3.
         elbow: From the shoulder to the elbow in frame 3 (constants).
@@ -91,7 +91,7 @@ def arm_plane(problem: Problem) -> ArmPlane:
 
 
 class _Builder:
-    """Finds the frames that stand in shoulder and wrist, and what is seen from them."""
+    """Finds the frames with origins in shoulder and wrist, and what is seen from them."""
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
@@ -171,7 +171,7 @@ class _Builder:
         return self._problem.spans.inverse(m, SHOULDER).translation
 
     def _before(self, link: tuple[Element, ...]) -> Transform:
-        """What stands in a link before its joint."""
+        """The elements of a link before its joint."""
         fixed = []
         for element in link:
             if isinstance(element, Turn):

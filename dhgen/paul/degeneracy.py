@@ -3,11 +3,12 @@
 X s + Y c = Z is degenerate where X and Y vanish. Mostly the angle is free there, and the arm
 singular; but what a wrist's last angle is read from may also vanish where an axis of the wrist is
 parallel to one of the shoulder, which leaves nothing free. Such places are found by trying, and
-the Jacobian tells what is free there.
+the Jacobian shows what is free there.
 
 Ill-conditioned are orders of steps that divide by lengths, or twists, that are next to nothing. An
 offset of a micrometre, as calibrations and drawings have them, makes a quartic whose roots lie in
-pairs that are next to nothing apart, and what tells the two of a pair is divided by the offset.
+pairs that are next to nothing apart, and what distinguishes the two of a pair is divided by the
+offset.
 """
 
 from __future__ import annotations

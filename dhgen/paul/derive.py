@@ -99,7 +99,7 @@ def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:
 
 
 def _is_frail(derivation: Derivation) -> bool:
-    """Whether roots of a quartic may lie too close to be told apart."""
+    """Whether roots of a quartic may lie too close to be distinguished."""
     rooted = derivation.method is Method.QUARTIC
     return rooted and is_ill_conditioned(derivation.pool, derivation.steps)
 

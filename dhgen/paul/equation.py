@@ -1,4 +1,4 @@
-"""An equation, and where it stands in the forms of T."""
+"""An equation, and its place in the forms of T."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOMENT = 0  # in place of a column: column 3 x column 4
 
 @dataclass(frozen=True, slots=True, order=True)
 class Origin:
-    """Where an equation stands.
+    """The place of an equation.
 
     Attributes:
         m: Joints moved from the left: (A_1 ... A_m)^-1.
@@ -27,9 +27,9 @@ class Origin:
         dof: n.
         row: From 1; 0 for the squared length of column 4.
         column: From 1 to 4; `MOMENT` for an element of column 3 x column 4.
-        inverse: Whether it stands in the inverted form (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m).
+        inverse: Whether it is in the inverted form (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m).
         shoulder: Whether the rotation B of the joints before the elbow, which the arm angle gives,
-            stands for U_0; then n is their number.
+            replaces U_0; then n is their number.
     """
 
     m: int
@@ -42,12 +42,12 @@ class Origin:
 
     @property
     def matrix(self) -> Matrix:
-        """Which of the forms it stands in."""
+        """The form that holds it."""
         return self.m, self.k, self.inverse, self.shoulder
 
     @property
     def is_mixed(self) -> bool:
-        """Whether it stands in none of Paul's U_m: joints were moved from the right too."""
+        """Whether it is in none of Paul's U_m: joints were moved from the right too."""
         return self.inverse or self.k < self.dof
 
     @property
@@ -92,14 +92,14 @@ class Equation:
 
     @property
     def lines(self) -> frozenset[Line]:
-        """The columns and rows in which the equation stands."""
+        """The columns and rows that hold the equation."""
         places = [o for o in self.origins if o.row]
         columns = {(o.matrix, "column", o.column) for o in places}
         return frozenset(columns | {(o.matrix, "row", o.row) for o in places})
 
 
 def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
-    """Each equation once, whatever its sign, with all places where it stands."""
+    """Each equation once, whatever its sign, with all its places."""
     merged: dict[Polynomial, Equation] = {}
     for equation in equations:
         key = equation.difference if equation.difference in merged else -equation.difference
@@ -112,7 +112,7 @@ def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
 
 
 def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
-    """Where equations stand side by side: one element each, in one column or row of one form.
+    """The places of equations side by side: one element each, in one column or row of one form.
 
     Empty when there is no such line. Paul's U_m come before mixed forms, and among them those
     with the fewest joints moved.

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 
 def with_fallback_equations(pool: Pool, steps: tuple[Step, ...]) -> tuple[Step, ...]:
-    """The steps, with a second equation where the task has one and the first may say nothing.
+    """The steps, with a second equation where the task has one and the first may degenerate.
 
     Only an over-determined task has any: else all equations for an angle vanish together.
     """
@@ -92,7 +92,7 @@ def _is_homogeneous(step: Step) -> bool:
 
 
 def _completed(step: Step, offers: Sequence[Step], pool: Pool) -> Step:
-    """The step with the shortest of these that stays where its own equation vanishes."""
+    """The step with the shortest of these that differs from zero where its own vanishes."""
     first = across(pool, step)
     alike = (offer for offer in offers if offer.unknowns == step.unknowns)
     for offer in alike:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
 
 MOST_UNKNOWNS = 2
-ENOUGH = 48  # so many equations for the same unknowns hold the best step: hundreds say it longer
+ENOUGH = 48  # so many equations for the same unknowns hold the best step: hundreds are longer ones
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class _Look:
 
     Attributes:
         place: Of the equation in the pool.
-        angles: For each of its angle sums 0 if it is known, else one for what stands for it,
+        angles: For each of its angle sums 0 if it is known, else one for its representative,
             negative when reversed.
         lengths: Its unknown lengths.
     """
@@ -53,7 +53,7 @@ class _Look:
 
     @property
     def unknowns(self) -> frozenset[int]:
-        """What stands for its unknown angle sums."""
+        """The representatives of its unknown angle sums."""
         return frozenset(map(abs, self.angles)) - {0}
 
 
@@ -148,10 +148,10 @@ class FormReader:
         return name if knowledge.runs_along(angle) else -name
 
     def _form(self, look: _Look, names: Sequence[int], knowledge: Knowledge) -> Form:
-        """Rewrites where two angle sums stand for one unknown, then collects.
+        """Rewrites where two angle sums have one unknown, then collects.
 
-        A lone angle sum stays as the file's frames gave it (theta12, not theta2 with theta1
-        known): fewer products, and the reader finds the equation as it stands in U_i.
+        A lone angle sum is left as the file's frames gave it (theta12, not theta2 with theta1
+        known): fewer products, and the reader finds the equation as it is in U_i.
         """
         equation, content = self._equations[look.place]
         difference = equation.difference

@@ -53,7 +53,7 @@ def with_inverse_forms(pool: Pool) -> Pool:
 
 
 def _holds(problem: Problem, name: str) -> bool:
-    """Whether an entry of the pose stands in U_0."""
+    """Whether U_0 holds an entry of the pose."""
     place = problem.algebra.index[name]
     entries = [entry for row in problem.target.rotation for entry in row]
     return any(m[place] for entry in (*entries, *problem.target.translation) for m in entry)
@@ -146,7 +146,7 @@ def _transposed(target: Transform, vector: tuple[Polynomial, ...], algebra: Alge
 
 
 def _applied(transform: Transform, point: Vector, algebra: Algebra) -> Vector:
-    """The point in the frame where the transform leads."""
+    """A point transformed."""
     x, y, z = (
         algebra.normal(dot(row, point, algebra.normal) + start)
         for row, start in zip(transform.rotation, transform.translation, strict=True)

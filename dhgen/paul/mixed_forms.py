@@ -89,7 +89,7 @@ def right_joints(problem: Problem, k: int, vector: tuple[Polynomial, ...]) -> se
 
 
 def may_help(problem: Problem, m: int, k: int) -> bool:
-    """Whether the squared distance of frames m and k holds few enough angles and lengths to serve.
+    """Whether the squared distance of frames m and k holds few angles and lengths.
 
     It does not depend on what turns the whole about either of its ends.
     """

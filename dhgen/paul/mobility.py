@@ -75,12 +75,12 @@ def open_from_the_start(chain: Chain, spare: Surplus) -> tuple[Chain, Surplus]:
     """The arm from which free joints are to be chosen, and what its task leaves open.
 
     Those that the file names are kept, if each of them leaves one joint less open. Otherwise one
-    stands in the way: its value is among what the task fixes.
+    is in the way: its value is among what the task fixes.
     """
     bare = replace(chain, free=())
     whole = surplus(bare)
-    serve = whole.count == spare.count + len(chain.free)
-    return (chain, spare) if serve else (bare, whole)
+    works = whole.count == spare.count + len(chain.free)
+    return (chain, spare) if works else (bare, whole)
 
 
 def still_coordinates(chain: Chain) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """The inverse problem of a chain: which entries of U_0 are known, and what U_0 is.
 
 For a pose, base and tool are taken to the left: U_0 = Z^-1 POS E^-1 (document 002). For partial
-tasks E (and for a list of coordinates Z too) stays in the chain, because moving it would mix
+tasks E (and for a list of coordinates Z too) remains in the chain, because moving it would mix
 entries that the caller gives with entries that are ignored.
 """
 
@@ -29,7 +29,7 @@ class Problem:
 
     Attributes:
         algebra: The arm and its ring.
-        spans: Products of the links A_1 ... A_n, with base and tool where they stay in the chain.
+        spans: Products of the links A_1 ... A_n, with base and tool where they remain in the chain.
         target: U_0: known pose entries as generators or as what they equal for this arm.
         known: Names of the pose entries that the task gives and that are independent.
         base_left: Whether Z has been moved to the left.

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
-DEGENERATE = 5_000  # more than any length: a step that may say nothing of an angle that is not free
+DEGENERATE = 5_000  # more than any length: of a step that may lose an angle that is not free
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,7 @@ class Search:
         return [(price, step) for price, _, step in in_order]
 
     def avoid(self, route: Route, places: Container[int]) -> bool:
-        """Makes steps of a route cost more where they stand; whether any did not before."""
+        """Makes steps of a route cost more at their places; whether any did not before."""
         known = len(self._degenerate)
         knowledge = self._start
         for place, step in enumerate(route.steps):
@@ -138,7 +138,7 @@ class Search:
         return self._steps_of[key]
 
     def _is_turned(self, group: tuple[Form, ...]) -> bool:
-        """Whether a pair stands in the order opposite to the pool's."""
+        """Whether a pair is in the order opposite to the pool's."""
         places = [self._places[id(form.equation)] for form in group]
         return places != sorted(places)
 
@@ -166,7 +166,7 @@ class Search:
         return groups
 
     def _pairs(self, forms: Sequence[Form]) -> Iterator[tuple[Form, Form]]:
-        """Those of which the equations stand in one column or row, or have been solved together."""
+        """Groups whose equations are in one column or row, or have been solved together."""
         partners, keys = self._partners, [id(form.equation) for form in forms]
         placed = [(key, self._lines[key], form) for key, form in zip(keys, forms, strict=True)]
         for (one, lines, first), (other, its, second) in combinations(placed, 2):
@@ -187,7 +187,7 @@ class Search:
 
 
 def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
-    """For each equation, by its identity, the lines in which it stands: one bit for each."""
+    """For each equation, by its identity, the lines that hold it: one bit for each."""
     numbers: dict[Line, int] = {}
     return {
         id(equation): sum(1 << numbers.setdefault(line, len(numbers)) for line in equation.lines)
@@ -196,15 +196,15 @@ def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
 
 
 def without_needless_degeneracy(steps: list[Step], view: View) -> list[Step]:
-    """Without X s + Y c = Z whose X and Y may vanish where constant factors say the same.
+    """The steps without X s + Y c = Z whose X and Y may vanish where constant factors do as well.
 
     That is so where X or Y is zero in both, and where the equation is a multiple of the constant
     one, be it for another angle, by a factor that varies.
     """
     angles = [step for step in steps if step.kind is Kind.ANGLE]
     sure = [step for step in angles if all(map(view.is_constant, _factors(step)))]
-    told = set(map(id, sure))
-    doubtful = [step for step in angles if id(step) not in told]
+    safe = set(map(id, sure))
+    doubtful = [step for step in angles if id(step) not in safe]
     if not sure or not doubtful:
         return steps
     known = [_place(step, view) for step in sure]

@@ -63,8 +63,8 @@ class Step:
         forms: The equations as they look at this point.
         letters: The type's letters and what they are here, in the type's order.
         penalty: For ranking: how ill-conditioned and how long.
-        second: Of type 2 with Z = 0: another such step for the same angle, whose X and Y stay
-            where those of this one vanish.
+        second: Of type 2 with Z = 0: another such step for this angle, whose X and Y differ from
+            zero where the step's own vanish.
         degenerate: How many conditions make its equations lose an angle that is not free: one
             is often met, two seldom. 0 where that never happens.
     """
@@ -199,7 +199,7 @@ class EquationType(Protocol):
 
     name: str
     arity: int
-    anywhere: bool  # whether a pair need not stand in one column or row
+    anywhere: bool  # whether a pair need not be in one column or row
     ordered: bool  # whether the same pair in the other order may give another step
 
     def steps(self, forms: Sequence[Form], view: View) -> Offer:

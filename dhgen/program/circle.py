@@ -35,7 +35,7 @@ def circle_roots(
 
     Returns:
         Four angles in (-pi, pi], ascending; NaN where there are fewer roots. A double root, and two
-        that rounding cannot tell apart, stand once.
+        that rounding cannot distinguish, are given once.
     """
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
     if not (size > 0.0 and math.isfinite(size)):
@@ -67,7 +67,7 @@ def circle_roots(
 
 
 def is_close(coefficients: Circle, x: float) -> bool:
-    """Whether a root may stand for two, or has another beside it: there the slope is small."""
+    """Whether a root may be double, or has another beside it: there the slope is small."""
     _, a1, b1, a2, b2 = coefficients
     return abs(_slope(a1, b1, a2, b2, x)) <= TOLERANCES.simple * sum(map(abs, coefficients))
 

@@ -188,7 +188,7 @@ class _Run:
     def moved(self, pose: int, angles: Array) -> Array:
         """The rows (M, N, n) of one pose with all roots of polynomials moved by angles (M,).
 
-        The seed is turned away from them: a close root that it serves as would take its value.
+        The seed is turned away from them: a close root in its place would take its value.
         """
         poses = np.broadcast_to(self._poses[pose], (len(angles), 4, 4))
         away, free = self._given["seed"][pose].copy(), self._given["free"][pose]

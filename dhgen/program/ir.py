@@ -128,7 +128,7 @@ class Let:
         expression: What it is.
         axes: Positions in `Program.axes` of the signs it depends on, ascending.
         truth: Whether it is a truth value.
-        named: Whether the name says what it is; else it is only a number.
+        named: Whether the name shows what it is; else it is only a number.
     """
 
     name: str
@@ -153,7 +153,7 @@ class Choice:
 
     Attributes:
         joint: Its number.
-        flag: Name of the truth value that says so.
+        flag: Name of the truth value of it.
         value: Where the joint is nearly free, the value that it has; None where it is free and has
             the seed's.
     """
@@ -210,8 +210,8 @@ class AllJoints:
     Attributes:
         axis: Position in `Program.axes` of the axis that chooses the solution.
         names: The joint values, or the angles of the algebra.
-        found: The truth value that says whether there is a solution at this place.
-        chosen: The truth value that says whether a joint was indeterminate there.
+        found: The truth value of whether there is a solution at this place.
+        chosen: The truth value of whether a joint was indeterminate there.
         descent: Damped least squares for this arm: the whole algorithm, or where another one's
             solutions are singular.
         general: The general algorithm where it goes first.
@@ -256,7 +256,7 @@ class NamedConstant:
     """A number of the arm or of the table of tolerances.
 
     Attributes:
-        name: As it stands in the expressions.
+        name: Its spelling in the expressions.
         value: Its value.
         meaning: For a comment: what it is, or its formula.
         power: The power of a length that it is, for its unit.
@@ -280,17 +280,17 @@ class Program:
         axes: The branch signs, in the order in which rows count: the first changes slowest.
         body: Statements; a name is used only after its `Let`.
         outputs: The results: each joint's value, or the entries of a matrix row by row.
-        free: The truth value that says a joint was chosen, by joint number; 0 for any of them.
-        near: The truth values that say a joint was nearly free, where that matters to a guard or,
+        free: The truth value of whether a joint was chosen, by joint number; 0 for any of them.
+        near: The truth values of whether one was nearly free, where that matters to a guard or,
             after roots of a polynomial, to the digits of a row.
         tightened: Damped least squares for this arm, where rows that are not exact take some steps
-            of it in the end; where a pose may be none of the arm's, only those stay that then fit.
-            Where roots nearly meet, rows of both of their sides are looked for with it. It holds
-            arrays, which can't be hashed, and programs are: of those that are made from this one
-            none depends on it.
+            of it in the end; where a pose may be none of the arm's, only rows that then fit are
+            kept. Where roots nearly meet, rows of both of their sides are looked for with it. It
+            holds arrays, which can't be hashed, and programs are: of those that are made from this
+            one none depends on it.
         led: The same for rows that miss the pose by more than is promised, where a branch follows
             an earlier root, or a twist is beside a right angle. A root has few digits where it
-            nearly vanishes, and may then say that a later branch is a little out of reach.
+            nearly vanishes, and may then make a later branch a little out of reach.
         reserved: Names that are kept for others, the arm's numbers among them, whether they occur
             here or not: nothing else is called so, here or in a program that is made from this one.
     """
@@ -318,5 +318,5 @@ class Program:
         return next((statement.turning for statement in found), ())
 
     def combinations(self, axes: Iterable[int]) -> int:
-        """How many values a value of this type stands for."""
+        """How many values a value of this type has."""
         return math.prod(self.axes[axis].count for axis in axes)

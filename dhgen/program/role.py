@@ -1,4 +1,4 @@
-"""What the named constants of programs are: a name tells nothing, parameters have any."""
+"""What the named constants of programs are: a name does not show it, parameters have any."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ MOST_QUARTERS = 2  # pi/2 and pi are what radians in a file of degrees mean as a
 ROUGH = 2e-3  # how far 3.14 is from pi, nearly
 MOST_TURNS = 2  # an angle of more looks like degrees
 LARGEST_ANGLE = (
-    1e4  # beyond, doubles are too coarse to tell a multiple of pi/12 from its neighbours
+    1e4  # beyond, doubles are too coarse to distinguish a multiple of pi/12 from its neighbours
 )
 LARGEST_LENGTH = 1e9  # beyond, products of lengths leave the range where 1e-9 means anything
 ROUNDING = 1e-15  # what arithmetic with doubles loses for a value of about 1
@@ -93,7 +93,7 @@ def sine(angle: Expression, value: float) -> Expression:
 
 
 def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
-    """What the user is told when a value is replaced by the exact one it means."""
+    """The notice for a value that is replaced by the exact one it means."""
     distance = abs(value - exact)
     if distance <= ROUNDING * max(1.0, abs(exact)):
         return None
@@ -101,11 +101,11 @@ def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
 
 
 def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
-    """What the user is told about an angle in radians that looks like one in the other unit.
+    """The notice for an angle in radians that looks like one in the other unit.
 
     Args:
-        value: The angle in radians; nothing is told of NaN.
-        unit: How the file says it: see `slip_notice`.
+        value: The angle in radians; NaN gets no notice.
+        unit: How the file writes it: see `slip_notice`.
     """
     if unit == "pi":
         return turns_notice(value, f"{value:g} deg")
@@ -113,14 +113,14 @@ def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
 
 
 def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -> str | None:
-    """What the user is told about an angle that looks like a slip.
+    """The notice for an angle that looks like a slip.
 
     It is nearly, but not exactly, a multiple of pi/2, or in the other unit than the file's, where
     the cell does not name one.
 
     Args:
         value: The angle in radians.
-        unit: How the file says angles: with pi, with the word deg, or as plain degrees.
+        unit: How the file writes angles: with pi, with the word deg, or as plain degrees.
         joint: The joint's variable with its sign if the angle is an offset to it.
     """
     if not math.isfinite(value):
@@ -140,12 +140,12 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -
 
 
 def _multiple(quarters: int, unit: str) -> str:
-    """A multiple of pi/2 as the file would say it."""
+    """A multiple of pi/2 as the file would write it."""
     return to_text(exact_angle(6 * quarters)) if unit == "pi" else f"{90 * quarters} {unit}".strip()
 
 
 def turns_notice(value: float, meant: str) -> str | None:
-    """What the user is told about radians that look like degrees, and would be written so."""
+    """The notice for radians that look like degrees, and would be written so."""
     if not MOST_TURNS * 2.0 * math.pi < abs(value) < math.inf:
         return None
     turns = abs(value) / (2.0 * math.pi)
@@ -153,13 +153,13 @@ def turns_notice(value: float, meant: str) -> str | None:
 
 
 def degrees_text(number: Expression) -> str:
-    """So many degrees as a cell says it."""
+    """So many degrees as a cell writes them."""
     written = to_text(number)
     return f"{written} deg" if isinstance(number, Number) else to_text(Binary("*", number, _DEG))
 
 
 def _radians_notice(degrees: float) -> str | None:
-    """What the user is told about degrees that look like radians."""
+    """The notice for degrees that look like radians."""
     if not math.isfinite(degrees):
         return None
     quarters, distance = _quarters(degrees)

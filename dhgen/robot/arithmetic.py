@@ -58,7 +58,7 @@ class _Part:
 
 
 def parse(text: str, values: Mapping[str, float]) -> Expression:
-    """The expression that a text says.
+    """The expression of a text.
 
     Args:
         text: A cell as written.
@@ -68,7 +68,7 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
         The expression as written, numbers exact, `10 deg` as `10*(pi/180)`.
 
     Raises:
-        CellError: The text says something else than arithmetic, or has no finite value.
+        CellError: The text is something else than arithmetic, or has no finite value.
     """
     check_tokens(text, values)
     body = text.lstrip(" ")
@@ -76,7 +76,7 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
     try:
         tree = ast.parse(multiply_degrees(body), mode="eval")
     except SyntaxError as error:
-        # Python says 0 for the end of the text.
+        # Python gives 0 for the end of the text.
         end = len(text.rstrip(" ")) - 1
         column = min(error.offset - 1 + shift, end) if error.offset else end
         raise CellError(

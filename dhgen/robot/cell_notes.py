@@ -52,8 +52,8 @@ class Taken:
 
     Attributes:
         place: What it is: "a of joint 2".
-        text: What it says.
-        exact: What it might have said.
+        text: Its text.
+        exact: The exact value that was meant.
     """
 
     place: str
@@ -73,7 +73,7 @@ def taken(path: Path, text: str, variable: str, exact: Expression) -> Taken:
 
 
 def _place(path: Path) -> str:
-    """Where a cell stands: "a of joint 2", "entry 3 of xyz of tool", "entry 1,4 of tool"."""
+    """The place of a cell: "a of joint 2", "entry 3 of xyz of tool", "entry 1,4 of tool"."""
     words: list[str] = []
     if path[0] in LISTS:
         words.append(f"joint {int(path[1]) + 1}")

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from dhgen.robot.reader import Path
     from dhgen.robot.report import Report
 
-# Stands where a cell is wrong: that is reported, and its value NaN entails no further mistakes.
+# The value of a wrong cell: that is reported, and its value NaN entails no further mistakes.
 INVALID = Name("?")
 
 
@@ -82,8 +82,8 @@ class Cells:
         """A cell as written; INVALID after a mistake, which is reported.
 
         Args:
-            path: Where the cell stands.
-            text: What it says.
+            path: The place of the cell.
+            text: Its text.
             more: Further names that may occur, with their values.
         """
         known = {name: value for name, value in self._values.items() if name != INVALID.name}
@@ -102,7 +102,7 @@ class Cells:
         return expression
 
     def _too_early(self, path: Path, name: str) -> str | None:
-        """What a cell is told that uses a parameter before it is known; of a circle once."""
+        """The mistake of a cell that uses a parameter before it is known; of a circle once."""
         if path[-1] == name:
             return f"the parameter '{name}' is defined by itself"
         circle = circle_through(str(path[-1]), name, self._later)
@@ -111,8 +111,8 @@ class Cells:
         if frozenset(circle) in self._circles:
             return None
         self._circles.add(frozenset(circle))
-        told = ", ".join(f"{a} by {b}" for a, b in pairwise((*circle, circle[0])))
-        return f"these parameters are defined by each other: {told}; give one of them a number"
+        links = ", ".join(f"{a} by {b}" for a, b in pairwise((*circle, circle[0])))
+        return f"these parameters are defined by each other: {links}; give one of them a number"
 
     def length(self, path: Path, text: str) -> Expression:
         """A length; next to nothing is 0."""
@@ -133,7 +133,7 @@ class Cells:
     def note_unit(self, path: Path, text: str, angle: Expression) -> bool:
         """Whether an angle as written looks like the other unit, of which there is a notice then.
 
-        Only plain numbers do: what speaks of pi says its unit itself, but for what is added to it.
+        Only plain numbers do: what holds pi names its unit, but for what is added to it.
         """
         if self.units.speaks_of_pi(angle):
             notice = self.units.mixed_notice(angle)
@@ -146,7 +146,7 @@ class Cells:
         return notice is not None
 
     def note_mixture(self, path: Path, text: str, angle: Expression) -> None:
-        """Tell of a plain number that is added to what speaks of pi."""
+        """Reports a plain number that is added to what holds pi."""
         if notice := self.units.mixture_notice(angle):
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
 

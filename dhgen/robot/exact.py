@@ -1,7 +1,7 @@
 """Exact values of the form a + b sqrt(2) + c sqrt(3) + d sqrt(6).
 
 They are closed under sums and products, and hold the cosine of every multiple of pi/12: a rotation
-by such angles stays exact whatever is multiplied.
+by such angles is kept exact whatever is multiplied.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Arithmetic as it may stand in a robot file, and its two meanings: a float, or a text."""
+"""Arithmetic of a robot file, and its two meanings: a float, or a text."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def _combine(operator: Operator, left: float, right: float) -> float:
 
 
 def to_text(expression: Expression) -> str:
-    """The expression as it may stand in a cell, with as few parentheses as its structure needs.
+    """The expression as a cell may hold it, with as few parentheses as its structure needs.
 
     Numbers are exact decimals where they have one and fractions otherwise.
     """

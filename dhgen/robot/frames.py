@@ -135,7 +135,7 @@ def read_frame(cells: Cells, path: Path, entry: FrameEntry) -> Frame:
 
     Args:
         cells: Reads the cells, and reports.
-        path: Where the frame stands.
+        path: The place of the frame.
         entry: Its keys.
     """
     document = cells.report.document

@@ -43,7 +43,7 @@ def read_limits(
 
     Args:
         cells: Reads the cells, and reports.
-        path: Where the limits stand.
+        path: The place of the limits.
         kind: How the joint moves.
         entry: Both ends as written; empty where there are no limits.
     """
@@ -83,7 +83,7 @@ def _look_at_units(
 ) -> None:
     ways = [(*path, i) for i in range(len(ends))]
     if kind is JointKind.REVOLUTE:
-        # Of both ends one is told of: they are mended together.
+        # Of both ends one is reported: they are mended together.
         any(map(cells.note_unit, ways, entry, ends))
     else:
         for way, text, end in zip(ways, entry, ends, strict=True):
@@ -94,7 +94,7 @@ def _look_at_units(
 def _report_order(
     cells: Cells, path: Path, kind: JointKind, entry: list[str], ends: list[Expression]
 ) -> None:
-    """Tell of ends in the wrong order, and of units that are mixed in them."""
+    """Reports ends in the wrong order, and units that are mixed in them."""
     shown = []
     for i, (text, end) in enumerate(zip(entry, ends, strict=True)):
         said, value, unit = text.strip(), _value(cells, kind, end), ""
@@ -112,7 +112,7 @@ def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> Dh
 
     Args:
         cells: Reads the cells, and reports.
-        path: Where the row stands.
+        path: The place of the row.
         entry: Its keys.
         complete: Whether these are all: a misspelt key may have held the variable.
     """
@@ -145,7 +145,7 @@ def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> Ax
 
     Args:
         cells: Reads the cells, and reports.
-        path: Where the axis stands.
+        path: The place of the axis.
         entry: Its keys.
         complete: Whether these are all: a mistaken one may have held the point.
     """

@@ -1,4 +1,4 @@
-"""The lengths of an arm beside each other: one out of all proportion is told."""
+"""The lengths of an arm beside each other: one out of all proportion is reported."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ class Length(NamedTuple):
 
 
 def note_spread(report: Report, lengths: Iterable[Length]) -> None:
-    """Tell of the shortest length where it is next to nothing beside the longest.
+    """Reports the shortest length where it is next to nothing beside the longest.
 
-    Where the base stands in the world is no length of the arm; how far a slide goes is.
+    The place of the base in the world is no length of the arm; how far a slide goes is.
     """
     arm = [each for each in lengths if each.value > SNAP and each.path[0] != "base"]
     links = [each for each in arm if "limits" not in each.path]
@@ -45,17 +45,17 @@ def note_spread(report: Report, lengths: Iterable[Length]) -> None:
         return
     shortest, longest = min(links, key=_value), max(arm, key=_value)
     ratio = shortest.value / longest.value
-    told = f"{quoted(shortest.text)} is {ratio:.1e} of the longest length, {longest.value:g}"
+    text = f"{quoted(shortest.text)} is {ratio:.1e} of the longest length, {longest.value:g}"
     write = "write 0 if that is meant, and give all lengths in one unit"
     if ratio < NOTHING:
-        report.notice(shortest.path, f"{told}, and may count as zero: {write}")
+        report.notice(shortest.path, f"{text}, and may count as zero: {write}")
     elif ratio < COARSE:
         why = "rounding may exceed what is promised if it alone separates two axes"
-        report.doubt(shortest.path, f"{told}, and {why}: {write}")
+        report.doubt(shortest.path, f"{text}, and {why}: {write}")
 
 
 def note_distance(report: Report, lengths: Iterable[Length]) -> None:
-    """Tell of a base that is far away beside the arm, and of a slide that goes far beside the rest.
+    """Reports a base that is far away beside the arm, and of a slide that goes far beside the rest.
 
     Only where verification fails is this why.
     """

@@ -69,7 +69,7 @@ def load_text(text: str, file_name: str) -> Robot:
 
 
 def _no_utf8(content: bytes, name: str, start: int) -> Diagnostic:
-    """What a file is told that is not UTF-8 from some byte on; one without lines shows none."""
+    """The message for a file that is not UTF-8 from some byte on; one without lines shows none."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return Diagnostic(name, 0, 0, "the file is UTF-16: save it as UTF-8")
     if _BINARY.search(content):

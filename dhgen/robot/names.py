@@ -111,7 +111,7 @@ stdnoreturn string dhgen_native dhgen_pose tgmath threads time uchar wchar wctyp
 """
 
 # Python's standard modules (3.11 to 3.14, small letters), which numpy, or the caller, would not
-# find behind a robot's file. A fixed table: which names serve must not hang on the running Python.
+# find behind a robot's file. A fixed table: what is allowed must not depend on the running Python.
 _MODULES = """
 abc aifc annotationlib antigravity argparse array ast asynchat asyncio asyncore atexit audioop
 base64 bdb binascii bisect builtins bz2 calendar cgi cgitb chunk cmd code codecs codeop collections

@@ -1,4 +1,4 @@
-"""Nodes of YAML: where they stand, keys and values of mappings, lists without their brackets."""
+"""Nodes of YAML: their places, keys and values of mappings, lists without their brackets."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _NULL = "tag:yaml.org,2002:null"
 
 
 def span_of(node: Node) -> Span:
-    """Where a node stands in the text."""
+    """The place of a node in the text."""
     start, end = node.start_mark.index, node.end_mark.index
     return Span(start, max(1, end - start) if isinstance(node, ScalarNode) else 1)
 
@@ -34,7 +34,7 @@ def is_null(node: Node) -> bool:
 
 
 def piece(node: ScalarNode, start: int, text: str) -> ScalarNode:
-    """A part of a text, where it stands in it, as a node."""
+    """A part of a text, with its place, as a node."""
     begin, end = copy.copy(node.start_mark), copy.copy(node.end_mark)
     begin.index += start + (node.style is not None)  # quotes shift it by one
     end.index = begin.index + len(text)
@@ -59,7 +59,7 @@ def in_brackets(
     Args:
         source: The text.
         entries: As YAML has them.
-        mistakes: Gets what is told of such lists.
+        mistakes: Gets the mistakes of such lists.
     """
     pending = list(reversed(entries))
     while pending:
@@ -99,14 +99,14 @@ def _is_text(node: Node) -> bool:
 
 
 def _members(node: Node) -> list[Node]:
-    """What stands between braces, if that is a list and no keys with values."""
+    """The text between braces, if that is a list and no keys with values."""
     if isinstance(node, MappingNode) and all(map(_is_bare, node.value)):
         return [key for key, _ in node.value]
     return []
 
 
 def _items(texts: Sequence[ScalarNode]) -> list[ScalarNode]:
-    """What stands between the commas of a list, without other brackets around it."""
+    """The texts between the commas of a list, without other brackets around it."""
     items = [
         piece(text, found.start(), found[0].rstrip())
         for text in texts
@@ -128,7 +128,7 @@ Pairs = dict[str, tuple[ScalarNode, Node]]
 
 
 def index_pairs(source: SourceText, root: Node) -> tuple[dict[int, Pairs], list[Diagnostic]]:
-    """Keys and values of every mapping by its id, and what is told of keys that can't be."""
+    """Keys and values of every mapping by its id, and the mistakes of keys that can't be."""
     pairs: dict[int, Pairs] = {}
     mistakes: list[Diagnostic] = []
     pending: list[Node] = [root]
@@ -165,7 +165,7 @@ def _add(
 def _apart(
     source: SourceText, key: ScalarNode, value: Node, mistakes: list[Diagnostic]
 ) -> tuple[ScalarNode, Node]:
-    """A key and its value; {a:1} is a key without one, and is told what is missing."""
+    """A key and its value; {a:1} is a key without one, which is a mistake."""
     halves = split_glued(key.value)
     if halves is None or key.style is not None or not is_null(value):
         return key, value

@@ -58,15 +58,15 @@ class Report:
         self._errors.append(self._point(value if key is None else key, message, None))
 
     def notice(self, path: Path, message: str) -> None:
-        """Something that the user is told; the file is used all the same."""
+        """Adds a notice; the file is used all the same."""
         self._notices.append((path, self._point(self.document.find(path)[1], message, None)))
 
     def doubt(self, path: Path, message: str) -> None:
-        """Something that the user is told only if the arm's solvers do not pass."""
+        """Adds a doubt: a notice that is shown only if the arm's solvers do not pass."""
         self.doubts.append(self._point(self.document.find(path)[1], message, None))
 
     def notice_at_key(self, path: Path, message: str) -> None:
-        """Something that the user is told of a key."""
+        """Adds a mistake about a key."""
         key, value = self.document.find(path)
         node = value if key is None else key
         self._notices.append((path, self._point(node, message, None)))
@@ -75,7 +75,7 @@ class Report:
         span = span_of(node)
         text = self.document.source.text
         if part is not None and isinstance(node, ScalarNode):
-            # Quotes shift a cell by one; folded or escaped text stands nowhere in the file.
+            # Quotes shift a cell by one; folded or escaped text is nowhere in the file.
             for start in (span.start, span.start + 1):
                 if text.startswith(node.value, start):
                     span = Span(start + part.start, part.width)
@@ -89,8 +89,8 @@ def _field(path: Path) -> Path:
     return path[: keys[-1] + 1] if keys else path
 
 
-def _in_order(told: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    return tuple(sorted(dict.fromkeys(told), key=_position))
+def _in_order(remarks: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    return tuple(sorted(dict.fromkeys(remarks), key=_position))
 
 
 def _position(diagnostic: Diagnostic) -> tuple[int, int]:

@@ -48,11 +48,11 @@ class Parameter:
 class DhRow:
     """One row of a Denavit-Hartenberg table.
 
-    The variable q stands in `theta` (revolute) or in `d` (prismatic), with `sign`; the expression
+    The variable q is in `theta` (revolute) or in `d` (prismatic), with `sign`; the expression
     kept there is the constant that is added to it: `theta: q + pi/2` has sign 1 and theta pi/2.
 
     Attributes:
-        kind: Where q stands.
+        kind: By the place of q.
         sign: +1 or -1, the factor of q.
         theta: Joint angle (or its offset) [rad].
         d: Joint offset (or the constant added to q) [length].
@@ -113,7 +113,7 @@ class Frame:
     Attributes:
         xyz: The origin [length].
         rotation: Nine expressions; rpy and quaternions are already written out as products of
-            sines and cosines, so exact angles stay exact.
+            sines and cosines, so exact angles are kept exact.
     """
 
     xyz: tuple[Expression, Expression, Expression]

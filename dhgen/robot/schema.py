@@ -25,14 +25,14 @@ if TYPE_CHECKING:
     from pydantic_core.core_schema import WithDefaultSchema
 
 
-ARM_ANGLE = "arm_angle"  # what `free` says instead of joints
+ARM_ANGLE = "arm_angle"  # what `free` holds instead of joints
 TASKS = ("pose", "position", "orientation", "pointing")
 COORDINATES = ("x", "y", "z")
 SWITCHES = ("true", "True", "TRUE", "false", "False", "FALSE")  # as YAML writes them
 
 
 class ExpectedError(ValueError):
-    """What a value should have been; a reader of the message is told what it is besides."""
+    """What a value should have been; the message adds what it is."""
 
 
 def _robot_name(name: str) -> str:
@@ -284,7 +284,7 @@ class RobotFile(_Strict):
 
 
 class _EditorSchema(GenerateJsonSchema):
-    """Without titles, which only repeat the keys, and defaults, which only say "left out"."""
+    """Without titles, which only repeat the keys, and defaults, which only mean "left out"."""
 
     def field_title_should_be_set(self, schema: object) -> bool:  # noqa: ARG002
         return False

@@ -76,7 +76,7 @@ _ENTRIES = {
 
 
 def is_endless(given: object) -> bool:
-    """Whether a value says infinity, or that there is no limit."""
+    """Whether a value means infinity, or no limit."""
     return isinstance(given, str) and given.strip().lstrip("+-").lower() in ENDLESS
 
 
@@ -85,7 +85,7 @@ def _is_none(given: object) -> bool:
 
 
 def length_message(path: Path, details: ErrorDetails) -> str:
-    """What a list of the wrong length is told, or too many parameters."""
+    """The mistake of a list of the wrong length, or of too many parameters."""
     context = details.get("ctx", {})
     count = context.get("actual_length")
     bound = context.get("min_length", context.get("max_length"))
@@ -98,7 +98,7 @@ def length_message(path: Path, details: ErrorDetails) -> str:
 
 
 def value_message(details: ErrorDetails) -> str:
-    """What any other value is told that can't stand where it does."""
+    """The mistake of any other value that can't be at its place."""
     given, path = details["input"], details["loc"]
     context = details.get("ctx", {})
     shown = quoted(given) if isinstance(given, str) else _kind(given)
@@ -142,7 +142,7 @@ _MODELS: Mapping[str, type[BaseModel]] = {
 _WORDS = {"name", "title", "source"}  # who writes them in a joint may not mean the robot's
 _JOINT_TYPES = "a joint slides by 'theta: 0, d: q', and turns by 'theta: q, d: 0'"
 _LIMITS = "limits are a list: 'limits: [-1.5, 1.5]'"
-# What books and other tools write in a table, and what stands for it here.
+# What books and other tools write in a table, and its counterpart here.
 _OTHER_TABLES = {
     "offset": "an offset stands beside the variable: 'theta: q + 0.3', 'd: q + 0.3'",
     "type": _JOINT_TYPES,
@@ -227,7 +227,7 @@ def _glued(key: str, path: Path) -> str:
 
 
 def _elsewhere(key: str, path: Path) -> str:
-    """The end of a message about a key that other tools have, and what stands for it here."""
+    """The end of a message about a key that other tools have, with its counterpart here."""
     if path[0] == "joints" and len(path) > 1 and key in _OTHER_TABLES:
         return f"; {_OTHER_TABLES[key]}"
     if path[0] in {"joints", "axes"} and key in _WORDS:

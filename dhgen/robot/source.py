@@ -46,7 +46,7 @@ class SourceText:
         return cls(file, text, lines, starts)
 
     def number(self, span: Span) -> int:
-        """Which line a place stands in, from 0."""
+        """The line of a place, from 0."""
         return bisect.bisect_right(self.starts, max(span.start, 0)) - 1
 
     def point(self, span: Span, message: str) -> Diagnostic:
@@ -55,7 +55,7 @@ class SourceText:
         number = self.number(span)
         line = self.lines[number]
         column = min(start - self.starts[number], len(line))
-        # A line that fills the screen hides the caret; the position alone then says more.
+        # A line that fills the screen hides the caret; the position alone is clearer then.
         shown = _printable(line[:_LONGEST_SHOWN]) if column < _LONGEST_SHOWN else ""
         width = max(1, min(span.width, len(shown) - column))
         return Diagnostic(self.file, number + 1, column + 1, message, shown, width)
@@ -74,6 +74,6 @@ def shortened(text: str) -> str:
 
 
 def _printable(text: str) -> str:
-    # One character for one, so that the caret stays in place; a tab would move it.
+    # One character for one, so that the caret is in place; a tab would move it.
     shown = (" " if c == "\t" else c if c.isprintable() else "�" for c in text)
     return "".join(shown).rstrip()

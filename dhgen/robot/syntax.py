@@ -1,4 +1,4 @@
-"""What a text is told that is no YAML: where, why, and what was probably meant."""
+"""The message for a text that is no YAML: where, why, and what was probably meant."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ _COLLECTION = re.compile(r"\[[^\]]*\]|\{[^}]*\}")
 def syntax_errors(
     source: SourceText, error: MarkedYAMLError, read: Callable[[SourceText], None]
 ) -> tuple[Diagnostic, ...]:
-    """What is told of the place where YAML stops, or of keys that are the reason.
+    """The message for the place where YAML stops, or for keys that are the reason.
 
     Args:
         source: The text.
         error: Why YAML stops.
         read: Reads a text as YAML, up to its first mistake.
     """
-    if told := _without_blank(source, error, read):
-        return told
+    if message := _without_blank(source, error, read):
+        return message
     mark = _mark(error)
     context = f" {error.context}" if error.context else ""
     place = Span(min(mark.index, len(source.text.rstrip())) if mark else 0)
@@ -52,13 +52,13 @@ def split_glued(text: str) -> tuple[str, str] | None:
 
 
 def blank_message(key: str, value: str) -> str:
-    """What is told of a key whose value follows without a blank."""
+    """The message for a key whose value follows without a blank."""
     meant, said = f"{key}: {value}", f"{key}:{value}"
     return f"a space must follow the colon: {quoted(meant)}, not {quoted(said)}"
 
 
 def blank_told(text: str) -> str | None:
-    """What a text is told that stands for one key with its value."""
+    """The message for a text in the place of one key with its value."""
     halves = split_glued(text)
     return blank_message(*halves) if halves and "," not in text else None
 
@@ -83,12 +83,12 @@ def _without_blank(
     except (YAMLError, ValueError, OverflowError):
         return ()
     except RobotFileError:
-        pass  # YAML it is; what else is wrong is told without these
+        pass  # YAML it is; what else is wrong is reported without these
     return tuple(source.point(span, message) for span, message in glued)
 
 
 def _glued_keys(source: SourceText) -> Iterator[tuple[Span, str]]:
-    """Where a key with its colon is followed by no blank, and what is told of it."""
+    """The place of a key whose colon is followed by no blank, and the message for it."""
     for start, line in zip(source.starts, source.lines, strict=True):
         for found in _GLUED_IN_LINE.finditer(line):
             place, key = found.start(2), found[2]
@@ -98,7 +98,7 @@ def _glued_keys(source: SourceText) -> Iterator[tuple[Span, str]]:
 
 
 def _is_text(before: str) -> bool:
-    """Whether what follows in a line stands in a comment or in quotes."""
+    """Whether what follows in a line is in a comment or in quotes."""
     comment = re.search(r"(?:^|\s)#", before)
     return bool(comment) or before.count('"') % 2 == 1 or before.count("'") % 2 == 1
 

@@ -51,6 +51,6 @@ class Task:
 
     @property
     def dimension(self) -> int:
-        """How many independent numbers count: two tell a direction."""
+        """How many independent numbers count: two fix a direction."""
         turns = 3 if self.names_rotation else 2 if self.names_direction else 0
         return len(self.position_rows) + turns

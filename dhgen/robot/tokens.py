@@ -37,7 +37,7 @@ _LOOKALIKES = {"−": "-", "–": "-", "×": "*", "·": "*", "÷": "/", "°": " 
 
 
 class CellError(Exception):
-    """What a cell can't say, with the place in its text."""
+    """Why a cell can't be read, with the place in its text."""
 
     def __init__(self, message: str, span: Span) -> None:
         super().__init__(message)
@@ -83,7 +83,7 @@ def check_tokens(text: str, names: Container[str] = ()) -> None:
 
 
 def multiply_degrees(text: str) -> str:
-    """`10 deg` as `10*deg`: the space becomes the sign, so that every column stays what it was."""
+    """`10 deg` as `10*deg`: the space becomes the sign, so that every column keeps its number."""
     return _DEGREES.sub(r"\1*", text)
 
 
@@ -92,11 +92,11 @@ def circle_through(own: str, name: str, texts: Mapping[str, str]) -> tuple[str, 
 
     Args:
         own: The name that is defined.
-        name: One that its text says.
+        name: One in its text.
         texts: What every name is defined as.
 
     Returns:
-        The names on the way, `own` and `name` first; none where no way leads back.
+        The names on the way, `own` and `name` first; none where there is no way back.
     """
     ways: list[tuple[str, ...]] = [(own, name)]
     seen = {name}

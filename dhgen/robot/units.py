@@ -38,7 +38,7 @@ class Split:
 
 
 def split(expression: Expression) -> Split | None:
-    """An expression as sign*q + offset; None when q stands in it in any other way."""
+    """An expression as sign*q + offset; None when q is in it in any other way."""
     if not contains_variable(expression):
         return Split(0, expression)
     match expression:
@@ -64,10 +64,10 @@ def contains_variable(expression: Expression) -> bool:
 
 
 class SaidUnits:
-    """Which expressions say the unit of an angle, in files of radians and of degrees.
+    """Which expressions name the unit of an angle, in files of radians and of degrees.
 
     Attributes:
-        degrees: Whether angles that say none are degrees.
+        degrees: Whether angles without one are degrees.
     """
 
     def __init__(self, value: Callable[[Expression], float]) -> None:
@@ -90,7 +90,7 @@ class SaidUnits:
         return Binary("*", expression, DEGREE)
 
     def speaks_of_pi(self, expression: Expression) -> bool:
-        """Whether pi or deg stands in it as a term or a factor: it says its unit itself."""
+        """Whether pi or deg is a term or a factor of it, which names its unit."""
         match expression:
             case Pi():
                 return True
@@ -101,7 +101,7 @@ class SaidUnits:
             case Binary(_, left, right):
                 return self.speaks_of_pi(left) or self.speaks_of_pi(right)
             case _:
-                return False  # the argument of a sine says nothing about what the sine measures
+                return False  # the argument of a sine has no part in what the sine measures
 
     def is_in_degrees(self, expression: Expression) -> bool:
         """Whether it is so many degrees, or a sum with some.
@@ -121,7 +121,7 @@ class SaidUnits:
                 return expression == DEGREE
 
     def mixed_notice(self, angle: Expression) -> str | None:
-        """What is told of a plain number that is added to what speaks of pi.
+        """The notice for a plain number that is added to what holds pi.
 
         In a file of radians only where the sum looks like degrees.
         """
@@ -131,12 +131,12 @@ class SaidUnits:
         return turns_notice(self._value(angle), degrees_text(number)) if number else None
 
     def mixture_notice(self, angle: Expression) -> str | None:
-        """What is told of such a number in either file, where something is wrong besides."""
+        """The doubt about a plain number in either file, where something is wrong besides."""
         number = self._plain_addend(angle)
         if number is None:
             return None
-        said = f"has {to_text(number)} in rad, as it is next to pi or deg"
-        return f"{said}: write {degrees_text(number)} if degrees are meant"
+        text = f"has {to_text(number)} in rad, as it is next to pi or deg"
+        return f"{text}: write {degrees_text(number)} if degrees are meant"
 
     def _plain_addend(self, expression: Expression) -> Expression | None:
         """The first number but zero that is added to what speaks of pi, and does not itself."""
@@ -150,7 +150,7 @@ class SaidUnits:
         return next((number for number in inner if number is not None), None)
 
     def argument_notices(self, expression: Expression) -> list[str]:
-        """What is told of arguments of sin and cos that look like degrees: they are in radians."""
+        """The notices for arguments of sin and cos that look like degrees: they are in radians."""
         calls = [part for part in parts(expression) if isinstance(part, Call)]
         return [
             f"{quoted(to_text(call))} takes rad: write {call.function}"

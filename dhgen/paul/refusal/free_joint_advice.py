@@ -88,7 +88,7 @@ def free_joint_advice(
 
 
 def choices_text(choices: tuple[Choice, ...], spare: Surplus) -> list[str]:
-    """What is said of them: a line for each method and number of rows."""
+    """The advice as text: a line for each method and number of rows."""
     lines = []
     for (_, rows, method), alike in groupby(choices, lambda c: (c.rank, c.rows, c.method)):
         sets = _sets_text([f"[{', '.join(map(str, choice.free))}]" for choice in alike])

@@ -32,7 +32,7 @@ def redundant(
     Args:
         chain: The arm.
         spare: What its task leaves open.
-        before: Both without the free joints that stand in the way (`open_from_the_start`).
+        before: Both without the free joints that are in the way (`open_from_the_start`).
         choices: Joints that would make good free ones.
     """
     still = still_coordinates(chain)
@@ -67,9 +67,9 @@ def _given(
 
 
 def near_redundancy(chain: Chain) -> list[str]:
-    """That joints nearly move without moving the tool, wherever the arm is; nothing if they don't.
+    """A warning that joints nearly move without moving the tool, wherever the arm is, or nothing.
 
-    Of an arm that is so in earnest, it is not said.
+    An arm whose joints do so exactly gets none: it is refused.
     """
     spare = surplus(chain, NEARLY_NULL)
     if not spare.count or surplus(chain).count:
@@ -80,7 +80,7 @@ def near_redundancy(chain: Chain) -> list[str]:
 
 
 def _moved(chain: Chain, spare: Surplus) -> str:
-    """Which joints move without moving what the task names, the free ones held."""
+    """A clause with the joints that move without moving what the task names, free ones held."""
     held = f"with {_joints(chain.free)} given, " if chain.free else ""
     names = _joints(spare.joints)
     if spare.count == len(spare.joints):  # none of them matters at all
@@ -89,7 +89,7 @@ def _moved(chain: Chain, spare: Surplus) -> str:
 
 
 def _which(whole: Surplus, free: tuple[int, ...], *, kept: bool) -> str:
-    """What is to be named under `free`: besides what is there already, or in its place."""
+    """A clause with the joints to be named under `free`, besides those there or in their place."""
     one, all_of_them = whole.count == 1, whole.count == len(whole.joints)
     if kept:
         them = "it" if one else "them"
@@ -105,7 +105,7 @@ def _joints(numbers: tuple[int, ...]) -> str:
 
 
 def _in_vain(still: tuple[str, ...]) -> list[str]:
-    """That the task names coordinates which no joint moves."""
+    """A clause with the coordinates of the task that no joint moves, if there are any."""
     return [f"the task names {' and '.join(still)}, which no joint moves"] if still else []
 
 

@@ -78,7 +78,7 @@ def stretch(x1: Polynomial, y1: Polynomial, x2: Polynomial, y2: Polynomial) -> P
 
 @dataclass(frozen=True, slots=True)
 class _Factors:
-    """What stands before the sine and cosine in the two equations."""
+    """The coefficients of sine and cosine in the two equations."""
 
     angle: AngleSum
     x1: Polynomial

@@ -66,11 +66,11 @@ class Ratio:
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """Two equations by the angle that is eliminated (i) and the one that stays (j).
+    """Two equations by the angle that is eliminated (i) and the one that remains (j).
 
     Attributes:
         forms: The equations.
-        kept: The angle that stays.
+        kept: The angle that remains.
         monomials: Rows 1, c_i, s_i and columns 1, c_j, s_j.
         values: The coefficients of each equation on every witness: those of 1, c_i and s_i, and
             each by 1, c_j and s_j; shape (3, 3, COUNT).
@@ -183,7 +183,7 @@ class Circle:
     ordered = False
 
     def steps(self, forms: Sequence[Form], view: View) -> Offer:
-        """A step for each angle that can stay, unless the polynomial has only double roots.
+        """A step for each angle that can remain, unless the polynomial has only double roots.
 
         Or why the equations give no polynomial of degree 2.
         """
@@ -280,7 +280,7 @@ def _says_it_twice(first: FloatArray, second: FloatArray) -> bool:
 def _polynomial(
     first: FloatArray, second: FloatArray, ratio: Ratio | None
 ) -> tuple[FloatArray, FloatArray]:
-    """The polynomial in the angle that stays, and the sum of the sizes of its two sides.
+    """The polynomial in the angle that remains, and the sum of the sizes of its two sides.
 
     Args:
         first: R, P and Q of the first equation at every turn and on every witness.

@@ -60,8 +60,8 @@ SQUARED = 150
 class SquaredLength:
     """Type 10, two values: r = -Y/2X + e sqrt((Y/2X)^2 + Z/X).
 
-    It says less than the equations of types 4 and 5, whose squares it adds up, but also where axes
-    beside the slide stand at no right angle.
+    It holds less than the equations of types 4 and 5, whose squares it adds up, but also where axes
+    beside the slide are at no right angle.
     """
 
     name = "type 10"
@@ -99,7 +99,7 @@ class LengthOnALine:
     ordered = True
 
     def steps(self, forms: Sequence[Form], view: View) -> Offer:
-        """A step for each length that can stay: of type 1 if the squares cancel.
+        """A step for each length that can remain: of type 1 if the squares cancel.
 
         Or why the equations are not a line and a squared length in two lengths.
         """

@@ -141,7 +141,7 @@ class Builder(Graph):
         return [reduce(lambda a, b: self.apply("or", a, b), merged[axes]) for axes in types]
 
     def simplified(self, operator: Operator, operands: list[Node]) -> Node:
-        """An operator, with what simplifies at once; x - x stays: it may be there for its NaN."""
+        """An operator, with what simplifies at once; x - x is kept: it may be there for its NaN."""
         match operator, operands:
             case (("add" | "mul" | "div"), (left, right)):
                 return {"add": self.add, "mul": self.mul, "div": self.div}[operator](left, right)

@@ -67,7 +67,7 @@ Node = int
 
 _COMMUTES = frozenset({"add", "mul", "and", "or", "maximum"})
 _ARITHMETIC = frozenset({"add", "sub", "mul", "div", "sqrt"})
-_WHOLE = 100  # whole numbers up to here stand in the expressions themselves
+_WHOLE = 100  # whole numbers up to here are written in the expressions
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +196,7 @@ class Graph:
         return self._index[key]
 
     def number(self, value: Fraction, meaning: str) -> Node:
-        """A constant made of the arm's in a way that no formula tells."""
+        """A constant made of the arm's in a way that no formula shows."""
         key = ("folded", value)
         if key not in self._index:
             self._index[key] = self._fold(value, Formula(meaning), Source.COEFFICIENT)

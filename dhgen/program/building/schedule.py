@@ -36,7 +36,7 @@ class Option:
 
     Attributes:
         joint: Its number.
-        flag: The truth value that says so.
+        flag: The truth value of it.
         value: Where it is nearly free, its value; None where it has the seed's.
     """
 
@@ -50,7 +50,7 @@ class Mark:
     """A heading, a guard, or the roots of a polynomial, between nodes.
 
     Attributes:
-        position: It stands before the node with this number.
+        position: It comes before the node with this number.
         heading: The text of a heading; else None.
         detail: Its details.
         roots: The coefficients of a polynomial; else empty.
@@ -116,8 +116,8 @@ def scheduled(
         marks: Guards and headings in their order.
         names: What nodes are called.
         results: The outputs.
-        free: The truth values that say a joint was chosen, by joint number.
-        near: Those that say one was nearly free.
+        free: Whether a joint was chosen, by joint number.
+        near: Whether one was nearly free.
     """
     schedule = _Schedule(graph, marks, names, [*results, *(node for _, node in free), *near])
     body = tuple(schedule.statements())
@@ -263,7 +263,7 @@ class _Schedule:
         return uses, wider
 
     def _is_rare(self, entry: Entry) -> bool:
-        """Whether a value stays in place: it costs nothing, or only a free joint wants it."""
+        """Whether a value is left in place: it costs nothing, or only a free joint wants it."""
         leaves = [self._entries[operand].leaf for operand in entry.operands]
         if entry.operator == "less" and any(leaf in self._signs for leaf in leaves):
             return True

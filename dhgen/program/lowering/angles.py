@@ -31,7 +31,7 @@ class Angles:
     Args:
         algebra: The arm and its ring.
         builder: Where values go.
-        polynomials: Is told what became known.
+        polynomials: Gets what became known.
         values: Values of the ring's generators by name; solved ones are added.
     """
 
@@ -119,7 +119,7 @@ class Angles:
 
     @property
     def near(self) -> list[Node]:
-        """The truth values that say a joint is nearly free."""
+        """Whether a joint is nearly free, a truth value for each."""
         return [option.flag for option in self._near]
 
     def options(self) -> list[Option]:
@@ -131,7 +131,7 @@ class Angles:
         return [Option(joint, flag) for joint, flags in self._free.items() for flag in flags]
 
     def free_joints(self) -> list[tuple[int, Node]]:
-        """For every joint that may have been chosen, the truth value that says so."""
+        """For every joint that may have been chosen, whether it was."""
         return [(joint, self._any(flags)) for joint, flags in sorted(self._free.items())]
 
     def joint_value(self, joint: int) -> Node:
@@ -186,7 +186,7 @@ class Angles:
 
 
 class JointVariables:
-    """q of every joint and the angle or length that stands for it: sign and offset apart.
+    """q of every joint and the angle or length behind it: sign and offset apart.
 
     Args:
         chain: The arm.

@@ -57,8 +57,8 @@ def plane_miss_program(
 ) -> Program | None:
     """By how much joint values miss the arm angle, and how fast joints 1, 2 and 3 change that.
 
-    The elbow's plane is told about the line to the wrist of the pose: joint values that miss the
-    pose by a little are led to the arm angle that was asked for. Of an arm that can be straight
+    The elbow's plane is taken about the line to the wrist of the pose: joint values that miss the
+    pose by a little are refined to the arm angle that was asked for. Of an arm that can be straight
     both sides of that line are taken for one. As `plane_miss` in `dhgen.kinematics.arm_angle`.
     """
     plane, chain = derivation.pool.plane, derivation.problem.algebra.chain

@@ -53,7 +53,7 @@ class Lowering:
         scales: Tolerances and reaches.
         step_number: Of the step at hand, from 1.
         meeting: Whether roots of a polynomial nearly meet; only where rows are doubted.
-        roots: The square roots so far, where rows are led to solutions.
+        roots: The square roots so far, where rows are refined.
         short: Whether an angle comes from so short a vector that few of its digits are right.
 
     Args:
@@ -128,7 +128,7 @@ class Lowering:
 
     @property
     def doubts_rows(self) -> bool:
-        """Whether rows that miss the pose by far have none, though steps might lead them there."""
+        """Whether rows that miss the pose by far have none, though steps might refine them."""
         return self.checks.rows and self.checks.tightened
 
     @property

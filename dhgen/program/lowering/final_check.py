@@ -24,7 +24,7 @@ Miss = tuple["Node", int]  # a difference, and the lengths in it: one or none
 
 
 def misses(context: Lowering) -> list[Miss]:
-    """What each entry that tells the task differs by.
+    """The difference of each entry that fixes the task.
 
     Seen from the base, or from the frame from where it takes the fewest operations.
     """
@@ -100,7 +100,7 @@ class _Check:
         builder.guard(self._or_leads(fits, chosen), Failure.INCONSISTENT, total, chosen)
 
     def _or_leads(self, fits: Node, chosen: tuple[Option, ...]) -> Node:
-        """Whether a row fits, or may stand between two that do, however far it misses the pose.
+        """Whether a row fits, or may be between two that do, however far it misses the pose.
 
         Between roots that nearly meet, what follows from them may be anything. Where a joint was
         chosen another choice is looked for instead.
@@ -108,10 +108,10 @@ class _Check:
         either, neither = partial(self._builder.apply, "or"), partial(self._builder.apply, "not")
         if not self._context.meeting:
             return fits
-        leads = reduce(either, self._context.meeting)
+        between = reduce(either, self._context.meeting)
         for option in chosen:
-            leads = self._builder.apply("and", leads, neither(option.flag))
-        return either(fits, leads)
+            between = self._builder.apply("and", between, neither(option.flag))
+        return either(fits, between)
 
     def _slack(self, degree: int, chosen: tuple[Option, ...]) -> Node:
         """What an entry may differ by, of rounding of the pose or of what the row was taken from.

@@ -1,7 +1,7 @@
 """Columns that are carried along known links: what long coefficients are sums of.
 
 Where twists are no right angles an entry of a form of T that is multiplied out has hundreds of
-terms. The column that it stands in, seen from one known link after the other, takes four products
+terms. Its column, seen from one known link after the other, takes four products
 a turn, and coefficients are short sums of its entries.
 """
 
@@ -149,7 +149,7 @@ def no_parts(_: Lowering, __: Step) -> Iterator[Part]:
 
 
 def parts_of(context: Lowering, step: Step) -> Iterator[Part]:
-    """What the columns say in which a step's equations stand, each side seen from the unknown."""
+    """Sums in the columns that hold a step's equations, each side seen from the unknown."""
     carrier = _Carrier(context)
     steps = (step,) if step.second is None else (step, step.second)
     for form in (form for each in steps for form in each.forms):
@@ -159,7 +159,7 @@ def parts_of(context: Lowering, step: Step) -> Iterator[Part]:
 
 
 def _places(origin: Origin) -> Iterator[Origin]:
-    """Where an equation stands; that of a rotation in the inverted form, too, transposed."""
+    """The places of an equation; that of a rotation in the inverted form, too, transposed."""
     if not origin.row or origin.column == MOMENT or origin.shoulder:
         return
     yield origin
@@ -216,7 +216,7 @@ class _Carrier:
             column = self._columns.seen(rest.pop(), column)
         links = [stretch for stretch in rest if isinstance(stretch, tuple)]
         if rest == side or len(links) < len(rest):
-            return  # nothing is known, or U_0 stands beyond the unknown
+            return  # nothing is known, or U_0 is beyond the unknown
         between = product((element for link in links for element in link), self._algebra)
         row = between.rotation[origin.row - 1]
         places = tuple(sorted(self._unknown(row)))

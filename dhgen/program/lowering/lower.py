@@ -110,8 +110,8 @@ def _shoulder(derivation: Derivation, context: Lowering, step: Step) -> None:
     plane = derivation.pool.plane
     if plane is None or plane.elbow_angle not in step.unknowns:
         return
-    told = f"its rotation, from the arm angle and {_unknowns(step)}"
-    context.builder.heading("shoulder", told)
+    heading = f"its rotation, from the arm angle and {_unknowns(step)}"
+    context.builder.heading("shoulder", heading)
     wrist = [context.point(row, plane.wrist_in_tool) for row in range(3)]
     context.learn(lower_shoulder(context, plane, wrist))
 
@@ -121,7 +121,7 @@ def _unknowns(step: Step) -> str:
 
 
 def _source(step: Step) -> str:
-    """The type, and where its equations stand."""
+    """The type, and the places of its equations."""
     origins = step.origins if step.second is None else (*step.origins, *step.second.origins)
     return f"type {step.kind.number}: {' and '.join(origin.name for origin in origins)}"
 

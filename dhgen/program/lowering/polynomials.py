@@ -1,6 +1,6 @@
 """From polynomials to program values: nested by the order in which joints were solved.
 
-The joint solved last stands outermost, so that the inner parts depend on fewer signs and are
+The joint solved last is outermost, so that the inner parts depend on fewer signs and are
 shared. Linear forms that a solved equation fixes are not computed again: after X s + Y c = Z, the
 form X s + Y c is Z, and Y s - X c is the signed root. Long polynomials are made of parts that are
 known to be short otherwise.
@@ -75,13 +75,13 @@ class PolynomialLowering:
             self._rank[place] = -1
 
     def solved(self, *names: str) -> None:
-        """These generators became known: they stand outside all earlier ones."""
+        """These generators became known: they are outside all earlier ones."""
         rank = max(self._rank.values(), default=0) + 1
         for name in names:
             self._rank.setdefault(self._algebra.index[name], max(rank, 1))
 
     def is_known(self, place: int) -> bool:
-        """Whether a generator stands for something other than joints that are not solved."""
+        """Whether a generator is something other than joints that are not solved."""
         return place in self._rank or place < self._first_unknown
 
     def offer(self, parts: Callable[[], Iterable[Part]]) -> None:

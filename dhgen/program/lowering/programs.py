@@ -56,7 +56,7 @@ def robot_programs(
     forward = reusing(forward_program(chain, reserved), solver)
     jacobian = reusing(jacobian_program(chain, reserved), solver, forward)
     angle = arm_angle_program(derivation, tolerances, reserved)
-    # only rows that are led to solutions are measured by it
+    # only rows that are refined are measured by it
     led = solver.tightened is not None
     miss = plane_miss_program(derivation, tolerances, reserved) if led else None
     return Programs(

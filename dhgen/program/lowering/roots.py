@@ -52,9 +52,9 @@ def reach_of(
 def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
     """Whether D is not negative, up to rounding.
 
-    Where rows are led to solutions, this is as much more as earlier roots that D hangs on are less
+    Where rows are refined, this is as much more as earlier roots that D hangs on are less
     than the arm's size: what they fix has lost as many digits. Where a joint may have another value
-    instead, no more: then one that serves is looked for.
+    instead, no more: then one that works is looked for.
     """
     builder = context.builder
     chosen = [option.flag for option in context.angles.options()]
@@ -68,7 +68,7 @@ def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
 
 
 def follows(context: Lowering, value: Node) -> list[EarlierRoot]:
-    """The earlier roots that a value hangs on, where rows are led to solutions."""
+    """The earlier roots that a value hangs on, where rows are refined."""
     axes = context.builder.axes_of(value)
     return [root for root in context.roots if root.axis in axes]
 
@@ -77,7 +77,7 @@ def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None 
     """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet.
 
     Beside a place where an earlier angle is good to few digits only, roots that meet come out a
-    little apart; they are then told once, as they are.
+    little apart; they are then one row, as they are.
 
     Args:
         context: The program in the making.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def finish(
     context: Lowering, angle: AngleSum, cosine: Node, sine: Node, free: Node | None = None
 ) -> None:
-    """The angle is known; where it is free the seed's value stands for it."""
+    """The angle is known; where it is free it takes the seed's value."""
     builder = context.builder
     if free is not None:
         seed = context.angles.seed(angle)
@@ -73,7 +73,7 @@ def finish_nearly_free(
     equation: NearlyFree,
     free: Node,
 ) -> None:
-    """The angle of type 2 where the equation may say little about it, as in `finish_direction`.
+    """The angle of type 2 where the equation may nearly degenerate, as in `finish_direction`.
 
     Of roots that nearly meet there even fewer digits are right (UR5 with twists of 1.5708 and a
     straight wrist): an angle that satisfies the equation up to rounding is as good.
@@ -108,7 +108,7 @@ def _finish_near(
 ) -> None:
     """The angle is known, to few digits near to where it is free.
 
-    There the seed's value stands for it if it is off by rounding alone, and on the same side;
+    There it takes the seed's value if that is off by rounding alone, and on the same side;
     `seen` is by how much it is off, whether it is on that side, and the degree of the former.
     """
     builder, scales = context.builder, context.scales

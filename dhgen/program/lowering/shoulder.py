@@ -1,6 +1,6 @@
 """The shoulder's rotation from the pose, the arm angle and the elbow's angle.
 
-Along the line from shoulder to wrist, in the direction of the elbow, and across both stand three
+Along the line from shoulder to wrist, in the direction of the elbow, and across both are three
 unit vectors: in the base they are known from the pose and the arm angle, in frame 3 from the
 elbow's angle. One triple in terms of the other is the rotation of A_1 A_2 A_3. The elbow's own
 distance from the line does not occur: a stretched arm, too, has its plane.
@@ -50,7 +50,7 @@ def lower_shoulder(context: Lowering, plane: ArmPlane, wrist: Vector) -> dict[st
 
 
 def _folded(context: Lowering, w: Vector) -> Node:
-    """Whether the wrist is in the shoulder, which may turn as it likes then: the seed says how."""
+    """Whether the wrist is in the shoulder, which may turn as it likes then: as the seed has it."""
     folded = is_short(context, length(context.builder, w), 1, "no_reach")
     for joint in range(1, SHOULDER + 1):
         context.angles.chosen(AngleSum(((joint, 1),)), folded)

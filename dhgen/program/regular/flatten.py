@@ -1,6 +1,6 @@
 """Programs of regular poses as straight-line code: branches unrolled, or side by side in lanes.
 
-Of the axes some stay as lanes; for every combination of the others each value is computed under a
+Some of the axes are lanes; for every combination of the others each value is computed under a
 name of its own: c3_pm is c3 where the first of the signs it depends on is plus, the second minus.
 With all axes unrolled nothing is left but arithmetic on the pose: one program for one pose at a
 time, and for many in lanes of poses.
@@ -69,7 +69,7 @@ def flatten(solver: Regular, lanes: tuple[int, ...] = ()) -> Flat:
 
     Args:
         solver: The program of regular poses.
-        lanes: Positions of the axes that stay; the others are unrolled.
+        lanes: Positions of the axes that are kept; the others are unrolled.
     """
     return _Flattening(solver, lanes).run()
 

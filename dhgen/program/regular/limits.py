@@ -1,7 +1,7 @@
 """Limits of joints in a program: angles moved by whole turns into them, and what is outside.
 
 An angle comes in (-pi, pi], unless it is given. Limits that are wider than this cost nothing.
-Where one is outside by so little that rounding may have put it there, the arm may stand on its
+Where one is outside by so little that rounding may have put it there, it may be clamped to its
 limit: such a pose is doubtful.
 """
 
@@ -96,7 +96,7 @@ class Limiting:
     def _before_the_turn(self, joint: int, value: Node, limits: Limits) -> Node:
         """How far a value is beyond the end that it may be moved from, negative if it is not.
 
-        If it is by so little that rounding may have put it there, it may stand on that end.
+        If it is by so little that rounding may have put it there, it may be clamped to that end.
         """
         low, high = self._ends(joint, limits)
         below, above = self._builder.sub(low, value), self._builder.sub(value, high)
@@ -165,7 +165,7 @@ def _most_turns(limits: Limits) -> int:
 
 
 def _turns_up(limits: Limits) -> int:
-    """How many turns lead an angle in (-pi, pi] inside at most, where it is below."""
+    """How many turns take an angle in (-pi, pi] inside at most, where it is below."""
     return _turns(limits.low + math.pi) if limits.high > math.pi else 0
 
 

@@ -1,6 +1,6 @@
 """Where a square root nearly vanishes: its square may be of either sign, or two branches one.
 
-Poses on this brink are left to the whole program, which tells the two apart as well as it can.
+Poses on this boundary are left to the whole program, which distinguishes them as well as it can.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dhgen.tolerances import Tolerances
 
 
-BOTH_SIDES = 100  # one width serves both sides if it is not so many times the other
+BOTH_SIDES = 100  # one width is used for both sides if it is not so many times the other
 
 
 class Brink:
@@ -83,7 +83,7 @@ class Brink:
         return most is not None and most < self._least[entry.operands[0]]
 
     def touches(self, value: Node, inside: Node, apart: Node, *, blurred: bool) -> Node:
-        """Whether a value can't be told from zero.
+        """Whether a value can't be distinguished from zero.
 
         One width for both sides, the larger, takes one comparison less. Where rows are tightened
         branches end far outside of where they meet, and each side has its own if it is constant.

@@ -1,7 +1,7 @@
 """The program of regular poses: without loops, guards or free joints, in values of narrow types.
 
 Where a joint is free, or where two branches meet, a pose is singular, and what is to be done then
-is the affair of the whole program. This one says which poses these are; for all others it assumes
+is the affair of the whole program. This one finds which poses these are; for all others it assumes
 that nothing of the kind happens, so that every choice between a formula and the seed is gone. A
 row without a solution becomes NaN by itself: the square root of a negative number. On a doubtful
 pose a divisor may be zero; what IEEE arithmetic makes of it does not count.
@@ -63,7 +63,7 @@ def _made(
 
 @cache
 def inverses_kept(program: Program, tolerances: Tolerances) -> frozenset[str]:
-    """The inverses of lengths that stay in front: one more as long as that makes it cheaper.
+    """The inverses of lengths that are left in front: one more as long as that makes it cheaper.
 
     Limits come after everything else, whatever is kept.
 

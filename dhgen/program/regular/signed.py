@@ -3,7 +3,7 @@
 What is odd or even in a sign is computed once for both of its values: f(sigma x) is sigma f(x) or
 f(x), atan2(tau y, tau x) is half a turn from atan2(y, x), atan2(tau y, x) is tau atan2(y, x), and
 atan2(y, tau x) is pi - atan2(y, x). Such a rewrite makes the type of a value narrower. Positive
-factors s, such as the inverse of a length, may stay in front, too: an angle does not need them.
+factors s, such as the inverse of a length, may be left in front, too: an angle does not need them.
 """
 
 from __future__ import annotations
@@ -274,7 +274,7 @@ class SignedArithmetic:
         parts = []
         for operand in entry.operands:
             part = self._range(operand)
-            if part is None:  # most are numbers, not angles: the first one tells
+            if part is None:  # most are numbers, not angles: the first one shows
                 return None
             parts.append(part)
         match entry.operator, parts:

@@ -1,4 +1,4 @@
-"""A program without its guards: what is assumed of regular poses put in, and the doubts told."""
+"""A program without its guards: what is assumed of regular poses put in, and doubts as results."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class Unguarded:
         tolerances: Tolerances,
     ) -> None:
         self._program = program
-        self._kept = kept  # the inverse lengths that stay in front as long as they can
+        self._kept = kept  # the inverse lengths that are left in front as long as they can
         self._limits = limits
         self._tolerances = tolerances
         # where regular poses end, by the names of limits below which an angle is free or blurred
@@ -105,8 +105,8 @@ class Unguarded:
         joints = [self._limited(limiting, place + 1, node) for place, node in enumerate(joints)]
         ended = self._endings.ended(joints)
         results = {f"q{place + 1}": node for place, node in enumerate(ended)}
-        told = {"outside": limiting.outside(), "grazed": limiting.grazed()}
-        results |= {name: node for name, node in told.items() if node is not None}
+        beyond = {"outside": limiting.outside(), "grazed": limiting.grazed()}
+        results |= {name: node for name, node in beyond.items() if node is not None}
         count = len(results)
         doubts = builder.joined(self._doubts, "or")
         doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
@@ -194,12 +194,12 @@ class Unguarded:
         apart, blurred = None, False
         for part in parts:
             match part:
-                case Apply("not", (told,)) if apart is None:
-                    apart = told
-                case Apply("and", (Variable(name), Apply("not", (told,)))) if (
+                case Apply("not", (inner,)) if apart is None:
+                    apart = inner
+                case Apply("and", (Variable(name), Apply("not", (inner,)))) if (
                     name in self._program.near
                 ):
-                    apart, blurred = told, True
+                    apart, blurred = inner, True
                 case _:
                     self._doubts.append(self._truth(part))
         assert apart is not None

@@ -46,7 +46,7 @@ def lower_angle(context: Lowering, step: Step) -> None:
     if free is not None and context.mends_roots:
         short = is_nearly_short(context, square, degree, angle)
         context.short.append(short)
-        # then both signs may be anything, and steps tell
+        # then both signs may be anything, and steps decide
         reach = replace(reach, clear=builder.apply("or", reach.clear, short))
     root = signed_root(context, angle.suffix, reach, free)
     safe = square

@@ -1,4 +1,4 @@
-"""The kernel of type 9: a trigonometric polynomial of degree 2 in the angle that stays."""
+"""The kernel of type 9: a trigonometric polynomial of degree 2 in the angle that remains."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def _size(builder: Builder, polynomial: Circle) -> Node:
 def _rounding(context: Lowering, left: Circle, right: Circle) -> Node:
     """What rounding may add to values of a difference of sums of squares, most of which cancels.
 
-    Beside a place where every angle serves nearly all of it does.
+    Beside a place where every angle works nearly all of it does.
     """
     builder = context.builder
     nothing = context.scales.tolerance(context.scales.tolerances.nothing, 0, "nothing")
@@ -90,13 +90,13 @@ def _rounding(context: Lowering, left: Circle, right: Circle) -> Node:
 
 
 def _with_one_root(builder: Builder, free: Node, polynomial: Circle) -> Circle:
-    """The polynomial; where it vanishes and every angle serves, 1 - cos x: one branch will do."""
+    """The polynomial; where it vanishes and every angle works, 1 - cos x: one branch will do."""
     instead = map(builder.integer, (1, -1, 0, 0, 0))
     return tuple(builder.select(free, a, b) for a, b in zip(instead, polynomial, strict=True))
 
 
 def _is_close(context: Lowering, angle: AngleSum, polynomial: Circle, root: Node) -> Node:
-    """Whether the root may stand for two: there the slope is small."""
+    """Whether the root may be double: there the slope is small."""
     builder, scales = context.builder, context.scales
     simple = scales.tolerance(scales.tolerances.simple, 0, "simple")
     size = _size(builder, polynomial)
