@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
-from dhgen.heads import SUFFIXES, is_generated, source_folder
+from dhgen.generated_header import SUFFIXES, is_generated, source_folder
 from dhgen.printing.comments import plain_path
 from dhgen.robot_files import ENDINGS, led_to
 from dhgen.tolerances import DOUBLE, SINGLE

@@ -10,9 +10,9 @@ import tempfile
 from typing import TYPE_CHECKING
 
 from dhgen.arguments import explain_parser, parser, survey_parser
+from dhgen.commands import check, explain, survey, write
 from dhgen.errors import CommandError, DhgenError
 from dhgen.interrupts import interrupts_repeated
-from dhgen.verbs import check, explain, survey, write
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -7,10 +7,10 @@
 |-----------------|-----------------------------------------------------------------------------|
 | document        | the order of the sections                                                   |
 | story           | what all of them draw from: the arm, its steps, how polynomials are written |
-| sections        | what stands around the steps                                                |
+| sections        | what is printed around the steps                                            |
 | steps           | a step: its heading, its equations, and what its type's printer adds        |
 | step_context    | one step on its way to paper: its letters, its sign                         |
-| quotes          | the equations of a step as they stand in the matrices                       |
+| quotes          | the equations of a step as they are in the matrices                         |
 | known_functions | sines and cosines that a step has found, as later steps take them           |
 | types           | a printer for each equation type                                            |
 | conditions      | where a combination vanishes, in joint angles                               |

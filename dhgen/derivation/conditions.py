@@ -125,7 +125,7 @@ Terms = list[tuple[float, int, int]]  # a number, and the powers of the cosine a
 
 
 def are_never_zero(algebra: Algebra, *factors: Polynomial) -> bool:
-    """Whether factors are never zero together, as far as numbers tell.
+    """Whether factors are never zero together, as far as numbers show.
 
     They do if the factors, or some of them, hold the cosine and sine of one angle, and else
     lengths and twists alone: between two of the angles that are looked at, none can change by more

@@ -27,7 +27,7 @@ def others_decide(context: StepContext) -> str:
 
 
 def is_left_to_the_pose(context: StepContext) -> bool:
-    """Whether rows are compared with the whole pose, which tells a value of this angle from others.
+    """Whether rows are compared with the whole pose, which distinguishes values of this angle.
 
     An arm of fewer joints than the pose has numbers may take it by some values only.
     """

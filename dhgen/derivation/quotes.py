@@ -1,4 +1,4 @@
-"""The equations of a step as they stand in the matrices, and which way round they stand."""
+"""The equations of a step as they are in the matrices, and which way round they are."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class Quote:
         origin: Where it is read.
         left: The side with the joints, unless that is a constant.
         right: The other side.
-        joints_left: Whether the side with the joints stands left.
+        joints_left: Whether the side with the joints is left.
         facing: +1 when left - right is the equation of the pool, -1 when it is the opposite. The
             letters of a type are quoted with this sign, so that they belong to the equation as it
-            stands.
+            is quoted.
     """
 
     origin: Origin

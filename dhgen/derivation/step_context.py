@@ -1,4 +1,4 @@
-"""One step on its way to paper: its equations, letters, sign, and what it leaves to say."""
+"""One step on its way to paper: its equations, letters, sign, and what is left to print."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
 
-SHORT = 14  # visible characters of a value that may stand in a line of text
+SHORT = 14  # visible characters of a value that may be in a line of text
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ class StepContext:
 
     @property
     def quotes(self) -> tuple[Quote, ...]:
-        """The equations as they stand."""
+        """The equations as they are in the matrices."""
         return self.story.quotes[self.number - 1]
 
     @property
@@ -89,7 +89,7 @@ class StepContext:
 
     @property
     def facing_sign(self) -> Formula:
-        """The branch sign for letters of type 2, which belong to the equation as it stands."""
+        """The branch sign for letters of type 2, which belong to the equation as it is quoted."""
         return times(number(self.quotes[0].facing), self.sign)
 
     @property
@@ -114,7 +114,7 @@ class StepContext:
         )
 
     def polynomial(self, name: str) -> Polynomial:
-        """What stands behind a letter of the type, for the equation as it stands."""
+        """The value of a letter of the type, for the equation as it is quoted."""
         return self.step.coefficient(name) * self._facing(name)
 
     def _facing(self, name: str) -> int:
@@ -129,7 +129,7 @@ class StepContext:
 
     @property
     def determinant(self) -> Polynomial:
-        """X1 Y2 - X2 Y1 of a pair of equations as they stand."""
+        """X1 Y2 - X2 Y1 of a pair of equations as they are quoted."""
         x1, y1, x2, y2 = (self.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
         return self.story.algebra.normal(x1 * y2 - x2 * y1)
 

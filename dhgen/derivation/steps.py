@@ -1,4 +1,4 @@
-"""The steps: heading, the elements with their equations, then what the type's printer says."""
+"""The steps: heading, the elements with their equations, then what the type's printer adds."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 HOMOGENEOUS_IN_002 = 1  # document 002 has a type of its own for X s + Y c = 0
 
 
-@lru_cache(maxsize=32)  # several sections ask what steps say
+@lru_cache(maxsize=32)  # several sections read the steps' blocks
 def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Singularity, ...]]:
     """One step, with the singular places it brings."""
     step = story.steps[number - 1]
@@ -54,13 +54,13 @@ def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Sin
 
 
 def leaves_a_joint_free(story: Story) -> bool:
-    """Whether a step tells of a place where a joint takes the seed's value."""
+    """Whether a step has a place where a joint takes the seed's value."""
     steps = range(1, len(story.steps) + 1)
     return any(each.frees for number in steps for each in step_blocks(story, number)[1])
 
 
 def has_signed_roots(story: Story) -> bool:
-    """Whether a step with a sign tells of poses for which its square root has no value."""
+    """Whether a step with a sign mentions poses for which its square root has no value."""
     signed = [n for n, step in enumerate(story.steps, start=1) if step.roots == 2]
     blocks = (block for number in signed for block in step_blocks(story, number)[0])
     return any(
@@ -96,7 +96,7 @@ def _document_002_number(context: StepContext) -> int | None:
 
 
 def quoted(story: Story, number: int) -> list[Relation]:
-    """The equations as they stand: the joints' side first, as the documents write them."""
+    """The equations as quoted: the joints' side first, as the documents write them."""
     lines = []
     for quote in story.quotes[number - 1]:
         left, right = story.write_forward, story.write

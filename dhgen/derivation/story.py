@@ -41,7 +41,7 @@ class Remembered:
 
     Attributes:
         step: The number of the step, from 1.
-        form: Y s - X c of the equation as it stands, or the opposite.
+        form: Y s - X c of the equation as it is quoted, or the opposite.
         letter: What it is called.
         facing: -1 when it is the opposite.
     """
@@ -52,7 +52,7 @@ class Remembered:
     facing: int
 
 
-@dataclass(frozen=True, eq=False)  # itself and no other: what it says is remembered
+@dataclass(frozen=True, eq=False)  # itself and no other: what is worked out of it is remembered
 class Story:
     """A derivation with what its prints need.
 
@@ -139,7 +139,7 @@ class Story:
 
     @cached_property
     def quotes(self) -> tuple[tuple[Quote, ...], ...]:
-        """The equations of every step as they stand."""
+        """The equations of every step as they are in the matrices."""
         return tuple(quotes_of(self.derivation, step) for step in self.steps)
 
     @cached_property

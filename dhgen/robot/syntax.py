@@ -34,8 +34,8 @@ def syntax_errors(
         error: Why YAML stops.
         read: Reads a text as YAML, up to its first mistake.
     """
-    if message := _without_blank(source, error, read):
-        return message
+    if mistakes := _without_blank(source, error, read):
+        return mistakes
     mark = _mark(error)
     context = f" {error.context}" if error.context else ""
     place = Span(min(mark.index, len(source.text.rstrip())) if mark else 0)

@@ -82,7 +82,7 @@ def test_two_files_of_one_name_are_refused_before_the_work(
 
     worked: list[Path] = []
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("dhgen.verbs._compile", work)
+    monkeypatch.setattr("dhgen.commands._compile", work)
     shutil.copy(PLANAR, "again.yaml")
     again = f"again.yaml: {PLANAR} also generates files named 'planar_rr': rename one of the robots"
     assert main([str(PLANAR), "again.yaml", os.path.relpath(PLANAR)]) == 2
@@ -221,7 +221,7 @@ def test_a_folder_that_cannot_be_written_is_found_out_before_the_work(
     out: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("dhgen.verbs._compile", lambda *_: pytest.fail("the work has begun"))
+    monkeypatch.setattr("dhgen.commands._compile", lambda *_: pytest.fail("the work has begun"))
     Path("file").touch()
     Path("nowhere").symlink_to("not there")
     Path("loop").symlink_to("loop")

@@ -62,7 +62,7 @@ def is_rounded_limit(value: float) -> bool:
 
 
 def text_symbol(text: str) -> Symbol:
-    """What a cell says as one symbol."""
+    """A cell's expression as one symbol."""
     root = _LONG_ROOT.search(text)
     if root is not None:
         return _with_root(text, root.start())

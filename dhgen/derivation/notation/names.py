@@ -29,7 +29,7 @@ _PARTS = re.compile(r"([A-Za-z]+)_?(\d*)")
 
 
 _TAKEN = frozenset("ABCEJKPQRTUVWXYZcqrstw")  # letters that formulas use for other things
-_BARE = _TAKEN | {"D", "POS"}  # and what else stands without an index
+_BARE = _TAKEN | {"D", "POS"}  # and what else is written without an index
 
 
 def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:
@@ -50,7 +50,7 @@ def is_primed(name: str) -> bool:
 def parameter(name: str) -> Symbol:
     """A parameter of the robot file: L1 and L_1 with an index, a word as a word.
 
-    A prime tells it from what formulas call so themselves.
+    A prime distinguishes it from what formulas call so themselves.
     """
     if is_primed(name):
         return Symbol(rf"\mathit{{{name}}}'", f"{name}′", name)

@@ -1,6 +1,6 @@
 """Polynomials as people write them: nested by joints, parameters before cosines, signs in front.
 
-The group of generators with the highest rank stands outermost, so that
+The group of generators with the highest rank is outermost, so that
 c2 (c1 t11 + s1 t21) + s2 t31 comes out when joint 2 was solved after joint 1.
 """
 
@@ -45,7 +45,7 @@ class Alphabet:
         names: Their names.
         letters: Their letters.
         orders: What kind it is (0 a constant, 1 a cosine or sine, 2 a length, 3 a coordinate of a
-            named point, 4 a pose entry), and the place: in this order they stand in a product.
+            named point, 4 a pose entry), and the place: their order in a product.
         pairs: Both places for that of a cosine or sine.
         roots: The letters of roots of numbers.
     """
@@ -88,7 +88,7 @@ class Writer:
 
     Attributes:
         alphabet: Of the arm.
-        rank: For a generator's name, how far outside it stands; equal for a cosine and its sine.
+        rank: For a generator's name, how far outside it is; equal for a cosine and its sine.
         known: Forms that have a letter of their own, with positive first coefficient.
     """
 
@@ -102,7 +102,7 @@ class Writer:
             return ZERO
         factor, rest = primitive(polynomial)
         if len({int(c.denominator) for c in polynomial.values()}) > 1:
-            sign = 1 if factor > 0 else -1  # a fraction stays with the term that has it
+            sign = 1 if factor > 0 else -1  # a fraction is left to the term that has it
             factor, rest = Fraction(sign), polynomial * sign
         common, inner = content(rest)
         monomial = self._monomial(common)
@@ -218,7 +218,7 @@ class Writer:
 
 
 def _crossed(polynomial: Polynomial, alphabet: Alphabet) -> list[tuple[int, int]]:
-    """The pairs of constants that stand in one product of two, and in no other."""
+    """The pairs of constants that are in one product of two, and in no other."""
     pairs = [
         tuple(place for place, power in enumerate(m) if power)
         for m in polynomial

@@ -59,7 +59,7 @@ def element_blocks(story: Story) -> list[Block]:
 
 
 def _second_origins(step: Step) -> tuple[Origin, ...]:
-    """Where the second equation of a step stands; that of a cross product is told in the step."""
+    """The place of a step's second equation; that of a cross product is printed in the step."""
     if step.second is None:
         return ()
     return tuple(origin for origin in step.second.origins if origin.column != MOMENT)

@@ -45,7 +45,7 @@ def forward_section(story: Story) -> list[Block]:
 
 
 def forward_in_short(story: Story) -> list[Block]:
-    """Without the products, where no step of a derivation stands on them."""
+    """The forward model without the products, where no step of a derivation needs them."""
     chain = story.algebra.chain
     factors: list[Formula] = [link(i) for i in range(1, story.dof + 1)]
     blocks: list[Block] = [Heading(2, say("Forward")), *_links(story)]

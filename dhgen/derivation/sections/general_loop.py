@@ -26,7 +26,7 @@ def loop_that_closes(kernel: GeneralKernel) -> Symbol:
 
 
 def begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:
-    """Whether what stands between two joints is one link's constant part."""
+    """Whether the transform between two joints is one link's constant part."""
     own = kernel.asked == len(chain.links) == len(kernel.numbers)
     return own and all(isinstance(link[0], Turn | Slide) for link in chain.links)
 
@@ -55,7 +55,7 @@ def loop_from_the_hidden_joint(kernel: GeneralKernel) -> Symbol:
 
 
 def _link(first: Formulation, joint: int, *, undone: bool = False) -> Symbol:
-    """What stands behind a joint, in the direction in which the loop is read; or its inverse."""
+    """The transform behind a joint, in the direction in which the loop is read; or its inverse."""
     number, inverted = first.behind(joint)
     name, inverse = "P" if number is None else f"K_{number}", inverted != undone
     return Symbol(name + "^{-1}" * inverse, name.replace("_", "") + "⁻¹" * inverse)

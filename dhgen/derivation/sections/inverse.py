@@ -127,7 +127,7 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
 
 
 def _stay(story: Story) -> list[Block]:
-    """Base and tool that stay on the right, because the task does not give the whole pose."""
+    """Base and tool that remain on the right, because the task does not give the whole pose."""
     problem = story.derivation.problem
     chain = story.algebra.chain
     still = identity(chain.ring)

@@ -37,7 +37,7 @@ def jacobian_columns(story: Story) -> list[Block]:
 
 
 def _of_kinds(story: Story) -> str:
-    """Which columns are told, where the arm has both kinds of joints."""
+    """A clause with the kinds of columns, where the arm has both kinds of joints."""
     slides, joints = len(story.algebra.slides), len(story.algebra.chain.joints)
     return ", for a revolute and for a prismatic joint," if 0 < slides < joints else ""
 
@@ -57,7 +57,7 @@ def jacobian_blocks(story: Story) -> list[Block]:
 
 
 def _columns(story: Story) -> list[Block]:
-    """The two kinds of columns, and what stands in them."""
+    """The two kinds of columns, and what is in them."""
     own = not isinstance(story.robot.geometry, DhTable) or (
         story.robot.geometry.convention is Convention.MODIFIED
     )

@@ -1,4 +1,4 @@
-"""What is said of an arm that is solved numerically: what its template names."""
+"""The inverse of an arm that is solved numerically: what its template names."""
 
 from __future__ import annotations
 

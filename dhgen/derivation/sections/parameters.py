@@ -36,7 +36,7 @@ TURNED = ("cosine of", "sine of")
 
 
 def constant_blocks(story: Story) -> list[Block]:
-    """Every letter of the formulas that stands for a number."""
+    """Every letter of the formulas whose value is a number."""
     blocks: list[Block] = []
     constants = _written(story.algebra.chain)
     used = {each.parameter: each for each in constants}
@@ -107,7 +107,7 @@ def _meaning(constant: Constant) -> str:
 
 
 def _unsigned(function: str, constant: Constant) -> str:
-    """What is said of a cosine or sine that is less than zero."""
+    """A clause for a cosine or sine that is less than zero."""
     if constant.angle is None:
         return ""
     value = math.cos(constant.angle) if function == "cosine" else math.sin(constant.angle)

@@ -59,7 +59,7 @@ def robot_section(story: Story, written: frozenset[Symbol]) -> list[Block]:
 
 
 def _taken(story: Story) -> list[Block]:
-    """The cells that say a little other than the table."""
+    """The cells whose exact value differs a little from the table."""
     cells = story.robot.taken
     if not cells:
         return []

@@ -84,7 +84,7 @@ def _vector(name: str, prime: str = "") -> Symbol:
 
 
 def arm_angle_places(story: Story) -> list[Singularity]:
-    """Where the line from the shoulder to the wrist is axis 1; step 0 stands for the angle."""
+    """Where the line from the shoulder to the wrist is axis 1; step 0 is the angle itself."""
     plane = story.derivation.pool.plane
     if plane is None:
         return []

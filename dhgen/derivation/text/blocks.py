@@ -26,7 +26,7 @@ class Prose:
 
     Attributes:
         text: The words; `{}` for every part in turn.
-        parts: What stands in the places.
+        parts: What is in the places.
     """
 
     text: str
@@ -43,7 +43,7 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Paragraph:
-    """Some sentences; `lead` stands before them in bold type."""
+    """Some sentences; `lead` comes before them in bold type."""
 
     prose: Prose
     lead: Prose | None = None

@@ -14,9 +14,9 @@ class Symbol:
     """A letter with its index.
 
     Attributes:
-        latex: As it stands in a formula.
-        text: As it stands in a terminal.
-        name: The generator of the algebra that it stands for, or "".
+        latex: Its spelling in a formula.
+        text: Its spelling in a terminal.
+        name: The generator of the algebra that it means, or "".
     """
 
     latex: str
@@ -112,7 +112,7 @@ class Listing:
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """A matrix; None stands for an entry that does not matter."""
+    """A matrix; None is an entry that does not matter."""
 
     rows: tuple[tuple[Formula | None, ...], ...]
 
@@ -166,7 +166,7 @@ def minus(operand: Formula) -> Formula:
 
 
 def add(*terms: Formula) -> Formula:
-    """The sum of some terms; a positive one stands first if there is one."""
+    """The sum of some terms; a positive one comes first if there is one."""
     flat: list[Formula] = []
     for term in terms:
         if isinstance(term, Sum):

@@ -54,7 +54,7 @@ def _is_long(formula: Formula) -> bool:
 
 
 def broken(formula: Formula, style: Style) -> list[tuple[str, str]]:
-    """The lines of a formula, each as what stands left and right of the point of alignment."""
+    """The lines of a formula, each as what is left and right of the point of alignment."""
     if not isinstance(formula, Relation):
         return [("", line) for line in filled(formula, style, WIDTH)]
     first = formula.sides[0]

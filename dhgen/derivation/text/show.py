@@ -87,7 +87,7 @@ def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: St
 
 
 def show_entry(entry: Formula | None, style: Style) -> str:
-    """An entry of a matrix, or what stands for one that does not matter."""
+    """An entry of a matrix, or the sign for one that does not matter."""
     return style.any_entry if entry is None else show(entry, style)
 
 
@@ -119,7 +119,7 @@ def _base(base: Formula, style: Style) -> str:
 
 
 def _enclosed(formula: Formula, style: Style) -> str:
-    """In parentheses, which grow with what is in them unless fractions stand in one line."""
+    """In parentheses, which grow with what is in them unless fractions are in one line."""
     return style.enclosed(show(formula, style), tall=not style.slanted and is_tall(formula))
 
 

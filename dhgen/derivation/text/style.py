@@ -26,17 +26,17 @@ class Style(Protocol):
 
     @property
     def comma(self) -> str:
-        """What stands between formulas side by side."""
+        """The separator of formulas side by side."""
         ...
 
     @property
     def any_entry(self) -> str:
-        """What stands for an entry of a matrix that does not matter."""
+        """The sign for an entry of a matrix that does not matter."""
         ...
 
     @property
     def slanted(self) -> bool:
-        """Whether a fraction stands in one line, so that its parts need parentheses."""
+        """Whether a fraction is in one line, so that its parts need parentheses."""
         ...
 
     def symbol(self, symbol: Symbol) -> str:

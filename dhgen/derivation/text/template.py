@@ -45,7 +45,7 @@ def blocks_of(template: str, **values: object) -> list[Block]:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where a value stands in a filled template.
+    """The place of a value in a filled template.
 
     Attributes:
         number: Which one it is.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def occurs(symbol: Symbol, formula: Formula) -> bool:
-    """Whether a symbol stands in a formula."""
+    """Whether a formula holds a symbol."""
     return formula == symbol or any(occurs(symbol, part) for part in parts_of(formula))
 
 
@@ -51,7 +51,7 @@ def leads_negative(formula: Formula) -> bool:
 
 
 def symbols_of(blocks: Iterable[Block]) -> frozenset[Symbol]:
-    """The symbols that stand anywhere in the blocks."""
+    """The symbols anywhere in the blocks."""
     return frozenset(
         symbol
         for block in blocks
@@ -61,7 +61,7 @@ def symbols_of(blocks: Iterable[Block]) -> frozenset[Symbol]:
 
 
 def symbols_in(formula: Formula) -> Iterator[Symbol]:
-    """The symbols of a formula, each as often as it stands there."""
+    """The symbols of a formula, each as often as it occurs."""
     if isinstance(formula, Symbol):
         yield formula
     for part in parts_of(formula):

@@ -34,7 +34,7 @@ from dhgen.derivation.text.formula import (
     subtract,
     times,
 )
-from dhgen.derivation.types.second import ADDED, Second
+from dhgen.derivation.types.fallback_equation import ADDED, Second
 from dhgen.kinematics.ring import constant_value
 
 if TYPE_CHECKING:

@@ -154,7 +154,7 @@ def _free(context: StepContext, *, together: bool) -> Singularity:
 
 
 def _in_joints(context: StepContext, *, together: bool) -> Formula | Prose | None:
-    """Where nothing is said of the angle, by the joints that are known before it."""
+    """Where the equations lose the angle, by the joints that are known before it."""
     if together:
         return vanishing(context, context.polynomial("X1"), context.polynomial("Y1"))
     return vanishing(context, context.determinant)

@@ -39,7 +39,7 @@ JACOBIAN = Symbol("J", "J")
 
 
 def print_circle(context: StepContext) -> StepText:
-    """The polynomial in the angle that stays, and how many roots it has."""
+    """The polynomial in the angle that remains, and how many roots it has."""
     kept = context.angle
     gone = _eliminated(context)
     c, s = cosine(gone), sine(gone)

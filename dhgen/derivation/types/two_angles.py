@@ -171,7 +171,7 @@ def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
 
 
 def _free(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity | None:
-    """Where nothing is said of the angle, if that may be: K, too, has to vanish with X and Y.
+    """Where the equations lose the angle, if that may be: K, too, has to vanish with X and Y.
 
     Of the three vectors that add up to nothing one has no length then, so that the others are
     equally long.

@@ -1,4 +1,4 @@
-"""What generated files say of themselves, in their first lines."""
+"""What generated files hold about themselves, in their first lines."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pathlib import Path
+
 
 SUFFIXES = (".py", ".c", ".h", ".md")
 HEAD = 1000  # characters of a file in which it says where it comes from

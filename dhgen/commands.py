@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.arguments import OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
-from dhgen.heads import SUFFIXES, robot_of
+from dhgen.generated_header import SUFFIXES, robot_of
 from dhgen.method import Method
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from dhgen.errors import Diagnostic
     from dhgen.robot_files import RobotFile, RobotFiles
     from dhgen.targets.module import SolverModule
+
 
 FAULT = """\
 {whose}; nothing was written

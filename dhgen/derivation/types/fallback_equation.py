@@ -1,4 +1,4 @@
-"""The second equation of type 2 with Z = 0, which stays where X and Y vanish."""
+"""The second equation of type 2 with Z = 0, which keeps the angle where X and Y vanish."""
 
 from __future__ import annotations
 
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
 
+
 PRIMED = {name: Symbol(f"{name}'", f"{name}'") for name in "XY"}
 ADDED = {name: Symbol(rf"\hat {name}", f"{name}^") for name in "XY"}
 WEIGHT = Symbol(r"\sigma", "σ")
@@ -58,7 +59,7 @@ class Second:
         return None if context.step.second is None else cls(context, context.step.second)
 
     def blocks(self) -> list[Block]:
-        """Where it stands, its letters, and how both are added."""
+        """Its place, its letters, and how both are added."""
         story, angle = self.context.story, self.context.angle
         (form,) = self.step.forms
         (origin,) = self.step.origins
@@ -127,7 +128,7 @@ class Second:
         )
 
     def condition(self, first: Polynomial | None) -> Formula | None:
-        """Where both equations say nothing, in joint angles: Y s - X c is zero for both."""
+        """Where both equations degenerate, in joint angles: Y s - X c is zero for both."""
         if first is None:
             return None
         story = self.context.story
