@@ -31,7 +31,7 @@ from dhgen.workers import side_by_side
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.survey.line import Line
+    from dhgen.survey.table import Line
 
 POSES = 200_000
 SEEDS = (1, 2, 3)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from dhgen.arguments import explain_parser, parser, survey_parser
 from dhgen.commands import check, explain, survey, write
 from dhgen.errors import CommandError, DhgenError
-from dhgen.interrupts import interrupts_repeated
+from dhgen.workers import interrupts_repeated
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -17,11 +17,10 @@ from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
 from dhgen.survey.ask import ask_random, ask_singular
-from dhgen.survey.line import Answers, Line
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.recall import ask_recall
-from dhgen.survey.sources import robot_files
-from dhgen.survey.structure import arm_class, joint_letters
+from dhgen.survey.sources import arm_class, joint_letters, robot_files
+from dhgen.survey.table import Answers, Line
 from dhgen.survey.trial import Trial
 from dhgen.verify.demands import GENERAL_RESIDUAL, RESIDUAL
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver

@@ -10,7 +10,7 @@ from benchmarks.options import robot_names
 from benchmarks.report import README
 from benchmarks.survey import MARK, padded, report, written
 from dhgen.kinematics.build import build_chain
-from dhgen.survey.structure import arm_class, joint_letters
+from dhgen.survey.sources import arm_class, joint_letters
 from dhgen.survey.survey import survey
 from dhgen.survey.table import HEAD, cells
 from tests.robots.cases import ROBOTS, robot

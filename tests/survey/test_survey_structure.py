@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from dhgen.kinematics.build import build_chain
-from dhgen.survey.structure import arm_class, joint_letters
+from dhgen.survey.sources import arm_class, joint_letters
 from tests.robots.cases import robot
 
 CLASSES = {

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from dhgen.method import Method
-from dhgen.survey.line import Answers, Line
-from dhgen.survey.table import survey_text
+from dhgen.survey.table import Answers, Line, survey_text
 
 GOOD = Answers(
     method=Method.CLOSED_FORM,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.lowering.thresholds import is_nearly_short
+from dhgen.program.lowering.coefficients import is_nearly_short
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import AngleSum

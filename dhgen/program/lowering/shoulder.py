@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.program.lowering.arm_angle import straight_limit
-from dhgen.program.lowering.thresholds import is_short
+from dhgen.program.lowering.coefficients import is_short
 from dhgen.program.lowering.vectors import chosen, cross, inner, length, minus, plus, scaled
 
 if TYPE_CHECKING:

@@ -10,9 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.paul.kind import Kind
-from dhgen.program.lowering.types.angle import lower_angle
+from dhgen.program.lowering.types.angle import lower_angle, lower_angle_pair
 from dhgen.program.lowering.types.angle_and_length import lower_angle_and_length, lower_polar
-from dhgen.program.lowering.types.angle_pair import lower_angle_pair
 from dhgen.program.lowering.types.circle import lower_circle
 from dhgen.program.lowering.types.lengths import (
     lower_length,

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.lowering.coefficients import letters, named
+from dhgen.program.lowering.coefficients import is_short, letters, named
 from dhgen.program.lowering.roots import keep_one, over, reach_of, signed_root
 from dhgen.program.lowering.set_angle import finish
-from dhgen.program.lowering.thresholds import is_short
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step

@@ -6,8 +6,7 @@ from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Failure
-from dhgen.program.lowering.coefficients import letters
-from dhgen.program.lowering.thresholds import is_short
+from dhgen.program.lowering.coefficients import is_short, letters
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import AngleSum

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.types.lengths import determinant
 from dhgen.program.ir import Failure
-from dhgen.program.lowering.coefficients import letters
+from dhgen.program.lowering.coefficients import is_short, is_within_reach, letters, vanishes
 from dhgen.program.lowering.roots import reach_of, signed_root
-from dhgen.program.lowering.thresholds import is_short, is_within_reach, vanishes
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
