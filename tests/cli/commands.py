@@ -15,7 +15,7 @@ Run = Callable[..., subprocess.CompletedProcess[str]]
 
 ROOT = Path(__file__).resolve().parents[2]
 PLANAR = ROOT / "robots" / "planar_rr.yaml"
-FILES = ["dhgen_native.py", "dhgen_pose.c", "dhgen_pose.h", "dhgen_pose.py"] + [
+FILES = [f"dhgen_{name}" for name in ("native.c", "native.py", "pose.c", "pose.h", "pose.py")] + [
     f"planar_rr.{end}" for end in ("c", "h", "md", "py")
 ]
 WRONG = """\

@@ -9,7 +9,11 @@ Part of dhgen, which puts a copy of this file beside the robots that it generate
 
 What comes back is a module like the one given, with the same functions, constants and errors; only
 the solving is done in C. It and its functions can be pickled, as multiprocessing does: by how they
-were asked for. numba functions cannot call it: they need the module itself.
+were asked for.
+
+On CPython for Linux its functions are Python's own kind of C: a call takes a fifth of a microsecond
+besides the solving, and functions of numba can call `ik_into`, with contiguous arrays. Elsewhere,
+and in builds of Python without a global lock, calls go through ctypes.
 
 Libraries are kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache folder, under the digest of
 their source, the compiler, its flags and the processor, and that of their own bytes: one that is
@@ -22,10 +26,13 @@ import ctypes
 import hashlib
 import importlib.util
 import inspect
+import math
 import os
 import shlex
 import shutil
 import subprocess
+import sys
+import sysconfig
 import tempfile
 from functools import cache, update_wrapper
 from pathlib import Path
@@ -33,6 +40,15 @@ from types import MethodType, ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+TypingError: Any
+overload: Any = None
+register_jitable: Any = lambda function: function  # noqa: E731
+try:
+    from numba.core.errors import TypingError
+    from numba.extending import overload, register_jitable
+except ImportError:
+    pass
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -52,11 +68,14 @@ FLAGS = (
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
 FLAGS_APART = "its options belong in flags"
 WRITABLE = "set DHGEN_CACHE_DIR to a writable folder"
-# What a robot's module is for.
-FUNCTIONS = (
-    *("fk", "jacobian", "ik_into", "ik_all", "ik", "ik_batch"),
-    *("arm_angle", "warm_up"),
+# Where a library may be part of Python: elsewhere it is linked, or objects begin, in another way.
+EXTENDS = (
+    sys.implementation.name == "cpython"
+    and sys.version_info >= (3, 11)
+    and sys.platform.startswith("linux")
+    and not sysconfig.get_config_var("Py_GIL_DISABLED")
 )
+FAST_CALL = 0x0080 | 0x0002  # of functions that take an array of arguments, and names
 
 
 class NoCompiler(RuntimeError):  # noqa: N818
@@ -99,20 +118,21 @@ def native(
     if wrong := FORGET_NAN.intersection(words):
         told = " or ".join(sorted(wrong))
         raise ValueError(f"flags must not include {told}: NaN marks rows without a solution")
-    library = _build(path.with_suffix(".c"), _compiler(compiler), words)
+    library = _build(module, path.with_suffix(".c"), _compiler(compiler), words)
     # The same text once more: its functions find those of the C where those of numba were.
     spec = importlib.util.spec_from_file_location(module.__name__, path)
     if spec is None or spec.loader is None:
         raise FileNotFoundError(path)
     robot = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(robot)
-    solver = _Solver(robot, ctypes.CDLL(str(library)))
-    vars(robot).update(solver.names(), Unreachable=module.Unreachable)
-    robot.__class__ = _Robot
     vars(robot).update(_asked=(module.__name__, compiler, tuple(words)))
-    for name in FUNCTIONS:
-        if hasattr(robot, name):
-            setattr(robot, name, _function_of(robot, name))
+    robot.__class__ = _Robot
+    solver = _Solver(robot, ctypes.CDLL(str(library)))
+    for name in (
+        ("ik_all", "ik", "ik_batch") if EXTENDS else ("ik_all", "ik", "ik_batch", "ik_into")
+    ):
+        setattr(robot, name, _function_of(robot, name))
+    vars(robot).update(solver.names(), Unreachable=module.Unreachable)
     return robot
 
 
@@ -151,10 +171,24 @@ class _Solver:
     def __init__(self, robot: ModuleType, library: ctypes.CDLL) -> None:
         self._robot, self._library = robot, library
         self._dof, self._rows = robot.DOF, robot.MAX_SOLUTIONS
-        self._given = 1 if hasattr(robot, "arm_angle") else len(getattr(robot, "FREE_JOINTS", ()))
+        self._given = _given(robot)
+        self._takes = inspect.signature(robot.ik_into)
         self._fk, self._jacobian = self._function("fk", 2), self._function("jacobian", 2)
         self._ik = self._function("ik", 5 if self._given else 4, ctypes.c_int)
         self._ik_batch = self._function("ik_batch", 5 if self._given else 4)
+        self._fk_into, self._jacobian_into = self.any_fk, self.any_jacobian
+        if EXTENDS:
+            self._fk_into, self._jacobian_into = (
+                _extension(self, library, name, "") for name in ("fk", "jacobian")
+            )
+            *names, seed = self._takes.parameters
+            shown = f"ik_into({', '.join(names)}, {seed}=None)"
+            text = f"{shown}\n--\n\n{robot.ik_into.__doc__}"
+            self.ik_into = _extension(self, library, "ik_into", text)
+            _show_numba(self.ik_into, robot, library)
+
+    def __reduce__(self) -> tuple[Callable[[ModuleType], _Solver], tuple[ModuleType]]:
+        return _solver_of, (self._robot,)
 
     def _function(self, end: str, arguments: int, result: Any = None) -> Callable[..., Any]:  # noqa: ANN401
         function = self._library[f"{self._robot.NAME}_{end}"]
@@ -166,6 +200,7 @@ class _Solver:
         names = {
             "fk": self.fk,
             "jacobian": self.jacobian,
+            "_solver": self,
             "_unseeded": lambda *arguments: self.into(*arguments, None),
             "_seeded": self.into,
             "_look_at": lambda *_: None,  # other types of numbers are converted
@@ -173,22 +208,42 @@ class _Solver:
             "_one_by_one": self.batch,
             "warm_up": self.warm_up,
         }
+        if EXTENDS:
+            names |= dict.fromkeys(("ik_into", "_unseeded", "_seeded"), self.ik_into)
         if hasattr(self._robot, "arm_angle"):
-            angle = self._function("arm_angle", 1, ctypes.c_double)
-            names["arm_angle"] = lambda q: angle(self._joints(q).ctypes.data)
+            names["arm_angle"] = self.arm_angle
         return names
 
     def fk(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
         """The pose (4, 4) of joint values (n,)."""
-        values, T = self._joints(q), np.empty((4, 4))
-        self._fk(values.ctypes.data, T.ctypes.data)
+        T = np.empty((4, 4))
+        self._fk_into(q, T)
         return T
 
     def jacobian(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
         """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity."""
-        values, J = self._joints(q), np.empty((6, self._dof))
-        self._jacobian(values.ctypes.data, J.ctypes.data)
+        J = np.empty((6, self._dof))
+        self._jacobian_into(q, J)
         return J
+
+    def arm_angle(self, q: Any) -> float:  # noqa: ANN401
+        """The arm angle of joint values (n,), in (-pi, pi]."""
+        angle = self._function("arm_angle", 1, ctypes.c_double)
+        return float(angle(self._joints(q).ctypes.data))
+
+    def any_fk(self, q: Any, T: NDArray[np.float64]) -> None:  # noqa: ANN401
+        """The pose of joint values of any type."""
+        self._fk(self._joints(q).ctypes.data, T.ctypes.data)
+
+    def any_jacobian(self, q: Any, J: NDArray[np.float64]) -> None:  # noqa: ANN401
+        """The Jacobian of joint values of any type."""
+        self._jacobian(self._joints(q).ctypes.data, J.ctypes.data)
+
+    def any_into(self, *arguments: Any, **named: Any) -> int:  # noqa: ANN401
+        """All solutions into arrays of any type, or what is wrong with them."""
+        taken = self._takes.bind(*arguments, **named)
+        taken.apply_defaults()
+        return self.into(*taken.args)
 
     def into(self, *arguments: Any) -> int:  # noqa: ANN401
         """All solutions into arrays: T, what is given, q, status, and a seed or None."""
@@ -234,12 +289,125 @@ class _Solver:
         return values
 
 
+def _solver_of(robot: ModuleType) -> _Solver:
+    """What another process gets for a solver."""
+    solver: _Solver = vars(robot)["_solver"]
+    return solver
+
+
+def _given(robot: ModuleType) -> int:
+    """How many values the caller gives besides the pose."""
+    return 1 if hasattr(robot, "arm_angle") else len(getattr(robot, "FREE_JOINTS", ()))
+
+
 def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:
     """The caller's array where C may write into it, or one that is."""
     flags = array.flags
     if array.dtype == kind and flags.c_contiguous and flags.writeable and flags.aligned:
         return array
     return np.empty(array.shape, kind)
+
+
+class _Method(ctypes.Structure):
+    """What Python knows of a function in C."""
+
+    _fields_ = (
+        ("name", ctypes.c_char_p),
+        ("function", ctypes.c_void_p),
+        ("flags", ctypes.c_int),
+        ("text", ctypes.c_char_p),
+    )
+
+
+# Functions of Python point there for as long as anybody has them.
+_METHODS: dict[tuple[str, str, str], _Method] = {}
+_new_function = ctypes.PYFUNCTYPE(
+    ctypes.py_object, ctypes.POINTER(_Method), ctypes.py_object, ctypes.py_object
+)(("PyCFunction_NewEx", ctypes.pythonapi))
+
+
+def _extension(owner: _Solver, library: ctypes.CDLL, name: str, text: str) -> Callable[..., Any]:
+    """A function in dhgen_native.c as one of Python, with its docstring."""
+    key = (library._name, name, text)  # noqa: SLF001  there is no other way to its path
+    if key not in _METHODS:
+        address = ctypes.cast(library[f"dhgen_native_{name}"], ctypes.c_void_p)
+        _METHODS[key] = _Method(name.encode(), address, FAST_CALL, text.encode())
+    function: Callable[..., Any] = _new_function(_METHODS[key], owner, __name__)
+    return function
+
+
+def _show_numba(ik_into: Callable[..., int], robot: ModuleType, library: ctypes.CDLL) -> None:
+    """Lets functions of numba call `ik_into`: by address, which it keeps in no cache."""
+    if overload is None:
+        return
+    given, dof, rows = _given(robot), robot.DOF, robot.MAX_SOLUTIONS
+    inputs = [ctypes.c_void_p] * (2 if given else 1)
+    seeded, unseeded = (
+        ctypes.CFUNCTYPE(ctypes.c_int, *inputs, seed, ctypes.c_void_p, ctypes.c_void_p)(
+            (f"{robot.NAME}_ik", library)
+        )
+        for seed in (ctypes.c_void_p, ctypes.c_size_t)  # NULL is zero
+    )
+
+    def solve(T: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
+        _demand_shapes(T, q, status, rows, dof)
+        if q_seed is None:
+            return max(unseeded(T.ctypes, 0, q.ctypes, status.ctypes), 0)
+        _demand_values(q_seed, dof)
+        return max(seeded(T.ctypes, q_seed.ctypes, q.ctypes, status.ctypes), 0)
+
+    def solve_given(T: Any, q_free: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
+        _demand_shapes(T, q, status, rows, dof)
+        if q_free.shape != (given,):
+            raise ValueError("q_free has another number of values")
+        if q_seed is None:
+            return max(unseeded(T.ctypes, q_free.ctypes, 0, q.ctypes, status.ctypes), 0)
+        _demand_values(q_seed, dof)
+        return max(seeded(T.ctypes, q_free.ctypes, q_seed.ctypes, q.ctypes, status.ctypes), 0)
+
+    def typed(T: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
+        _demand_types(T, q, status, q_seed)
+        return solve
+
+    def typed_given(T: Any, q_free: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
+        _demand_types(T, q, status, q_seed)
+        _demand_type("q_free", q_free, "float64", 1)
+        return solve_given
+
+    overload(ik_into)(typed_given if given else typed)
+
+
+@register_jitable  # type: ignore[untyped-decorator]
+def _demand_shapes(T: Any, q: Any, status: Any, rows: int, dof: int) -> None:  # noqa: ANN401
+    if T.shape != (4, 4) or q.shape != (rows, dof) or status.shape != (rows,):
+        raise ValueError("T, q or status has another shape than ik_all takes and returns")
+
+
+@register_jitable  # type: ignore[untyped-decorator]
+def _demand_values(q_seed: Any, dof: int) -> None:  # noqa: ANN401
+    if q_seed.shape != (dof,):
+        raise ValueError("q_seed must have as many values as the arm has joints")
+    for value in q_seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+
+
+def _demand_types(T: Any, q: Any, status: Any, q_seed: Any) -> None:  # noqa: ANN401
+    """Stops while numba compiles, where an array has another type: its own words say little."""
+    _demand_type("T", T, "float64", 2)
+    _demand_type("q", q, "float64", 2)
+    _demand_type("status", status, "uint8", 1)
+    if hasattr(q_seed, "dtype"):
+        _demand_type("q_seed", q_seed, "float64", 1)
+    if not (q.mutable and status.mutable):
+        raise TypingError("q and status are filled: they can't be read-only")
+
+
+def _demand_type(name: str, array: Any, kind: str, axes: int) -> None:  # noqa: ANN401
+    plain = getattr(array, "layout", "") == "C" and array.ndim == axes
+    if not plain or str(array.dtype) != kind:
+        wanted = f"a contiguous array of {kind} with {axes} axes"
+        raise TypingError(f"{name} must be {wanted}, not {array}")
 
 
 def _compiler(wanted: str | None) -> str:
@@ -255,12 +423,21 @@ def _compiler(wanted: str | None) -> str:
     raise NoCompiler(f"no C compiler: {asked}; without one use the robot's own module, with numba")
 
 
-def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
+def _build(robot: ModuleType, source: Path, compiler: str, flags: Sequence[str]) -> Path:
     """The library of a source, compiled unless it is kept already."""
-    runtime = sorted((source.parent / "dhgen").rglob("*.h"))
-    texts = [path.read_bytes() for path in (source, source.with_suffix(".h"), *runtime)]
+    sources = [source, *([source.with_name("dhgen_native.c")] if EXTENDS else [])]
+    runtime = sorted(source.with_name("dhgen").rglob("*.[ch]"))
+    texts = [each.read_bytes() for each in (*sources, source.with_suffix(".h"), *runtime)]
     # What the compiler knows of itself and of the processor, by these flags.
     texts.append(_run(compiler, *flags, "-dM", "-E", "-x", "c", os.devnull).encode())
+    defined = {
+        "HEADER": f'"{source.stem}.h"',
+        "ROBOT": robot.NAME,
+        "UPPER": robot.NAME.upper(),
+        "GIVEN": _given(robot),
+    }
+    flags = [*flags, *(f"-DDHGEN_{name}={text}" for name, text in defined.items() if EXTENDS)]
+    flags.append(f"-I{source.parent}")
     texts.append("\n".join((compiler, *flags)).encode())
     digest = _digest(b"\0".join(texts))
     folder, start = _folder(), f"{source.stem}-{digest}-"
@@ -269,7 +446,8 @@ def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
             return kept
     with _room(folder) as place:
         made = Path(place) / "made.so"
-        _run(compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(made), "-lm")
+        files = [*map(str, sources), "-o", str(made), "-lm"]
+        _run(compiler, *flags, "-shared", "-fPIC", *files)
         library = folder / f"{start}{_digest(made.read_bytes())}.so"
         return made.replace(library)  # at once: nobody sees half of it
 
