@@ -6,6 +6,8 @@
  */
 #include "manseur_doty.h"
 
+#define DHGEN_DOF 6
+#define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
 #ifdef MANSEUR_DOTY_LANES
 #define DHGEN_GENERAL_LANES MANSEUR_DOTY_LANES
@@ -38,420 +40,6 @@ static inline number misfit_##name(const number T[16]) \
     return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
 }
 MISFIT(one, double)
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
-    0.3333333333333333, 0.3333333333333333, 0.3333333333333333, 0.3333333333333333,
-    0.3333333333333333, 0.3333333333333333,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[6], seed[6]; /* all joint values; the seed in units */
-    double e[6], length; /* the miss [arm sizes, rad], and its length */
-    double A[6][6]; /* how u moves the tool */
-};
-
-/* The rotation vector of an axis times the sine, and the cosine. */
-static void turn_vector(const double axis[3], double cosine, double vector[3])
-{
-    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
-    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
-    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
-    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
-    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
-}
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[6])
-{
-    double P[16], J[36], square = 0.0;
-    for (int j = 0; j < 6; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    manseur_doty_fk(d->q, P);
-    manseur_doty_jacobian(d->q, J);
-    for (int i = 0; i < 3; i++) {
-        const int row = coordinate[i];
-        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 3.0;
-        for (int j = 0; j < 6; j++)
-            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
-    }
-    double R[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
-                + d->T[4 * i + 2] * P[4 * j + 2];
-    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
-        0.5 * (R[1][0] - R[0][1]) };
-    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 6; j++)
-            d->A[3 + i][j] = J[6 * (3 + i) + solved[j]];
-    for (int i = 0; i < 6; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* What is added from start to start, in parts of the range: a direction that is like no other. */
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Makes a step no longer than it may be. */
-static void shorten(double step[6])
-{
-    double longest = 2.0;
-    for (int j = 0; j < 6; j++)
-        longest = fmax(longest, fabs(step[j]));
-    for (int j = 0; j < 6; j++)
-        step[j] *= 2.0 / longest;
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the damping's root behind it, are made orthonormal one after another
- * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
- * A A' would lose half of the digits. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double little,
-    double step[6])
-{
-    const double damping = 0.1 * fmin(length * length, 1.0) + little;
-    double rows[6][12], y[6], sum[12] = { 0.0 };
-    for (int i = 0; i < 6; i++) {
-        double square = 0.0;
-        for (int j = 0; j < 12; j++)
-            rows[i][j] = j < 6 ? d->A[i][j] : j == 6 + i ? sqrt(damping) : 0.0;
-        y[i] = e[i];
-        for (int k = 0; k < i; k++) {
-            double along = 0.0;
-            for (int j = 0; j < 12; j++)
-                along += rows[k][j] * rows[i][j];
-            for (int j = 0; j < 12; j++)
-                rows[i][j] -= along * rows[k][j];
-            y[i] -= along * y[k];
-        }
-        for (int j = 0; j < 12; j++)
-            square += rows[i][j] * rows[i][j];
-        const double inverse = 1.0 / sqrt(square);
-        y[i] *= inverse;
-        for (int j = 0; j < 12; j++)
-            rows[i][j] *= inverse;
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        double missing = y[i];
-        for (int j = 0; j < 12; j++)
-            missing -= rows[i][j] * sum[j];
-        for (int j = 0; j < 12; j++)
-            sum[j] += missing * rows[i][j];
-    }
-    for (int j = 0; j < 6; j++)
-        step[j] = sum[j];
-}
-
-
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
- * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right may be long, and what it leaves, half of its square, far more than was missed. */
-static double descend(struct descent *d, double u[6])
-{
-    double least = HUGE_VAL, little = 1e-13, best[6], step[6];
-    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 0; k <= 40; k++) {
-        look(d, u);
-        const int slow = d->length >= fmax(0.5 * last, left);
-        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
-        if (slow && least <= 1e-06)
-            little = 1e-26;
-        if (d->length < least) {
-            least = d->length;
-            copy(u, best);
-        }
-        if (stalled)
-            break;
-        damped_step(d, d->e, d->length, little, step);
-        shorten(step);
-        double way = 0.0;
-        for (int j = 0; j < 6; j++) {
-            u[j] += step[j];
-            way += fabs(step[j]);
-        }
-        last = d->length;
-        left = little < 1e-13 ? 0.5 * way * way : 0.0;
-    }
-    copy(best, u);
-    return least;
-}
-
-/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
-static void limited_step(
-    struct descent *d, const double u[6], double pull, const double low[6],
-    const double high[6], double step[6])
-{
-    double e[6], wish[6], fixed[6];
-    int locked[6], beyond = 1;
-    for (int j = 0; j < 6; j++) {
-        wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
-        locked[j] = 0;
-    }
-    while (beyond) {
-        beyond = 0;
-        for (int i = 0; i < 6; i++) {
-            e[i] = d->e[i];
-            for (int j = 0; j < 6; j++)
-                e[i] -= d->A[i][j] * wish[j];
-        }
-        damped_step(d, e, d->length, 1e-13, step);
-        for (int j = 0; j < 6; j++)
-            step[j] += wish[j];
-        shorten(step);
-        for (int j = 0; j < 6; j++) {
-            const double end = u[j] + step[j];
-            if (locked[j]) {
-                step[j] = fixed[j];
-            } else if (end < low[j] || end > high[j]) {
-                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
-                beyond = locked[j] = 1;
-                wish[j] = 0.0;
-                for (int i = 0; i < 6; i++) {
-                    d->e[i] -= d->A[i][j] * fixed[j];
-                    d->A[i][j] = 0.0;
-                }
-            }
-        }
-    }
-}
-
-/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
-static double pulled(
-    struct descent *d, double u[6], const double low[6],
-    const double high[6])
-{
-    double least = HUGE_VAL, pull = 0.5, best[6], step[6];
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 1; k <= 60 + 40; k++) {
-        look(d, u);
-        if (pull == 0.0) {
-            if (d->length >= 0.5 * least && least <= 1e-10)
-                break;
-            if (d->length < least) {
-                least = d->length;
-                copy(u, best);
-            }
-        }
-        limited_step(d, u, pull, low, high, step);
-        double longest = 0.0;
-        for (int j = 0; j < 6; j++) {
-            longest = fmax(longest, fabs(step[j]));
-            u[j] += step[j];
-        }
-        if (k >= 60 || longest < 1e-09)
-            pull = 0.0;
-    }
-    copy(best, u);
-    return least;
-}
-
-/* Between which values starts lie. */
-static const double span_low[6] = {
-    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793, -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-};
-
-/* Start number k; number 0 is the seed. */
-static void start_of(const struct descent *d, int k, double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-static const double no_lowest[6] = {
-    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
-};
-static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-static double distance_between(const double a[6], const double b[6])
-{
-    double most = 0.0;
-    for (int j = 0; j < 6; j++)
-        most = fmax(most, fabs(a[j] - b[j]));
-    return most;
-}
-
-/* The part of a generic direction that leaves the tool where it is, to first order, one long;
- * returns how long it was. */
-static double sideways(const struct descent *d, double along[6])
-{
-    double moved[6], square = 0.0;
-    for (int i = 0; i < 6; i++) {
-        moved[i] = 0.0;
-        for (int j = 0; j < 6; j++)
-            moved[i] += d->A[i][j] * stride[j];
-    }
-    damped_step(d, moved, 0.0, 1e-13, along);
-    for (int j = 0; j < 6; j++) {
-        along[j] = stride[j] - along[j];
-        square += along[j] * along[j];
-    }
-    const double length = sqrt(square);
-    for (int j = 0; j < 6; j++)
-        along[j] /= length;
-    return length;
-}
-
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
- * regular one. */
-static int continuum(struct descent *d, const double u[6], double enough)
-{
-    double along[6], end[2][6];
-    look(d, u);
-    if (sideways(d, along) <= 0.0001)
-        return -1;
-    for (int side = 0; side < 2; side++) {
-        for (int j = 0; j < 6; j++)
-            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j];
-        if (descend(d, end[side]) > enough || distance_between(end[side], u) <= 0.01)
-            return 0;
-    }
-    return distance_between(end[0], end[1]) > 0.01;
-}
-
-/* The solutions kept so far. */
-struct kept {
-    double u[16][6];
-    int count, singular[16], chosen[16];
-};
-
-/* Whether solutions lie all along the way from one to another: where many roots meet, joint values
- * beside the solution miss the pose by next to nothing. */
-static int solves_between(
-    struct descent *d, const double u[6], const double way[6], double length)
-{
-    static const double part[] = { 0.25, 0.5, 0.75 };
-    for (int i = 0; i < 3; i++) {
-        double start[6], end[6], step[6];
-        for (int j = 0; j < 6; j++)
-            start[j] = end[j] = u[j] + part[i] * way[j];
-        look(d, end);
-        for (int k = 0; k < 4 && d->length > 1e-10; k++) {
-            damped_step(d, d->e, d->length, 1e-13, step);
-            for (int j = 0; j < 6; j++)
-                end[j] += step[j];
-            look(d, end);
-        }
-        if (d->length > 1e-10 || distance_between(start, end) > 0.0625 * length)
-            return 0;
-    }
-    return 1;
-}
-
-/* Whether a solution is taken for one that is known; loosely where both are singular. */
-static int taken_for(
-    struct descent *d, const double known[6], const double u[6], int loose)
-{
-    static const double none[6] = { 0.0 };
-    double gap[6];
-    for (int j = 0; j < 6; j++)
-        gap[j] = u[j] - known[j];
-    wrap_angles(gap);
-    const double length = distance_between(gap, none);
-    if (length < 1e-06)
-        return 1;
-    return loose && length < 0.1 && solves_between(d, known, gap, length);
-}
-
-/* Which of those kept a solution is; -1 for none. */
-static int known_as(
-    struct descent *d, const struct kept *kept, const double u[6], int singular)
-{
-    for (int k = 0; k < kept->count; k++)
-        if (taken_for(d, kept->u[k], u, singular && kept->singular[k]))
-            return k;
-    return -1;
-}
-
-/* A solution joins those found before, unless it is one of them. */
-static void keep(struct descent *d, struct kept *kept, double u[6])
-{
-    if (kept->count == 16 || known_as(d, kept, u, 0) >= 0)
-        return;
-    const double enough = 1e-10;
-    const int kind = continuum(d, u, enough);
-    if (kind == 1) {
-        double end[6];
-        copy(u, end);
-        (void)pulled(d, end, no_lowest, no_highest);
-        if (descend(d, end) <= enough)
-            copy(end, u);
-    }
-    wrap_angles(u);
-    int k = known_as(d, kept, u, kind >= 0);
-    if (k >= 0)
-        return;
-    k = k < 0 ? kept->count++ : k;
-    kept->singular[k] = kind >= 0;
-    kept->chosen[k] = kind == 1;
-    copy(u, kept->u[k]);
-}
-
-/* Whether a row of joint values stands before another. */
-static int stands_before(const double a[6], const double b[6])
-{
-    for (int i = 0; i < 6; i++)
-        if (fabs(a[i] - b[i]) > 1e-09)
-            return a[i] < b[i];
-    return 0;
-}
-
-/* Rows by the first joint, then by the second and so on. */
-static void sorted_rows(
-    struct descent *d, const struct kept *kept, double q[16][6], int found[16],
-    int chosen[16])
-{
-    for (int row = 0; row < 16; row++)
-        found[row] = chosen[row] = 0;
-    for (int k = 0; k < kept->count; k++) {
-        int row = k;
-        for (int j = 0; j < 6; j++)
-            d->q[solved[j]] = unit[j] * kept->u[k][j];
-        for (; row > 0 && stands_before(d->q, q[row - 1]); row--) {
-            chosen[row] = chosen[row - 1];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = q[row - 1][i];
-        }
-        found[k] = 1;
-        chosen[row] = kept->chosen[k];
-        for (int i = 0; i < 6; i++)
-            q[row][i] = d->q[i];
-    }
-}
 
 /* The monomials of the left side of the formulation that has the joints 2, 3, 4, 5, 0, 1. */
 DHGEN_TABLE double manseur_doty_left_0[15][32] DHGEN_ALIGNED = {
@@ -594,47 +182,54 @@ DHGEN_TABLE dhgen_general_arm manseur_doty_general = {
     0, 0, 0,
 };
 
-/* A solution that is exact and unlike all others needs no descent. */
-static void add_regular(struct kept *kept, double u[6])
-{
-    wrap_angles(u);
-    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
-    copy(u, kept->u[kept->count++]);
-}
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and the same over the arm's size. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[6] = {
+    0.3333333333333333, 0.3333333333333333, 0.3333333333333333, 0.3333333333333333,
+    0.3333333333333333, 0.3333333333333333,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+/* How the loop counts the joints: from where, and which way. */
+static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-/* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
- * followed too; singular solutions out of a continuum go to the seed. */
+static const struct dhgen_numerical_arm manseur_doty_descents = {
+    6, 16, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 0, 0, /* families of solutions, limits, more entries than joints */
+    48, 3.0, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    0, 0, facing, zero,
+    0, 0,
+    manseur_doty_fk, manseur_doty_jacobian, 0,
+};
+
 static void all_joints(
-    const double T[16], const double seed[6], double q[16][6],
-    int found[16], int chosen[16])
+    const double T[16],
+    const double seed[6], double q[16][6], int found[16],
+    int chosen[16])
 {
-    static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-    static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-    struct descent d = { .T = T };
-    struct kept kept = { .count = 0 };
-    double angles[16][6], residual[16], u[6];
-    const int count = dhgen_general_solutions(&manseur_doty_general, T, 0, angles, residual);
-    for (int j = 0; j < 6; j++)
-        u[j] = d.seed[j] = seed[solved[j]] / unit[j];
-    if (count < 0 && descend(&d, u) <= 1e-10)
-        keep(&d, &kept, u);
-    const int many = count < 0 ? -1 - count : count;
-    for (int k = 0; k < many; k++) {
-        for (int j = 0; j < 6; j++)
-            u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
-        if (count < 0) {
-            (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
-            keep(&d, &kept, u);
-        } else {
-            add_regular(&kept, u);
-        }
-    }
-    for (int k = 1; count < 0 && k < 12; k++) {
-        start_of(&d, k, u);
-        if (descend(&d, u) <= 1e-10)
-            keep(&d, &kept, u);
-    }
-    sorted_rows(&d, &kept, q, found, chosen);
+    dhgen_general_rows(&manseur_doty_general, &manseur_doty_descents, T, 0, seed, q[0], found,
+        chosen);
 }
 
 static const double

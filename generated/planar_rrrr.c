@@ -6,6 +6,10 @@
  */
 #include "planar_rrrr.h"
 
+#define DHGEN_DOF 4
+#define DHGEN_ROWS 1
+#include "dhgen/numerical.h"
+
 #include <math.h>
 
 /* What rows hold. */
@@ -25,191 +29,17 @@ static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
 static const double measure[4] = { 1.0, 1.0, 1.0, 1.0 };
 /* Rows of the translation that count. */
 static const int coordinate[2] = { 0, 1 };
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[4], seed[4]; /* all joint values; the seed in units */
-    double e[2], length; /* the miss [arm sizes, rad], and its length */
-    double A[2][4]; /* how u moves the tool */
-};
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[4])
-{
-    double P[16], J[24], square = 0.0;
-    for (int j = 0; j < 4; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    planar_rrrr_fk(d->q, P);
-    planar_rrrr_jacobian(d->q, J);
-    for (int i = 0; i < 2; i++) {
-        const int row = coordinate[i];
-        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.0;
-        for (int j = 0; j < 4; j++)
-            d->A[i][j] = measure[j] * J[4 * row + solved[j]];
-    }
-    for (int i = 0; i < 2; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* What is added from start to start, in parts of the range: a direction that is like no other. */
-static const double stride[4] = {
-    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
-};
-
-static void copy(const double from[4], double to[4])
-{
-    for (int j = 0; j < 4; j++)
-        to[j] = from[j];
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Makes a step no longer than it may be. */
-static void shorten(double step[4])
-{
-    double longest = 2.0;
-    for (int j = 0; j < 4; j++)
-        longest = fmax(longest, fabs(step[j]));
-    for (int j = 0; j < 4; j++)
-        step[j] *= 2.0 / longest;
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the damping's root behind it, are made orthonormal one after another
- * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
- * A A' would lose half of the digits. */
-static void damped_step(
-    const struct descent *d, const double e[2], double length, double little,
-    double step[4])
-{
-    const double damping = 0.1 * fmin(length * length, 1.0) + little;
-    double rows[2][6], y[2], sum[6] = { 0.0 };
-    for (int i = 0; i < 2; i++) {
-        double square = 0.0;
-        for (int j = 0; j < 6; j++)
-            rows[i][j] = j < 4 ? d->A[i][j] : j == 4 + i ? sqrt(damping) : 0.0;
-        y[i] = e[i];
-        for (int k = 0; k < i; k++) {
-            double along = 0.0;
-            for (int j = 0; j < 6; j++)
-                along += rows[k][j] * rows[i][j];
-            for (int j = 0; j < 6; j++)
-                rows[i][j] -= along * rows[k][j];
-            y[i] -= along * y[k];
-        }
-        for (int j = 0; j < 6; j++)
-            square += rows[i][j] * rows[i][j];
-        const double inverse = 1.0 / sqrt(square);
-        y[i] *= inverse;
-        for (int j = 0; j < 6; j++)
-            rows[i][j] *= inverse;
-    }
-    for (int i = 2 - 1; i >= 0; i--) {
-        double missing = y[i];
-        for (int j = 0; j < 6; j++)
-            missing -= rows[i][j] * sum[j];
-        for (int j = 0; j < 6; j++)
-            sum[j] += missing * rows[i][j];
-    }
-    for (int j = 0; j < 4; j++)
-        step[j] = sum[j];
-}
-
-
-/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
-static void limited_step(
-    struct descent *d, const double u[4], double pull, const double low[4],
-    const double high[4], double step[4])
-{
-    double e[2], wish[4], fixed[4];
-    int locked[4], beyond = 1;
-    for (int j = 0; j < 4; j++) {
-        wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
-        locked[j] = 0;
-    }
-    while (beyond) {
-        beyond = 0;
-        for (int i = 0; i < 2; i++) {
-            e[i] = d->e[i];
-            for (int j = 0; j < 4; j++)
-                e[i] -= d->A[i][j] * wish[j];
-        }
-        damped_step(d, e, d->length, 1e-13, step);
-        for (int j = 0; j < 4; j++)
-            step[j] += wish[j];
-        shorten(step);
-        for (int j = 0; j < 4; j++) {
-            const double end = u[j] + step[j];
-            if (locked[j]) {
-                step[j] = fixed[j];
-            } else if (end < low[j] || end > high[j]) {
-                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
-                beyond = locked[j] = 1;
-                wish[j] = 0.0;
-                for (int i = 0; i < 2; i++) {
-                    d->e[i] -= d->A[i][j] * fixed[j];
-                    d->A[i][j] = 0.0;
-                }
-            }
-        }
-    }
-}
-
-/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
-static double pulled(
-    struct descent *d, double u[4], const double low[4],
-    const double high[4])
-{
-    double least = HUGE_VAL, pull = 0.5, best[4], step[4];
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 1; k <= 60 + 40; k++) {
-        look(d, u);
-        if (pull == 0.0) {
-            if (d->length >= 0.5 * least && least <= 1e-10)
-                break;
-            if (d->length < least) {
-                least = d->length;
-                copy(u, best);
-            }
-        }
-        limited_step(d, u, pull, low, high, step);
-        double longest = 0.0;
-        for (int j = 0; j < 4; j++) {
-            longest = fmax(longest, fabs(step[j]));
-            u[j] += step[j];
-        }
-        if (k >= 60 || longest < 1e-09)
-            pull = 0.0;
-    }
-    copy(best, u);
-    return least;
-}
-
-/* Between which values starts lie. */
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
 static const double span_low[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 };
 static const double span_width[4] = {
     4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
 };
-
-/* Start number k; number 0 is the seed. */
-static void start_of(const struct descent *d, int k, double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-static const double no_lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double no_highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
-
+static const double stride[4] = {
+    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
+};
 static const double least_u[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 };
@@ -217,47 +47,24 @@ static const double most_u[4] = {
     2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
 };
 
-/* Of infinitely many solutions one near to the seed; whether there is one. */
-static int nearest_solution(
-    struct descent *d, const double low[4], const double high[4],
-    double best[4])
-{
-    double least = HUGE_VAL, u[4];
-    for (int k = 0; k < 24; k++) {
-        start_of(d, k, u);
-        for (int j = 0; j < 4; j++)
-            u[j] = fmin(fmax(u[j], low[j]), high[j]);
-        if (pulled(d, u, low, high) > 1e-10)
-            continue;
-        double square = 0.0;
-        for (int j = 0; j < 4; j++)
-            square += (u[j] - d->seed[j]) * (u[j] - d->seed[j]);
-        if (square < least) {
-            least = square;
-            copy(u, best);
-        }
-    }
-    return least < HUGE_VAL;
-}
+static const struct dhgen_numerical_arm planar_rrrr_descents = {
+    4, 1, /* joints; solutions that are kept */
+    4, 2, /* joints that are solved for; equations */
+    2, DHGEN_NO_DIRECTION, 0, /* coordinates, directions, arm angle */
+    1, 1, 0, /* families of solutions, limits, more entries than joints */
+    24, 1.0, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, 0, 0,
+    0, 0,
+    planar_rrrr_fk, planar_rrrr_jacobian, 0,
+};
 
-/* The solutions that are found, sorted by the first joint, then by the second and so on. */
 static void all_joints(
     const double T[16],
     const double seed[4], double q[1][4], int found[1],
     int chosen[1])
 {
-    struct descent d = { .T = T };
-    for (int j = 0; j < 4; j++)
-        d.seed[j] = seed[solved[j]] / unit[j];
-    double u[4] = { 0.0 };
-    found[0] = nearest_solution(&d, least_u, most_u, u)
-        || nearest_solution(&d, no_lowest, no_highest, u); /* beyond the limits */
-    chosen[0] = 0;
-    wrap_angles(u);
-    for (int i = 0; i < 4; i++)
-        q[0][i] = d.q[i];
-    for (int j = 0; j < 4; j++)
-        q[0][solved[j]] = unit[j] * u[j];
+    dhgen_numerical_rows(&planar_rrrr_descents, T, 0, seed, q[0], found, chosen);
 }
 
 static const double

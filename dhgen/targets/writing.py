@@ -46,7 +46,8 @@ def _in_c(whole: AllJoints, module: SolverModule, of: Module) -> str:
 
 
 def _included(whole: AllJoints, module: SolverModule) -> str:
-    return "" if whole.general is None else runtime(whole.general, module.name, IN_C)
+    shape = module.chain.dof, module.solver.rows
+    return runtime(whole.general, module.name, shape, IN_C)
 
 
 IN_C: Writing = Writing("c/{}.c.jinja", c_arrays, _in_c, _included)

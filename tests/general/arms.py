@@ -136,7 +136,7 @@ def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
 def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
     """The same of any kernel."""
     text = (
-        f"{runtime(known, name, IN_C)}\n{source(known, name, IN_C)}\n"
+        f"{runtime(known, name, (6, known.rows), IN_C)}\n{source(known, name, IN_C)}\n"
         f"int run(const double *T, double *q, double *residual);\n"
         f"int run(const double *T, double *q, double *residual)\n"
         f"{{\n    double (*const rows)[6] = (double (*)[6])q;\n"

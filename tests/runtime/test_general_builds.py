@@ -22,7 +22,7 @@ LANGUAGES = {
     "clang++": ("-x", "c++", "-std=c++14"),
 }
 COMPILERS = [name for name in LANGUAGES if shutil.which(name)]
-HEADERS = sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.glob("dhgen/general/*.h"))
+HEADERS = sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.glob("dhgen/*/*.h"))
 INSIDE = """\
 #include <math.h>
 #include <stddef.h>

@@ -31,9 +31,11 @@ from dhgen.runtime.python.general import (
     recover,
     refine,
     roots,
+    rows,
     tables,
     wrist,
 )
+from dhgen.runtime.python.numerical import descent, solutions
 from dhgen.verify.native import c_compiler
 
 if TYPE_CHECKING:
@@ -270,6 +272,31 @@ SHARED = {
     equations: ("", {"HIDDEN_UNIT": "UNIT", "HIDDEN_SQUARE": "SQUARE"}),
     tables: ("SAMPLES CELLS HALF_CELLS WIDTH", {}),
     loop: ("TINY", {}),
+    descent: (
+        "SOLUTION PULLED_STEPS PULL",
+        {
+            "SMALL_SINE": "ASIDE",
+            "DESCENT_DAMPING": "DAMPING",
+            "DAMPING_FLOOR": "FLOOR",
+            "SLOW_MISS": "NEARLY",
+            "FINE_DAMPING": "FINE",
+            "DESCENT_STEPS": "STEPS",
+            "EXACT_SOLUTION": "EXACT",
+            "PULL_SETTLED": "SETTLED",
+        },
+    ),
+    solutions: (
+        "NEIGHBOURS STEPS_ASIDE FEELER FELT BESIDE_SEED",
+        {
+            "STAYING_PART": "STAYS",
+            "SINGULAR_LENGTH": "SINGULAR",
+            "PROMISED_MISS": "PROMISED",
+            "LIMIT_SLACK": "LIMIT",
+            "JUST_BEYOND": "DOUBTFUL",
+            "ROW_TIE": "TIE",
+        },
+    ),
+    rows: ("NEARLY_NONE", {"FEW_STARTS": "STARTS", "NEARLY_NONE_IN_DOUBT": "NEARLY_NONE_IN_DOUBT"}),
 }
 
 

@@ -54,8 +54,6 @@ class GeneralTable:
         motions: In links.
         given: The joints whose values the caller gives.
         special: Their values at which formulations vanish.
-        free_parameter: Declares the values that the caller gives.
-        free_argument: Hands them on.
     """
 
     traits: str
@@ -73,8 +71,6 @@ class GeneralTable:
     motions: tuple[str, ...]
     given: tuple[str, ...]
     special: tuple[str, ...]
-    free_parameter: str
-    free_argument: str
 
 
 def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
@@ -83,7 +79,7 @@ def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
     names = [f"{name}_left_{number}" if left else "0" for number, left in enumerate(lefts)]
     joints = [row(each.joints) for each in kernel.formulations]
     signs = [repr(float(each.sign)) for each in kernel.formulations]
-    given, loop, farthest = len(kernel.given), kernel.loop, out_of_reach(kernel.loop)
+    loop, farthest = kernel.loop, out_of_reach(kernel.loop)
     return GeneralTable(
         traits=hex(traits(kernel)),
         most=kernel.rows,
@@ -107,8 +103,6 @@ def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
         ),
         given=_given(kernel),
         special=tuple(_special(each, kernel.loop.size) for each in kernel.vanishing),
-        free_parameter=f", const double free_joints[{given}]" if given else "",
-        free_argument="free_joints" if given else "0",
     )
 
 

@@ -26,8 +26,6 @@ class Arrays:
         span_low: Where the ranges begin in which descents start.
         span_width: How wide these are.
         stride: From one start to the next, in parts of a range.
-        no_lowest: Bounds where there are none.
-        no_highest: The same.
         measure: What a step of one moves, in arm sizes; empty where no coordinate counts.
         coordinate: Rows of the coordinates that the task names; empty without any.
         least_u: Bounds; empty where descents have none.
@@ -40,8 +38,6 @@ class Arrays:
     span_low: str
     span_width: str
     stride: str
-    no_lowest: str
-    no_highest: str
     measure: str
     coordinate: str
     least_u: str
@@ -55,7 +51,7 @@ def c_arrays(kernel: NumericalKernel) -> Arrays:
         kind = "int" if name in {"solved", "turning", "coordinate"} else "double"
         return c_array(f"static const {kind} {name}[{len(values)}]", values)
 
-    return _arrays(kernel, "INFINITY", ("0", "1"), written)
+    return _arrays(kernel, "HUGE_VAL", ("0", "1"), written)
 
 
 def python_arrays(kernel: NumericalKernel) -> Arrays:
@@ -90,8 +86,6 @@ def _arrays(
         span_low=numbers("span_low", (low for low, _ in kernel.spans)),
         span_width=numbers("span_width", (high - low for low, high in kernel.spans)),
         stride=numbers("stride", directions(count)),
-        no_lowest=numbers("no_lowest", [-inf] * count),
-        no_highest=numbers("no_highest", [inf] * count),
         measure=numbers("measure", (unit / size for unit in kernel.units if kernel.position)),
         coordinate=array("coordinate", map(str, kernel.position)),
         least_u=numbers("least_u", kernel.lowest if kernel.bounded else ()),

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from math import pi
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.order import TIE
 from dhgen.numerical import kernel, miss
 from dhgen.targets.numerical.texts import any_turn
 from dhgen.tolerances import TOLERANCES
@@ -29,9 +28,7 @@ def _listed(numbers: Sequence[float]) -> Listed:
     return Listed(len(numbers), ", ".join(map(repr, numbers)))
 
 
-BESIDE, ACROSS, BETWEEN, FARTHER_ON = map(
-    _listed, (kernel.BESIDE, kernel.ACROSS, kernel.BETWEEN, kernel.FARTHER_ON)
-)
+BESIDE, ACROSS = map(_listed, (kernel.BESIDE, kernel.ACROSS))
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +39,7 @@ class Descent:
         any_turn: Half a turn that serves where every axis does.
         solution: The tolerance `polished`.
         exact: That of the same name.
-        promised: Likewise.
-        limit: Likewise.
         doubtful: Likewise.
-        most_starts: Of all rounds together.
         turn: A whole one [rad].
     """
 
@@ -59,10 +53,7 @@ class Descent:
     steps: int = kernel.STEPS
     solution: float = TOLERANCES.polished
     exact: float = TOLERANCES.exact
-    promised: float = TOLERANCES.promised
-    limit: float = TOLERANCES.limit
     doubtful: float = TOLERANCES.doubtful
-    beside_seed: float = kernel.BESIDE_SEED
     tightenings: int = kernel.TIGHTENINGS
     escapes: int = kernel.ESCAPES
     stuck: float = kernel.STUCK
@@ -71,21 +62,9 @@ class Descent:
     loose: float = kernel.LOOSE
     beside: Listed = BESIDE
     across: Listed = ACROSS
-    pull: float = kernel.PULL
-    pulled: int = kernel.PULLED
-    settled: float = kernel.SETTLED
     few_starts: int = kernel.FEW_STARTS
-    most_starts: int = kernel.STARTS * kernel.ROUNDS
     singular: float = kernel.SINGULAR
-    feeler: float = kernel.FEELER
-    felt: float = kernel.FELT
     together: float = kernel.TOGETHER
-    neighbours: float = kernel.NEIGHBOURS
-    between: Listed = BETWEEN
-    farther_on: Listed = FARTHER_ON
-    steps_aside: int = kernel.STEPS_ASIDE
-    stays: float = kernel.STAYS
     same: float = kernel.SAME
-    tie: float = TIE
     turn: float = 2 * pi
     away: float = kernel.AWAY

@@ -17,14 +17,19 @@ if TYPE_CHECKING:
     from dhgen.targets.writing import Writing
 
 
-def tools(kernel: NumericalKernel, module: Module, writing: Writing) -> str:
-    """What descends, follows a continuum, keeps and sorts solutions."""
-    return _filled("kernel", kernel, module, writing)
+def table(
+    kernel: NumericalKernel, module: Module, writing: Writing, facing: str = "", zero: str = ""
+) -> str:
+    """The arm's table for the runtime, and the function `all_joints`.
 
-
-def search(kernel: NumericalKernel, module: Module, writing: Writing) -> str:
-    """The function `all_joints`; it needs the tools."""
-    return _filled("search", kernel, module, writing)
+    Args:
+        kernel: The arm.
+        module: Its name and sizes.
+        writing: C.
+        facing: Defines how the loop of the general algorithm counts the joints, where there is one.
+        zero: And from where.
+    """
+    return _filled("arm", kernel, module, writing, facing=facing, zero=zero)
 
 
 def tightening(kernel: NumericalKernel, module: Module, writing: Writing) -> str:

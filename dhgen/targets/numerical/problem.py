@@ -33,6 +33,7 @@ class NumericalProblem:
         position: The coordinates that the task names.
         first_turn: Place of the first equation of directions.
         turns: Whether directions count.
+        directions: What of them counts, as the runtime calls it.
         turning: Whether all of the rotation does.
         pointing: Whether the tool's z axis alone does.
         redundant: Whether solutions are families.
@@ -41,7 +42,6 @@ class NumericalProblem:
         checked: Whether the arm can't take every pose next to one that it can.
         size: The arm's.
         residual: What counts as a solution of a descent [arm sizes, rad].
-        enough: What counts as one of a family.
         near_sought: What a descent that seeks may miss before steps take it further.
         enough_sought: What counts as one that is sought where equations ended every branch.
         kept: Solutions that are kept while rows are told apart.
@@ -60,6 +60,7 @@ class NumericalProblem:
     position: tuple[PositionRow, ...]
     first_turn: int
     turns: bool
+    directions: str
     turning: bool
     pointing: bool
     redundant: bool
@@ -68,7 +69,6 @@ class NumericalProblem:
     checked: bool
     size: str
     residual: str
-    enough: str
     near_sought: str
     enough_sought: str
     kept: int
@@ -92,6 +92,7 @@ def problem_of(kernel: NumericalKernel) -> NumericalProblem:
         position=position_rows(kernel.position),
         first_turn=len(kernel.position),
         turns=kernel.turning or kernel.pointing,
+        directions=_directions(kernel),
         turning=kernel.turning,
         pointing=kernel.pointing,
         redundant=kernel.redundant,
@@ -100,10 +101,15 @@ def problem_of(kernel: NumericalKernel) -> NumericalProblem:
         checked=kernel.checked,
         size=repr(chain.size),
         residual=residual,
-        enough="enough" if kernel.checked else residual,
         near_sought=residual if kernel.checked else repr(TOLERANCES.doubtful),
         # a pose that is checked may have been rounded
         enough_sought=residual if kernel.checked else f"{LOOSE!r} * exact",
         kept=2 * kernel.rows,
         starts=REDUNDANT_STARTS if kernel.redundant else STARTS,
     )
+
+
+def _directions(kernel: NumericalKernel) -> str:
+    if kernel.turning:
+        return "DHGEN_WHOLE_ROTATION"
+    return "DHGEN_TOOL_AXIS" if kernel.pointing else "DHGEN_NO_DIRECTION"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The general algorithm, compiled once for all robots: with -DDHGEN_SHARED, as their files. */
+ * The general algorithm and the numerical solver, compiled once for all robots: with
+ * -DDHGEN_SHARED, as their files. */
 #ifndef DHGEN_SHARED
 #error                                                                                             \
     "dhgen/general.c is for several robots in one program: compile it and them with -DDHGEN_SHARED"
@@ -8,3 +9,4 @@
 #define DHGEN_BODIES
 
 #include "general.h"
+#include "numerical.h"

@@ -8,12 +8,13 @@
  * Rooms, in reading order: arm (the table), loop, motions; monomials, equations, determinant;
  * circle_tables, circle_cosines, circle_sines, circle, circle_parts, circle_cells, moebius, roots
  * (of a polynomial on the circle); null_vectors, recover, refine, solutions, eliminate;
- * closed_polynomial, offset_wrist, four_turns; search. */
+ * closed_polynomial, offset_wrist, four_turns; search, rows. */
 #ifndef DHGEN_GENERAL_H
 #define DHGEN_GENERAL_H
 
 #include "general/arm.h"
 #include "interface.h"
+#include "numerical/arm.h"
 
 #if defined(__cplusplus) && defined(DHGEN_SHARED)
 extern "C" {
@@ -31,12 +32,20 @@ extern "C" {
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
     const double *free_joints, double (*q)[6], double *residual);
 
+/* All solutions, sorted by the first joint, then by the second and so on: rows of joint values,
+ * which of them there are, and which were chosen from a continuum. Where it is not certain that
+ * these are all, the seed and evenly spread starts are followed, too; singular solutions out of a
+ * continuum go to the seed. */
+DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
+    const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
+    const double *seed, double *q, int *found, int *chosen);
+
 #if defined(__cplusplus) && defined(DHGEN_SHARED)
 }
 #endif
 
 #if !defined(DHGEN_SHARED) || defined(DHGEN_BODIES)
-#include "general/search.h"
+#include "general/rows.h"
 #endif
 
 #endif

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Rows of joint values from what the general algorithm finds, and else from descents. */
+#ifndef DHGEN_GENERAL_ROWS_H
+#define DHGEN_GENERAL_ROWS_H
+
+#include "../general.h"
+#include "../numerical/keep.h"
+#include "search.h"
+
+/* Descents beside what the algorithm found, where that is not certainly everything. */
+#define DHGEN_FEW_STARTS 12
+/* Beyond this angle of the turn that the arm does not have it can't take the pose [rad]; the same
+ * where the certificate fails; and within which the turn is none, and the solution needs no
+ * descent. */
+#define DHGEN_NEARLY_NONE 0.01
+#define DHGEN_NEARLY_NONE_IN_DOUBT 0.1
+#define DHGEN_NO_TURN 1e-12
+
+/* Adds a solution that is exact and unlike all others: it needs no descent. */
+DHGEN_FN void dhgen_keep_regular(
+    const struct dhgen_numerical_arm *arm, struct dhgen_kept *kept, double *u)
+{
+    dhgen_wrap_units(arm, u);
+    kept->singular[kept->count] = kept->chosen[kept->count] = 0;
+    dhgen_copy_units(arm, u, kept->u[kept->count++]);
+}
+
+/* A pose whose z axis is that of T: any turn about the tool's axis serves (T. Duff et al., 2017: an
+ * orthonormal basis of z). */
+DHGEN_FN void dhgen_choose_spin(const double *T, double *whole)
+{
+    const double side = copysign(1.0, T[10]), a = -1.0 / (side + T[10]), b = T[2] * T[6] * a;
+    const double entries[16] = {
+        1.0 + side * T[2] * T[2] * a, b, T[2], T[3],  /**/
+        side * b, side + T[6] * T[6] * a, T[6], T[7], /**/
+        -side * T[2], -T[6], T[10], T[11],            /**/
+        0.0, 0.0, 0.0, 1.0                            /**/
+    };
+    for (int i = 0; i < 16; i++)
+        whole[i] = entries[i];
+}
+
+/* A solution of the loop as joint values in units. */
+DHGEN_FN void dhgen_from_loop(
+    const struct dhgen_numerical_arm *arm, const double *angles, double *u)
+{
+    for (int j = 0; j < arm->solved; j++)
+        u[j] = arm->facing[j] * (angles[j] - arm->zero[j]) / arm->unit[j];
+}
+
+/* Keeps the solutions of a loop with a turn that the arm does not have, and that has to be zero;
+ * first come those that are exact without it. */
+DHGEN_FN void dhgen_keep_without_turn(
+    struct dhgen_descent *d, struct dhgen_kept *kept, double (*angles)[6], int many, int certain)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const double nearly_none = certain ? DHGEN_NEARLY_NONE : DHGEN_NEARLY_NONE_IN_DOUBT;
+    double u[DHGEN_SOLVER_JOINTS];
+    for (int n = 0; n < 2 * many; n++) {
+        const int k = n % many;
+        int exact = certain;
+        for (int j = arm->solved; j < 6; j++)
+            exact &= fabs(angles[k][j]) <= DHGEN_NO_TURN;
+        dhgen_from_loop(arm, angles[k], u);
+        if (n < many && exact)
+            dhgen_keep_regular(arm, kept, u);
+        /* what is not nearly without that turn is no start */
+        if (n >= many && !exact && fabs(angles[k][arm->solved]) < nearly_none
+            && dhgen_descend(d, u) <= arm->residual)
+            dhgen_keep(d, kept, u);
+    }
+}
+
+DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
+    const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
+    const double *seed, double *q, int *found, int *chosen)
+{
+    struct dhgen_descent d;
+    struct dhgen_kept kept;
+    double angles[16][6], residual[16], u[DHGEN_SOLVER_JOINTS], whole[16];
+    int first = 1, doubtful;
+    dhgen_begin_descent(arm, T, free_joints, seed, &d);
+    kept.count = 0;
+    if (arm->directions == DHGEN_TOOL_AXIS)
+        dhgen_choose_spin(T, whole);
+    const int count = dhgen_general_solutions(
+        general, arm->directions == DHGEN_TOOL_AXIS ? whole : T, free_joints, angles, residual);
+    const int many = count < 0 ? -1 - count : count;
+    for (int j = 0; j < arm->solved; j++)
+        u[j] = d.seed[j];
+    if (count < 0 && dhgen_descend(&d, u) <= arm->residual)
+        dhgen_keep(&d, &kept, u);
+    doubtful = count < 0;
+    if (arm->checked) {
+        dhgen_keep_without_turn(&d, &kept, angles, many, count >= 0);
+        doubtful = doubtful || !kept.count;
+        first = 0;
+    }
+    for (int k = 0; k < many && !arm->checked; k++) {
+        dhgen_from_loop(arm, angles[k], u);
+        if (count < 0) {
+            (void)dhgen_descend(&d, u); /* where solutions meet the exact ones differ */
+            dhgen_keep(&d, &kept, u);
+        } else {
+            dhgen_keep_regular(arm, &kept, u);
+        }
+    }
+    for (int k = first; doubtful && k < DHGEN_FEW_STARTS; k++) {
+        dhgen_start(&d, k, u);
+        if (dhgen_descend(&d, u) <= arm->residual)
+            dhgen_keep(&d, &kept, u);
+    }
+    dhgen_sort_rows(&d, &kept, q, found, chosen);
+}
+
+#endif

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The solutions that descents find: which are kept, and which are one. */
+#ifndef DHGEN_NUMERICAL_SOLUTIONS_H
+#define DHGEN_NUMERICAL_SOLUTIONS_H
+
+#include "pull.h"
+
+/* Solutions closer than this are one [rad, arm sizes]. */
+#define DHGEN_SAME_UNITS 1e-06
+/* What is left of a generic direction when all that moves the tool is taken away: above this the
+ * arm is singular. */
+#define DHGEN_SINGULAR_LENGTH 0.0001
+/* How far a continuum is looked for in that direction, and how far from where it began, and from
+ * the other side, a solution must then be [rad, arm sizes]. */
+#define DHGEN_FEELER 0.05
+#define DHGEN_FELT 0.01
+/* Singular solutions closer than this are one if what lies between them solves, too [rad, arm
+ * sizes]: a few steps lead from there to solutions that are nearer to where they began than this
+ * part of the way. */
+#define DHGEN_NEIGHBOURS 0.1
+#define DHGEN_STEPS_ASIDE 4
+#define DHGEN_STAYING_PART 0.0625
+/* Values closer than this don't decide which of two rows comes first [rad or length]. */
+#define DHGEN_ROW_TIE 1e-09
+
+/* Parts of the way between two solutions that are looked at. */
+DHGEN_TABLE double dhgen_between[3] = { 0.25, 0.5, 0.75 };
+
+/* The solutions kept so far. */
+struct dhgen_kept {
+    double u[DHGEN_SOLVER_ROWS][DHGEN_SOLVER_JOINTS];
+    int count, singular[DHGEN_SOLVER_ROWS], chosen[DHGEN_SOLVER_ROWS];
+};
+
+/* The largest difference of two joint vectors. */
+DHGEN_FN double dhgen_units_apart(
+    const struct dhgen_numerical_arm *arm, const double *a, const double *b)
+{
+    double most = 0.0;
+    for (int j = 0; j < arm->solved; j++)
+        most = fmax(most, fabs(a[j] - b[j]));
+    return most;
+}
+
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
+ * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
+ * regular one. */
+DHGEN_FN int dhgen_is_continuum(struct dhgen_descent *d, const double *u, double enough)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double along[DHGEN_SOLVER_JOINTS], end[2][DHGEN_SOLVER_JOINTS];
+    dhgen_measure_miss(d, u);
+    if (dhgen_null_direction(d, along) <= DHGEN_SINGULAR_LENGTH)
+        return -1;
+    for (int side = 0; side < 2; side++) {
+        for (int j = 0; j < arm->solved; j++)
+            end[side][j] = u[j] + (1 - 2 * side) * DHGEN_FEELER * along[j];
+        if (dhgen_descend(d, end[side]) > enough
+            || dhgen_units_apart(arm, end[side], u) <= DHGEN_FELT)
+            return 0;
+    }
+    return dhgen_units_apart(arm, end[0], end[1]) > DHGEN_FELT;
+}
+
+/* What others may miss beside a solution: where the task names more than the joints can choose, an
+ * exact one is left for exact ones only. */
+DHGEN_FN double dhgen_enough_beside(struct dhgen_descent *d, const double *u)
+{
+    if (!d->arm->checked)
+        return d->arm->residual;
+    dhgen_measure_miss(d, u);
+    return d->length <= DHGEN_SOLUTION ? DHGEN_SOLUTION : d->arm->residual;
+}
+
+/* Whether solutions lie all along the way from one to another: where many roots meet, joint values
+ * beside the solution miss the pose by next to nothing. */
+DHGEN_FN int dhgen_solves_between(
+    struct dhgen_descent *d, const double *u, const double *way, double length)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const double enough = dhgen_enough_beside(d, u);
+    for (int i = 0; i < 3; i++) {
+        double start[DHGEN_SOLVER_JOINTS], end[DHGEN_SOLVER_JOINTS], step[DHGEN_SOLVER_JOINTS];
+        for (int j = 0; j < arm->solved; j++)
+            start[j] = end[j] = u[j] + dhgen_between[i] * way[j];
+        dhgen_measure_miss(d, end);
+        for (int k = 0; k < DHGEN_STEPS_ASIDE && d->length > enough; k++) {
+            dhgen_damped_step(d, d->e, d->length, DHGEN_DAMPING_FLOOR, step);
+            for (int j = 0; j < arm->solved; j++)
+                end[j] += step[j];
+            dhgen_measure_miss(d, end);
+        }
+        if (d->length > enough || dhgen_units_apart(arm, start, end) > DHGEN_STAYING_PART * length)
+            return 0;
+    }
+    return 1;
+}
+
+/* Whether two solutions are one; loosely where both are singular. */
+DHGEN_FN int dhgen_is_same(struct dhgen_descent *d, const double *known, const double *u, int loose)
+{
+    const double none[DHGEN_SOLVER_JOINTS] = { 0.0 };
+    double gap[DHGEN_SOLVER_JOINTS];
+    for (int j = 0; j < d->arm->solved; j++)
+        gap[j] = u[j] - known[j];
+    dhgen_wrap_units(d->arm, gap);
+    const double length = dhgen_units_apart(d->arm, gap, none);
+    if (length < DHGEN_SAME_UNITS)
+        return 1;
+    return loose && length < DHGEN_NEIGHBOURS && dhgen_solves_between(d, known, gap, length);
+}
+
+/* Which of those kept a solution is; -1 for none. */
+DHGEN_FN int dhgen_find_known(
+    struct dhgen_descent *d, const struct dhgen_kept *kept, const double *u, int singular)
+{
+    for (int k = 0; k < kept->count; k++)
+        if (dhgen_is_same(d, kept->u[k], u, singular && kept->singular[k]))
+            return k;
+    return -1;
+}
+
+/* Whether a row of joint values comes before another. */
+DHGEN_FN int dhgen_row_precedes(
+    const struct dhgen_numerical_arm *arm, const double *a, const double *b)
+{
+    for (int i = 0; i < dhgen_joint_count(arm); i++)
+        if (fabs(a[i] - b[i]) > DHGEN_ROW_TIE)
+            return a[i] < b[i];
+    return 0;
+}
+
+/* Rows of joint values by the first joint, then by the second and so on; which rows there are, and
+ * which were chosen from a continuum. */
+DHGEN_FN void dhgen_sort_rows(
+    struct dhgen_descent *d, const struct dhgen_kept *kept, double *q, int *found, int *chosen)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const int dof = dhgen_joint_count(arm);
+    for (int row = 0; row < dhgen_row_count(arm); row++)
+        found[row] = chosen[row] = 0;
+    for (int k = 0; k < kept->count; k++) {
+        int row = k;
+        for (int j = 0; j < arm->solved; j++)
+            d->q[arm->joint[j]] = arm->unit[j] * kept->u[k][j];
+        for (; row > 0 && dhgen_row_precedes(arm, d->q, q + dof * (row - 1)); row--) {
+            chosen[row] = chosen[row - 1];
+            for (int i = 0; i < dof; i++)
+                q[dof * row + i] = q[dof * (row - 1) + i];
+        }
+        found[k] = 1;
+        chosen[row] = kept->chosen[k];
+        for (int i = 0; i < dof; i++)
+            q[dof * row + i] = d->q[i];
+    }
+}
+
+#endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An arm as the numerical solver reads it: what joints have to meet, and from where to start. */
+#ifndef DHGEN_NUMERICAL_ARM_H
+#define DHGEN_NUMERICAL_ARM_H
+
+#include "../interface.h"
+
+/* Joints, rows and equations, at most; a robot's file that brings the runtime along has its own. */
+#if defined(DHGEN_DOF) && !defined(DHGEN_SHARED)
+#define DHGEN_SOLVER_JOINTS DHGEN_DOF
+#define DHGEN_SOLVER_ROWS DHGEN_ROWS
+#define dhgen_joint_count(arm) ((void)(arm), DHGEN_DOF)
+#define dhgen_row_count(arm) ((void)(arm), DHGEN_ROWS)
+#else
+#define DHGEN_SOLVER_JOINTS 16
+#define DHGEN_SOLVER_ROWS 16
+#define dhgen_joint_count(arm) ((arm)->dof)
+#define dhgen_row_count(arm) ((arm)->rows)
+#endif
+#define DHGEN_MOST_EQUATIONS 7
+
+/* What counts of directions. */
+#define DHGEN_NO_DIRECTION 0
+#define DHGEN_WHOLE_ROTATION 1
+#define DHGEN_TOOL_AXIS 2
+
+struct dhgen_numerical_arm {
+    int dof, rows;              /* joints; solutions that are kept */
+    int solved, equations;      /* joints that are solved for; numbers that are to vanish */
+    int coordinates;            /* how many rows of the translation count */
+    int directions;             /* DHGEN_NO_DIRECTION ... */
+    int arm_angle;              /* whether the caller gives it: the last equation */
+    int redundant;              /* whether solutions are families, of which the nearest is kept */
+    int limited;                /* whether joints that are solved for have limits */
+    int checked;                /* whether the task names more than the joints can choose */
+    int starts;                 /* in a round */
+    double size, residual;      /* the arm's; what counts as a solution [arm sizes, rad] */
+    const int *joint, *turning; /* the joints that are solved for, and whether they turn */
+    const int *coordinate;      /* the rows of the translation that count */
+    const double *unit;         /* what a step of one means for them [rad or length] */
+    const double *measure;      /* what it moves [arm sizes] */
+    const double *span_low;     /* between which values starts lie, in units */
+    const double *span_width;
+    const double *stride;        /* from start to start, in parts of that */
+    const double *lowest;        /* limits in units; 0 where descents have none */
+    const double *highest;       /* likewise */
+    const double *facing, *zero; /* how the loop of the general algorithm counts the joints, or 0 */
+    int given_joints;            /* joints whose values the caller gives */
+    const int *given;
+    void (*fk)(const double *q, double *T);
+    void (*jacobian)(const double *q, double *J);
+    /* By how much joint values miss the arm angle, and how fast joints 1, 2 and 3 change that. */
+    void (*arm_angle_miss)(
+        const double *T, const double *free_joints, const double *q, double *off);
+};
+
+#endif

@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Descents: damped least squares from joint values to a pose. */
+#ifndef DHGEN_NUMERICAL_DESCENT_H
+#define DHGEN_NUMERICAL_DESCENT_H
+
+#include "arm.h"
+
+/* Below this sine the rotation vector of an axis is taken as the axis times the sine. */
+#define DHGEN_SMALL_SINE 1e-09
+/* Half a turn about an axis that is like no other [rad]: where every axis does. */
+#define DHGEN_ANY_TURN_X 1.5079644737231006
+#define DHGEN_ANY_TURN_Y 1.8849555921538759
+#define DHGEN_ANY_TURN_Z 2.0106192982974678
+/* Damping over the square of the miss (the Gauss-Newton step itself near a solution), and what is
+ * always added, so that a singular arm has a step: below the square of what counts as singular. */
+#define DHGEN_DESCENT_DAMPING 0.1
+#define DHGEN_DAMPING_FLOOR 1e-13
+/* Where steps get slow at a miss below this [arm sizes, rad] less is added: what always is keeps
+ * them from going on where joints hardly move the tool. Beside singular places the last digits
+ * count. */
+#define DHGEN_SLOW_MISS 1e-06
+#define DHGEN_FINE_DAMPING 1e-26
+/* The longest step of a joint [rad, arm sizes]. */
+#define DHGEN_LONGEST_STEP 2.0
+/* Steps from a start; 7 to 16 are usual. */
+#define DHGEN_DESCENT_STEPS 40
+/* A row that was refined misses its pose by no more [arm sizes, rad]; an exact one by rounding. */
+#define DHGEN_SOLUTION 1e-10
+#define DHGEN_EXACT_SOLUTION 1e-12
+
+/* A descent towards a pose: u are the joints that are solved for, in units. */
+struct dhgen_descent {
+    const struct dhgen_numerical_arm *arm;
+    const double *T, *free_joints;
+    double q[DHGEN_SOLVER_JOINTS], seed[DHGEN_SOLVER_JOINTS]; /* all joints; the seed in units */
+    double e[DHGEN_MOST_EQUATIONS], length; /* the miss [arm sizes, rad], and its length */
+    double A[DHGEN_MOST_EQUATIONS][DHGEN_SOLVER_JOINTS]; /* how u moves the tool */
+};
+
+/* A descent towards T, at the joint values that the caller gives, near to a seed. */
+DHGEN_FN void dhgen_begin_descent(const struct dhgen_numerical_arm *arm, const double *T,
+    const double *free_joints, const double *seed, struct dhgen_descent *d)
+{
+    d->arm = arm;
+    d->T = T;
+    d->free_joints = free_joints;
+    for (int i = 0; i < dhgen_joint_count(arm); i++)
+        d->q[i] = 0.0;
+    for (int i = 0; i < arm->given_joints; i++)
+        d->q[arm->given[i]] = free_joints[i];
+    for (int j = 0; j < arm->solved; j++)
+        d->seed[j] = seed[arm->joint[j]] / arm->unit[j];
+}
+
+/* Copies the joints that are solved for. */
+DHGEN_FN void dhgen_copy_units(
+    const struct dhgen_numerical_arm *arm, const double *from, double *to)
+{
+    for (int j = 0; j < arm->solved; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+DHGEN_FN void dhgen_wrap_units(const struct dhgen_numerical_arm *arm, double *u)
+{
+    for (int j = 0; j < arm->solved; j++)
+        if (arm->turning[j])
+            u[j] -= DHGEN_TURN * ceil(u[j] / DHGEN_TURN - 0.5);
+}
+
+/* Makes a step no longer than it may be. */
+DHGEN_FN void dhgen_shorten(const struct dhgen_numerical_arm *arm, double *step)
+{
+    double longest = DHGEN_LONGEST_STEP;
+    for (int j = 0; j < arm->solved; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < arm->solved; j++)
+        step[j] *= DHGEN_LONGEST_STEP / longest;
+}
+
+/* The rotation vector of an axis times the sine, and the cosine. */
+DHGEN_FN void dhgen_rotation_vector(const double axis[3], double cosine, double vector[3])
+{
+    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double scale = sine < DHGEN_SMALL_SINE ? 1.0 : atan2(sine, cosine) / sine;
+    const int opposite = sine < DHGEN_SMALL_SINE && cosine < 0.0; /* any axis will do */
+    vector[0] = opposite ? DHGEN_ANY_TURN_X : scale * axis[0];
+    vector[1] = opposite ? DHGEN_ANY_TURN_Y : scale * axis[1];
+    vector[2] = opposite ? DHGEN_ANY_TURN_Z : scale * axis[2];
+}
+
+/* The rows of a miss that are the whole rotation; P is the tool's pose, J the Jacobian. */
+DHGEN_FN void dhgen_rotation_rows(struct dhgen_descent *d, const double *P, const double *J)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const int first = arm->coordinates, dof = dhgen_joint_count(arm);
+    double R[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
+                + d->T[4 * i + 2] * P[4 * j + 2];
+    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
+        0.5 * (R[1][0] - R[0][1]) };
+    dhgen_rotation_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + first);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < arm->solved; j++)
+            d->A[first + i][j] = J[dof * (3 + i) + arm->joint[j]];
+}
+
+/* The rows of a miss that are the tool's z axis: turning about it changes nothing. */
+DHGEN_FN void dhgen_axis_rows(struct dhgen_descent *d, const double *P, const double *J)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const int first = arm->coordinates, dof = dhgen_joint_count(arm);
+    const double z[3] = { P[2], P[6], P[10] }, w[3] = { d->T[2], d->T[6], d->T[10] };
+    const double axis[3] = { z[1] * w[2] - z[2] * w[1], z[2] * w[0] - z[0] * w[2],
+        z[0] * w[1] - z[1] * w[0] };
+    dhgen_rotation_vector(axis, z[0] * w[0] + z[1] * w[1] + z[2] * w[2], d->e + first);
+    for (int j = 0; j < arm->solved; j++) {
+        const double *const spin = J + 3 * dof + arm->joint[j];
+        const double along = z[0] * spin[0] + z[1] * spin[dof] + z[2] * spin[2 * dof];
+        for (int i = 0; i < 3; i++)
+            d->A[first + i][j] = spin[dof * i] - along * z[i];
+    }
+}
+
+/* By how much u misses the pose, and the analytic Jacobian of that, into the descent. */
+DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double P[16], J[6 * DHGEN_SOLVER_JOINTS], square = 0.0;
+    for (int j = 0; j < arm->solved; j++)
+        d->q[arm->joint[j]] = arm->unit[j] * u[j];
+    arm->fk(d->q, P);
+    arm->jacobian(d->q, J);
+    for (int i = 0; i < arm->coordinates; i++) {
+        const int row = arm->coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / arm->size;
+        for (int j = 0; j < arm->solved; j++)
+            d->A[i][j] = arm->measure[j] * J[dhgen_joint_count(arm) * row + arm->joint[j]];
+    }
+    if (arm->directions == DHGEN_WHOLE_ROTATION)
+        dhgen_rotation_rows(d, P, J);
+    else if (arm->directions == DHGEN_TOOL_AXIS)
+        dhgen_axis_rows(d, P, J);
+    if (arm->arm_angle) {
+        const int last = arm->equations - 1;
+        double off[4];
+        arm->arm_angle_miss(d->T, d->free_joints, d->q, off);
+        d->e[last] = off[0];
+        for (int j = 0; j < arm->solved; j++)
+            d->A[last][j] = j < 3 ? off[1 + j] : 0.0;
+    }
+    for (int i = 0; i < arm->equations; i++)
+        square += d->e[i] * d->e[i];
+    d->length = sqrt(square);
+}
+
+/* The damped least-squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
+ * A, each with its share of the damping's root behind it, are made orthonormal one after another
+ * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
+ * A A' would lose half of the digits. */
+DHGEN_FN void dhgen_damped_step(
+    const struct dhgen_descent *d, const double *e, double length, double little, double *step)
+{
+    const int solved = d->arm->solved, equations = d->arm->equations, width = solved + equations;
+    const double damping = DHGEN_DESCENT_DAMPING * fmin(length * length, 1.0) + little;
+    double rows[DHGEN_MOST_EQUATIONS][DHGEN_MOST_EQUATIONS + DHGEN_SOLVER_JOINTS];
+    double y[DHGEN_MOST_EQUATIONS], sum[DHGEN_MOST_EQUATIONS + DHGEN_SOLVER_JOINTS] = { 0.0 };
+    for (int i = 0; i < equations; i++) {
+        double square = 0.0;
+        for (int j = 0; j < width; j++)
+            rows[i][j] = j < solved ? d->A[i][j] : j == solved + i ? sqrt(damping) : 0.0;
+        y[i] = e[i];
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < width; j++)
+                along += rows[k][j] * rows[i][j];
+            for (int j = 0; j < width; j++)
+                rows[i][j] -= along * rows[k][j];
+            y[i] -= along * y[k];
+        }
+        for (int j = 0; j < width; j++)
+            square += rows[i][j] * rows[i][j];
+        const double inverse = 1.0 / sqrt(square);
+        y[i] *= inverse;
+        for (int j = 0; j < width; j++)
+            rows[i][j] *= inverse;
+    }
+    for (int i = equations - 1; i >= 0; i--) {
+        double missing = y[i];
+        for (int j = 0; j < width; j++)
+            missing -= rows[i][j] * sum[j];
+        for (int j = 0; j < width; j++)
+            sum[j] += missing * rows[i][j];
+    }
+    for (int j = 0; j < solved; j++)
+        step[j] = sum[j];
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool: there a step that is
+ * right may be long, and what it leaves, half of its square, far more than was missed. */
+DHGEN_FN double dhgen_descend(struct dhgen_descent *d, double *u)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double best[DHGEN_SOLVER_JOINTS], step[DHGEN_SOLVER_JOINTS];
+    double least = HUGE_VAL, little = DHGEN_DAMPING_FLOOR;
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
+    dhgen_copy_units(arm, u, best);     /* compilers don't know that some miss is finite */
+    for (int k = 0; k <= DHGEN_DESCENT_STEPS; k++) {
+        dhgen_measure_miss(d, u);
+        const int slow = d->length >= fmax(0.5 * last, left);
+        const double enough = little < DHGEN_DAMPING_FLOOR ? DHGEN_SOLUTION : DHGEN_EXACT_SOLUTION;
+        const int stalled = slow && least <= enough;
+        if (slow && least <= DHGEN_SLOW_MISS)
+            little = DHGEN_FINE_DAMPING;
+        if (d->length < least) {
+            least = d->length;
+            dhgen_copy_units(arm, u, best);
+        }
+        if (stalled)
+            break;
+        dhgen_damped_step(d, d->e, d->length, little, step);
+        dhgen_shorten(arm, step);
+        double way = 0.0;
+        for (int j = 0; j < arm->solved; j++) {
+            u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = little < DHGEN_DAMPING_FLOOR ? 0.5 * way * way : 0.0;
+    }
+    dhgen_copy_units(arm, best, u);
+    return least;
+}
+
+/* Start number k; number 0 is the seed. */
+DHGEN_FN void dhgen_start(const struct dhgen_descent *d, int k, double *u)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    for (int j = 0; j < arm->solved; j++)
+        u[j] = k == 0 ? d->seed[j]
+                      : arm->span_low[j] + arm->span_width[j] * fmod(0.5 + k * arm->stride[j], 1.0);
+}
+
+/* The part of a generic direction that leaves the tool where it is, to first order, one long;
+ * returns how long it was. */
+DHGEN_FN double dhgen_null_direction(const struct dhgen_descent *d, double *along)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double moved[DHGEN_MOST_EQUATIONS], square = 0.0;
+    for (int i = 0; i < arm->equations; i++) {
+        moved[i] = 0.0;
+        for (int j = 0; j < arm->solved; j++)
+            moved[i] += d->A[i][j] * arm->stride[j];
+    }
+    dhgen_damped_step(d, moved, 0.0, DHGEN_DAMPING_FLOOR, along);
+    for (int j = 0; j < arm->solved; j++) {
+        along[j] = arm->stride[j] - along[j];
+        square += along[j] * along[j];
+    }
+    const double length = sqrt(square);
+    for (int j = 0; j < arm->solved; j++)
+        along[j] /= length;
+    return length;
+}
+
+#endif

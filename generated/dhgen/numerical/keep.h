@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How a solution joins those found before, inside limits if it can. */
+#ifndef DHGEN_NUMERICAL_KEEP_H
+#define DHGEN_NUMERICAL_KEEP_H
+
+#include "solutions.h"
+
+/* A row misses its pose by no more [arm sizes, rad]. */
+#define DHGEN_PROMISED_MISS 1e-11
+/* A joint value may miss its limit by this [rad, arm sizes]: rounding of the angle. */
+#define DHGEN_LIMIT_SLACK 1e-09
+/* Farther beyond an end of its range a joint is not taken for one on that end [rad]; nor where the
+ * seed is not as near as the second. */
+#define DHGEN_JUST_BEYOND 0.01
+#define DHGEN_BESIDE_SEED 0.15
+
+/* Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
+ * place, and from the limit steps may lead back: how far to go on, as parts of the way there. */
+DHGEN_TABLE double dhgen_farther_on[5] = { 0.0, 1.0, 3.0, 7.0, 15.0 };
+
+/* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
+ * just beyond an end there; returns how far one was beyond. */
+DHGEN_FN double dhgen_clamp_units(const struct dhgen_descent *d, const double *u, double *inside)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double most = 0.0;
+    for (int j = 0; j < arm->solved; j++) {
+        const double low = arm->lowest[j], high = arm->highest[j];
+        const double middle = 0.5 * (low + high), seen = d->seed[j];
+        double near = u[j];
+        if (arm->turning[j] && isfinite(middle)) {
+            near -= DHGEN_TURN * floor((near - seen) / DHGEN_TURN + 0.5);
+            const double past = fmax(low - near, near - high);
+            if (past >= DHGEN_JUST_BEYOND || fabs(near - seen) >= DHGEN_BESIDE_SEED)
+                near -= DHGEN_TURN * ceil((near - middle) / DHGEN_TURN - 0.5);
+        }
+        inside[j] = fmin(fmax(near, low), high);
+        most = fmax(most, fabs(inside[j] - near));
+    }
+    return most;
+}
+
+/* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
+ * has to be, farther on if steps lead back; returns if it can. */
+DHGEN_FN int dhgen_reach_inside(struct dhgen_descent *d, const double *u, double *end)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double way[DHGEN_SOLVER_JOINTS], start[DHGEN_SOLVER_JOINTS], inside[DHGEN_SOLVER_JOINTS];
+    dhgen_copy_units(arm, end, start);
+    for (int j = 0; j < arm->solved; j++)
+        way[j] = start[j] - u[j];
+    dhgen_wrap_units(arm, way);
+    for (int k = 0; k < 5; k++) {
+        for (int j = 0; j < arm->solved; j++)
+            end[j] = start[j] + dhgen_farther_on[k] * way[j];
+        if (dhgen_descend(d, end) <= DHGEN_PROMISED_MISS
+            && dhgen_clamp_units(d, end, inside) <= DHGEN_LIMIT_SLACK)
+            return 1;
+    }
+    return 0;
+}
+
+/* Replaces a solution that is beyond a limit by one that keeps all of them, if the way to the seed
+ * inside the limits leads to one, from there or from the seed; where it is alone by one that is the
+ * same and as exact as a row has to be. */
+DHGEN_FN void dhgen_move_inside(
+    struct dhgen_descent *d, const struct dhgen_kept *kept, int alone, double enough, double *u)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double end[DHGEN_SOLVER_JOINTS];
+    if (dhgen_clamp_units(d, u, end) <= DHGEN_LIMIT_SLACK)
+        return;
+    for (int from_seed = 0; from_seed < 2; from_seed++) {
+        (void)dhgen_clamp_units(d, from_seed ? d->seed : u, end);
+        if (dhgen_pull_to_seed(d, end, arm->lowest, arm->highest) > enough)
+            continue;
+        if (alone && !dhgen_reach_inside(d, u, end))
+            continue;
+        if (dhgen_find_known(d, kept, end, 1) < 0 && (!alone || dhgen_is_same(d, u, end, 1))) {
+            dhgen_copy_units(arm, end, u);
+            return;
+        }
+    }
+}
+
+/* Whether of two solutions that are one the new one is kept: if it alone is inside the limits, and
+ * as exact as a row has to be. */
+DHGEN_FN int dhgen_replaces(struct dhgen_descent *d, const double *u, const double *known)
+{
+    double end[DHGEN_SOLVER_JOINTS];
+    if (dhgen_clamp_units(d, known, end) <= DHGEN_LIMIT_SLACK
+        || dhgen_clamp_units(d, u, end) > DHGEN_LIMIT_SLACK)
+        return 0;
+    dhgen_measure_miss(d, u);
+    return d->length <= DHGEN_PROMISED_MISS;
+}
+
+/* Adds a solution to those found before, unless it is one of them. Where the task names more than
+ * the joints can choose, and one is exact, the pose has not been rounded: then all have to be
+ * exact. */
+DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, double *u)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const double enough = dhgen_enough_beside(d, u);
+    const double before = kept->count ? dhgen_enough_beside(d, kept->u[0]) : enough;
+    if (before < enough)
+        return;
+    if (before > enough)
+        kept->count = 0;
+    if (kept->count == dhgen_row_count(arm) || dhgen_find_known(d, kept, u, 0) >= 0)
+        return;
+    const int kind = dhgen_is_continuum(d, u, enough);
+    if (kind == 1) {
+        double end[DHGEN_SOLVER_JOINTS];
+        dhgen_copy_units(arm, u, end);
+        (void)dhgen_pull_to_seed(d, end, dhgen_no_lowest, dhgen_no_highest);
+        if (dhgen_descend(d, end) <= enough)
+            dhgen_copy_units(arm, end, u);
+    }
+    if (arm->limited && kind >= 0)
+        dhgen_move_inside(d, kept, !kind, enough, u);
+    dhgen_wrap_units(arm, u);
+    int k = dhgen_find_known(d, kept, u, kind >= 0);
+    if (k >= 0 && !(arm->limited && dhgen_replaces(d, u, kept->u[k])))
+        return;
+    k = k < 0 ? kept->count++ : k;
+    kept->singular[k] = kind >= 0;
+    kept->chosen[k] = kind == 1;
+    dhgen_copy_units(arm, u, kept->u[k]);
+}
+
+#endif
