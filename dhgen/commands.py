@@ -103,10 +103,9 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
     solver = options.out / f"{module.name}.py"
-    before = solver.read_bytes() if solver.exists() else b""
     contents = {name: text.encode() for name, text in compilation.files.items()}
     replace_files(options.out, contents)
-    keep_compiled(report.code, solver, rewritten=before != contents[solver.name])
+    keep_compiled(report.code, solver)
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "

@@ -133,6 +133,7 @@ def native(
     ):
         setattr(robot, name, _function_of(robot, name))
     vars(robot).update(solver.names(), Unreachable=module.Unreachable)
+    vars(robot)["_CALLS"].update(solver.calls(), choice=vars(module)["_CALLS"]["choice"])
     return robot
 
 
@@ -170,6 +171,7 @@ class _Solver:
 
     def __init__(self, robot: ModuleType, library: ctypes.CDLL) -> None:
         self._robot, self._library = robot, library
+        self._called: dict[str, Any] = vars(robot)["_CALLS"]
         self._dof, self._rows = robot.DOF, robot.MAX_SOLUTIONS
         self._given = _given(robot)
         self._takes = inspect.signature(robot.ik_into)
@@ -196,23 +198,27 @@ class _Solver:
         return function
 
     def names(self) -> dict[str, Any]:
-        """What stands in the places of the compiled Python."""
+        """What stands in the places of the module's functions."""
         names = {
             "fk": self.fk,
             "jacobian": self.jacobian,
             "_solver": self,
-            "_unseeded": lambda *arguments: self.into(*arguments, None),
-            "_seeded": self.into,
-            "_look_at": lambda *_: None,  # other types of numbers are converted
-            "_in_tiles": self.batch,
-            "_one_by_one": self.batch,
             "warm_up": self.warm_up,
         }
         if EXTENDS:
-            names |= dict.fromkeys(("ik_into", "_unseeded", "_seeded"), self.ik_into)
+            names["ik_into"] = self.ik_into
         if hasattr(self._robot, "arm_angle"):
             names["arm_angle"] = self.arm_angle
         return names
+
+    def calls(self) -> dict[str, Any]:
+        """What the public functions call in place of compiled Python."""
+        return {
+            "unseeded": self.ik_into if EXTENDS else lambda *each: self.into(*each, None),
+            "seeded": self.ik_into if EXTENDS else self.into,
+            "look_at": lambda *_: None,  # other types of numbers are converted
+            "many": self.batch,
+        }
 
     def fk(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
         """The pose (4, 4) of joint values (n,)."""
@@ -276,14 +282,17 @@ class _Solver:
 
     def warm_up(self) -> None:
         """Compiles what is left to numba: the choice of the nearest solution."""
-        q, status = np.zeros((self._rows, self._dof)), np.zeros(self._rows, np.uint8)
-        self._robot._nearest(q, status, q[0], True, np.empty(self._dof))  # noqa: FBT003, SLF001
+        found = np.zeros((self._rows, self._dof)), np.zeros(self._rows, np.uint8)
+        self._called["choice"].nearest(found, None, (0, self._rows), limits=True)
 
     def _joints(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        return np.asarray(self._robot._array(q, (self._dof,), "q"))  # noqa: SLF001
+        return self._array(q, "q")
+
+    def _array(self, values: Any, name: str) -> NDArray[np.float64]:  # noqa: ANN401
+        return np.asarray(self._called["array_of"](values, (self._dof,), name))
 
     def _seed(self, q_seed: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        values = np.asarray(self._robot._array(q_seed, (self._dof,), "q_seed"))  # noqa: SLF001
+        values = self._array(q_seed, "q_seed")
         if not np.isfinite(values).all():
             raise ValueError("q_seed must be finite")
         return values

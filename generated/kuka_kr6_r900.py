@@ -8,11 +8,8 @@ Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in 
 a pose counts.
 """
 
-import functools
 import math
-import os
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -22,15 +19,24 @@ import numpy as np
 # The runtime that lies beside this file, by whatever name this is imported, and no other one.
 _FOLDER = str(Path(__file__).resolve().parent)
 sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_FOLDER]
-_RUNTIME = import_module(f"{_FOLDER}.dhgen_runtime.jit")
+
+
+def _runtime(name):
+    return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
+
+
+_RUNTIME = _runtime("jit")
 _COMPILED = _RUNTIME.COMPILED
 _HOW = _RUNTIME.of_file(__file__, interface=1)
 _njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_owned, _apart = _HOW.owned, _HOW.apart
-carray, overload = _RUNTIME.carray, _RUNTIME.overload
+_apart = _HOW.apart
+carray = _RUNTIME.carray
 _room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_lent_rows, _lent_values = _RUNTIME.lent_rows, _RUNTIME.lent_values
-_lent_statuses = _RUNTIME.lent_statuses
+_turned = _runtime("turns").turned
+_atan2 = _runtime("angles").atan2
+_wrap = _runtime("angles").wrap
+_read_rows = _runtime("pose").read_pose
+_of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "kuka_kr6_r900"
 METHOD = "closed form"
@@ -105,87 +111,11 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_ZEROS = np.zeros(DOF)
-_FLOAT = np.dtype(np.float64)
-_BYTE = np.dtype(np.uint8)
-_NONE = type(None)
-# Names of modules take their time in a call that is over in half a microsecond.
-_empty, _contiguous = np.empty, np.ascontiguousarray
+_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
 
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
-
-
-@_njit(fastmath={"contract"})
-def _atan2(y, x):
-    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
-    along, across = abs(x), abs(y)
-    far = along if along > across else across
-    near = across if along > across else along
-    steep = near > 0.41421356237309515 * far  # tan(pi/8)
-    divisor = near + far if steep else far
-    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
-    u = r * r
-    p = -0.01917454359469326
-    p = p * u + 0.039229744582632814
-    p = p * u - 0.050853834915688644
-    p = p * u + 0.05858136252639731
-    p = p * u - 0.0666450998991572
-    p = p * u + 0.07692183087347286
-    p = p * u - 0.0909090457366891
-    p = p * u + 0.11111111015146682
-    p = p * u - 0.14285714284665177
-    p = p * u + 0.19999999999995513
-    p = p * u - 0.3333333333333333
-    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
-    angle = 1.5707963267948966 - angle if across > along else angle
-    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
-    return math.copysign(angle, y)
-
-
-@_inner
-def _wrap(angle):
-    """The angle moved by whole turns to (-pi, pi]."""
-    return angle - turn * np.ceil(angle / turn - 0.5)
-
-
-def _numbers(values, shape, name):
-    try:
-        values = np.ascontiguousarray(values)
-        if values.dtype != _FLOAT:
-            # numpy would drop imaginary parts, read texts and dates, and make NaN of None
-            kind, objects = values.dtype.kind, values.ravel() if values.dtype.kind == "O" else ()
-            if kind not in "biufO" or any(isinstance(o, (str, bytes, _NONE)) for o in objects):
-                raise TypeError
-            values = values.astype(_FLOAT)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} must hold real numbers, with shape {shape}") from None
-    return values
-
-
-def _array(values, shape, name):
-    numbers = _numbers(values, shape, name)
-    if numbers.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {np.shape(values)}") from None
-    return numbers
-
-
-def _of_joints(function):
-    """Compiled; Python calls it with any 6 numbers, other numba functions with an array."""
-
-    @functools.wraps(function)
-    def call(q):
-        return compiled(_array(q, (6,), "q"))
-
-    def inner(q):
-        return compiled(q)
-
-    # Of functions of one name in one module numba takes one for the other when both are cached.
-    inner.__qualname__ = f"{function.__name__} of an array"
-    compiled = _jit(function)
-    overload(call, strict=False)(lambda _: _owned(inner))
-    return call
 
 
 @_of_joints
@@ -460,61 +390,10 @@ def _solve(pose, seed, q, status):
 
 @_njit(forceinline=True)
 def _read(T):
-    """Whether T is a pose, and its upper three rows.
-
-    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
-    (Higham 1986).
-    """
-    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
-    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
-    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
-    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
-    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
-    valid = valid and rest <= 1e-09
-    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-    xy = x0 * y0 + x1 * y1 + x2 * y2
-    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
-    valid = valid and miss <= 1e-09
-    if valid and miss > 1e-24:
-        for _ in range(2):
-            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
-            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
-            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
-            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
-            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
-            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
-            x0, y0, z0 = (
-                xx * x0 + xy * y0 + xz * z0,
-                xy * x0 + yy * y0 + yz * z0,
-                xz * x0 + yz * y0 + zz * z0,
-            )
-            x1, y1, z1 = (
-                xx * x1 + xy * y1 + xz * z1,
-                xy * x1 + yy * y1 + yz * z1,
-                xz * x1 + yz * y1 + zz * z1,
-            )
-            x2, y2, z2 = (
-                xx * x2 + xy * y2 + xz * z2,
-                xy * x2 + yy * y2 + yz * z2,
-                xz * x2 + yz * y2 + zz * z2,
-            )
-    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
-
-
-@_inner
-def _turned(joint, given, towards):
-    """A joint value moved by whole turns, near to another value but inside its limits."""
-    low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given
-    if abs(towards) < 100000.0:
-        value += turn * math.floor((towards - given) / turn + 0.5)
-    if value > high:
-        value -= turn * math.ceil((value - high) / turn)
-    if value < low:
-        value += turn * math.ceil((low - value) / turn)
-    return value if value <= high else given
+    """Whether T is a pose, and its upper three rows."""
+    valid, pose = _read_rows(T)
+    px, py, pz = pose[3], pose[7], pose[11]
+    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
@@ -672,7 +551,7 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
-            q[row, i] = _turned(i, q[row, i], 0.0)
+            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
@@ -963,185 +842,6 @@ def _into(T, seed, q, status):
             count += status[row] == OK
         return count
     return _whole(pose, seed, q, status)
-
-
-@_merged
-def _zeros(seed):
-    """The seed where there is none; of the type that callers' arrays have."""
-    for i in range(6):
-        seed[i] = 0.0
-    return seed
-
-
-@_jit
-def _unseeded(T, q, status):
-    seed = _zeros(carray(_room(6), 6))
-    return _into(_lent_rows(T), seed, _lent_rows(q), _lent_statuses(status))
-
-
-@_jit
-def _seeded(T, q, status, seed):
-    if seed.shape != (6,):
-        raise ValueError("q_seed must have shape (6,)")
-    for value in seed:
-        if not math.isfinite(value):
-            raise ValueError("q_seed must be finite")
-    return _into(_lent_rows(T), _lent_values(seed), _lent_rows(q), _lent_statuses(status))
-
-
-def ik_into(T, q, status, q_seed=None):
-    """All solutions into the caller's arrays, for control loops and for other numba functions.
-
-    Memory is allocated only where a pose is singular or rounded. numba compiles
-    once more for arrays of another layout.
-
-    Args:
-        T: Pose (4, 4), float64.
-        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
-        status: Filled with what each row holds (8,); uint8.
-        q_seed: Values for joints that are indeterminate (6,), float64; zeros without it.
-
-    Returns:
-        How many rows are OK or FREE_JOINT.
-
-    Raises:
-        ValueError: An array has the wrong shape or type, or the seed is not finite.
-    """
-    try:
-        # From Python numba takes its time for an argument that is left out.
-        if q_seed is None:
-            return _unseeded(T, q, status)
-        return _seeded(T, q, status, q_seed)
-    except Exception:
-        # Types and shapes are looked at in there: only who fails is told which array it is.
-        _look_at(T, q, status, q_seed)
-        raise
-
-
-def _look_at(T, q, status, q_seed):
-    """ValueError where an array is none that `ik_into` takes."""
-    _demand_array("T", T, (4, 4), _FLOAT)
-    _demand_array("q", q, (8, 6), _FLOAT)
-    _demand_array("status", status, (8,), _BYTE)
-    if q_seed is not None:
-        _demand_array("q_seed", q_seed, (6,), _FLOAT)
-    if not (q.flags.writeable and status.flags.writeable):
-        raise ValueError("q and status are filled: they can't be read-only") from None
-
-
-def _demand_array(name, array, shape, kind):
-    plain = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
-    if not plain or array.dtype != kind:  # a dtype equals some names of types
-        got = array.dtype if plain else type(array).__name__
-        raise ValueError(f"{name} must be an array of {kind}, not {got}") from None
-    if array.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {array.shape}") from None
-
-
-@overload(ik_into)
-def _ik_into(T, q, status, q_seed=None):
-    def solve(T, q, status, q_seed=None):
-        if q_seed is None:
-            return _unseeded(_lent_rows(T), _lent_rows(q), _lent_statuses(status))
-        return _seeded(_lent_rows(T), _lent_rows(q), _lent_statuses(status), _lent_values(q_seed))
-
-    return solve
-
-
-def ik_all(T, q_seed=None):
-    """All solutions: q (8, 6) and status (8,).
-
-    Row b is always branch BRANCHES[b].
-
-    Args:
-        T: Pose (4, 4).
-        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
-
-    Raises:
-        ValueError: An argument has the wrong shape, or the seed is not finite.
-    """
-    q, status = _empty((8, 6)), _empty(8, _BYTE)
-    given = T
-    try:
-        T = _contiguous(T)
-        if T.dtype is not _FLOAT:
-            T = _numbers(T, (4, 4), "T")
-        if q_seed is None:
-            _unseeded(T, q, status)
-        else:
-            seed = _array(q_seed, (6,), "q_seed")
-            _seeded(T, q, status, seed)
-    except Exception:
-        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
-        _array(given, (4, 4), "T")
-        raise
-    return q, status
-
-
-@_jit
-def _near(joint, value, towards, limits):
-    """A joint value moved by whole turns near to another, if limits count inside its own."""
-    if limits:
-        return _turned(joint, value, towards)
-    if not abs(towards) < 100000.0:
-        return value
-    return value + turn * math.floor((towards - value) / turn + 0.5)
-
-
-@_jit
-def _nearest(rows, status, seed, limits, q):
-    """The solution nearest to the seed into q; whether there is one."""
-    nearest, least = -1, math.inf
-    for row in range(len(rows)):
-        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
-            continue
-        distance = 0.0
-        for i in range(6):
-            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
-            moved = rows[row, i] - seed[i]
-            distance += _WEIGHT[i] * moved * moved
-        if nearest < 0 or distance < least:
-            nearest, least = row, distance
-    for i in range(6):
-        q[i] = rows[nearest, i]
-    return nearest >= 0
-
-
-def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (6,): the nearest to the seed.
-
-    Angles are moved by whole turns into their limits.
-
-    Args:
-        T: Pose (4, 4).
-        q_seed: Where the arm is (6,); zeros without it.
-        branch: Only this branch: a name from BRANCHES, or its row.
-        limits: Whether joint limits count: True or False.
-
-    Raises:
-        Unreachable: There is no such solution; the message says why.
-        ValueError: T is not a valid pose, branch does not exist, or limits is not True or False.
-    """
-    if not isinstance(limits, (bool, np.bool_)):
-        raise ValueError(f"limits must be True or False, not {limits!r}")
-    first, last = (0, 8) if branch is None else _span(branch)
-    rows, status = ik_all(T, q_seed)
-    if status[0] == INVALID_POSE:
-        raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
-    rows, status, q = rows[first:last], status[first:last], np.empty(6)
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    if _nearest(rows, status, seed, limits, q):
-        return q
-    where = "" if branch is None else f" in branch {BRANCHES[first]}"
-    beyond = OUT_OF_LIMITS in status
-    why = "solutions found are beyond the joint limits" if beyond else "the pose is out of reach"
-    raise Unreachable(why + where)
-
-
-@_njit(nogil=True)
-def _one_by_one(T, q, status):
-    for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1493,83 +1193,24 @@ def _in_tiles(T, q, status):
                 for i in range(6):
                     q[k, row, i] = work[_PLACES[row, i] + k - first]
 
-
-def ik_batch(T, *, cores=None, out=None):
-    """ik_all for N poses (N, 4, 4), shared among `cores` cores, by default all of them.
-
-    Args:
-        T: Poses (N, 4, 4).
-        cores: How many threads share the poses.
-        out: The arrays q and status to write to, from an earlier call or like those: fresh
-            memory can cost more time than the solutions.
-
-    Returns:
-        q (N, 8, 6) and status (N, 8).
-
-    Raises:
-        ValueError: An argument has the wrong shape, or cores is not a whole number from 1.
-    """
-    given, T = T, _numbers(T, "(N, 4, 4)", "T")
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {np.shape(given)}")
-    if cores is not None and not (_is_number(cores) and cores >= 1):
-        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
-    q, status = _results(out, len(T))
-    _share(_in_tiles if _COMPILED else _one_by_one, cores, T, q, status)
-    return q, status
-
-
-def warm_up():
-    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
-    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = fk(_ZEROS)
-    jacobian(_ZEROS)
-    ik_into(T, q, status)
-    ik_into(T, q, status, _ZEROS)
-    _nearest(q, status, _ZEROS, True, np.empty(6))
-    ik_batch(T[np.newaxis])
-    _HOW.compile_apart()
-
-
-def _results(out, count):
-    """The rows and the statuses of so many poses: the caller's arrays, or new ones."""
-    rows, row = (count, 8, 6), (count, 8)
-    if out is None:
-        return np.empty(rows), np.empty(row, _BYTE)
-    if not isinstance(out, (tuple, list)) or len(out) != 2:
-        raise ValueError("out must be (q, status), two arrays like those an earlier call returned")
-    q, status = out
-    for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
-        ready = isinstance(array, np.ndarray) and array.flags.carray
-        if not ready and isinstance(array, np.ndarray) and not array.flags.writeable:
-            raise ValueError(f"{name} in out can't be written to: it is read-only")
-        if not ready or array.shape != shape or array.dtype != kind:
-            raise ValueError(f"{name} in out must be a contiguous array of {kind}, {shape}")
-    return q, status
-
-
-def _share(solve, cores, *arrays):
-    """Solves the rows of arrays, shared among threads."""
-    shares = len(arrays[0]) // 2048
-    if shares > 1:  # asking for the cores takes longer than some poses
-        shares = min(cores or os.cpu_count() or 1, shares)
-    if shares > 1:
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
-    else:
-        solve(*arrays)
-
-
-def _span(branch):
-    """The rows of a branch: the first, and the one after the last."""
-    if isinstance(branch, str) and branch in BRANCHES:
-        branch = BRANCHES.index(branch)
-    if _is_number(branch) and 0 <= branch < MAX_SOLUTIONS:
-        return branch, branch + 1
-    names = ", ".join(BRANCHES)
-    raise ValueError(f"no branch {branch!r}; give a row, from 0, or a name: {names}")
-
-
-def _is_number(value):
-    """Whether it is a whole number; True and False are none."""
-    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+_FUNCTIONS = _runtime("functions")
+_CALLS = _FUNCTIONS.of_robot(
+    globals(),
+    _HOW,
+    _FUNCTIONS.Solver(
+        joints=_JOINTS,
+        into=_into,
+        many=_in_tiles,
+        kinematics=(fk, jacobian),
+        given=0,
+        apart=(_HOW.compile_apart,),
+        words={
+            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
+            "no_row": "the pose is out of reach",
+            "allocates": "only where a pose is singular or rounded",
+        },
+    ),
+)
+_unseeded = _CALLS["unseeded"]
+ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
+ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -1,8 +1,9 @@
 """What numba compiled of a written module, kept for whoever imports it next.
 
 Compiling takes longer than all the rest. Verification does it anyway, of files in a temporary
-folder; what it made fits the same text wherever that lies (`_KEY` in the module), though tracebacks
-out of it name that folder. Older numbas than 0.68 tell texts by their times, and compile again.
+folder; what it made fits the same text wherever that lies (`key` of `dhgen_runtime/jit.py`), though
+tracebacks out of it name that folder. Older numbas than 0.68 tell texts by their times, and compile
+again.
 """
 
 from __future__ import annotations
@@ -11,10 +12,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dhgen.replace import replace_files
+from dhgen.runtime import PYTHON
+from dhgen.runtime.python.jit import digest_of
 from dhgen.verify.native import import_module
 
 config: Any
+njit: Any
 try:
+    from numba import njit
     from numba.core import config
 except ImportError:  # verified in plain Python
     config = None
@@ -36,45 +41,85 @@ def import_temporary(path: Path) -> ModuleType:
 
 
 def compiled_code(module: ModuleType) -> Mapping[str, bytes]:
-    """The files of numba's cache that belong to an imported module, by name; none without numba."""
-    folder = _cache_folder(module)
-    if folder is None:
-        return {}
-    found = folder.glob(f"{Path(str(module.__file__)).stem}.*.nb[ci]")
-    return {path.name: path.read_bytes() for path in found}
+    """What numba made of an imported module and of the runtime; nothing without numba.
+
+    Files of numba's cache, by their names, before which stand their folders in the runtime for
+    those of its own: there numba keeps what it compiles of a text of the runtime for one robot,
+    too, and what it made for others.
+    """
+    made: dict[str, bytes] = {}
+    for place, text, folder in _cached(module):
+        known = {vars(module)["_HOW"].digest, digest_of(text)}
+        for path in folder.glob(f"{text.stem}.*.nb[ci]"):
+            if any(digest in path.name for digest in known):
+                made[place + path.name] = path.read_bytes()
+    return made
 
 
-def keep_compiled(code: Mapping[str, bytes], path: Path, *, rewritten: bool) -> None:
-    """Puts compiled code where numba looks for that of a module.
+def keep_compiled(code: Mapping[str, bytes], path: Path) -> None:
+    """Puts compiled code where numba looks for that of a module and of the runtime beside it.
 
-    Where nothing can be written, whoever imports the module compiles it anew.
+    What numba has there of a function of the same text stays: its index may have other numbers for
+    the code of other arguments. Names hold the digest of a text: code of other texts of the module
+    is removed. Where nothing can be written, whoever imports the module compiles it anew.
 
     Args:
         code: What `compiled_code` gave for the same text.
         path: The module.
-        rewritten: Whether it held another text before. If not, functions that numba knows there
-            are left alone: its index may have other numbers for the code of other arguments.
     """
-    folder = _cache_folder(import_module(path)) if code else None
-    if folder is None:
+    if not code:
         return
+    module = import_module(path, lend=False)
     try:
-        for index in sorted(name for name in code if name.endswith(".nbi")):
-            if rewritten or not (folder / index).exists():
-                _keep_function(code, folder, index)
+        for place, text, folder in _cached(module):
+            for old in folder.glob(f"{text.stem}.*.nb[ci]") if not place else ():
+                if vars(module)["_HOW"].digest not in old.name:
+                    old.unlink()
+            start = f"{place}{text.stem}."
+            own = {name.removeprefix(place): name for name in code if name.startswith(start)}
+            for index in sorted(name for name in own if name.endswith(".nbi")):
+                if not (folder / index).exists():
+                    _keep_function({each: code[name] for each, name in own.items()}, folder, index)
     except OSError:
         return
 
 
 def _keep_function(code: Mapping[str, bytes], folder: Path, index: str) -> None:
     """One function's code; without an index numba takes none of it for anything."""
-    (folder / index).unlink(missing_ok=True)
     parts = sorted(name for name in code if name.startswith(index[:-3]) and name != index)
     replace_files(folder, {name: code[name] for name in (*parts, index)})
 
 
-def _cache_folder(module: ModuleType) -> Path | None:
-    """Where numba keeps what it compiles of a module."""
-    stats = (getattr(value, "stats", None) for value in vars(module).values())
-    paths = (getattr(each, "cache_path", None) for each in stats)
-    return next((Path(path) for path in paths if path), None)
+def _cached(module: ModuleType) -> list[tuple[str, Path, Path]]:
+    """The places of texts, the texts, and where numba keeps what it compiles of them.
+
+    First the module itself, which has no place, then the files of its runtime after the folders
+    that they lie in; nothing without numba.
+    """
+    seeded = vars(module)["_CALLS"]["seeded"]
+    if config is None or not hasattr(seeded, "stats"):
+        return []
+    path = Path(str(module.__file__)).resolve()
+    runtime = Path(seeded.py_func.__code__.co_filename).parent
+    found = [("", path)]
+    found += [(_place(text, runtime), text) for text in sorted(runtime.rglob("*.py"))]
+    in_tree = Path(str(seeded.stats.cache_path)) == runtime / "__pycache__"
+    kept, config.CACHE_DIR = config.CACHE_DIR, "" if in_tree else config.CACHE_DIR
+    try:
+        return [(place, text, _folder(text)) for place, text in found]
+    finally:
+        config.CACHE_DIR = kept
+
+
+def _place(text: Path, runtime: Path) -> str:
+    """The folder in the runtime that a text of its own lies in."""
+    return f"{PYTHON}/{text.parent.relative_to(runtime).as_posix()}/".replace("./", "")
+
+
+def _folder(text: Path) -> Path:
+    """Where numba keeps what it compiles of a text."""
+
+    def probe() -> None: ...
+
+    probe.__code__ = probe.__code__.replace(co_filename=str(text))
+    return Path(str(njit(cache=True)(probe).stats.cache_path))

@@ -54,11 +54,15 @@ PORTABLE = Build("portable", ("-O0",))
 NATIVE = Build("native", ("-O2", "-march=native", *FAST_FLAGS))
 
 
-def import_module(path: Path) -> ModuleType:
+def import_module(path: Path, *, lend: bool = True) -> ModuleType:
     """Imports a written module from its file, under a name of its own.
 
     Of the runtime beside it nothing stays registered either: the folder may be a passing one. Where
     that is the compiler's own, it is imported from there: numba keeps there what it compiles of it.
+
+    Args:
+        path: The module.
+        lend: Whether the compiler's own runtime may be taken.
     """
     beside = str(path.resolve().parent)
     spec = importlib.util.spec_from_file_location(f"_dhgen_written_{path.stem}", path)
@@ -67,7 +71,7 @@ def import_module(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     try:
-        if _is_own_runtime(Path(beside)):
+        if lend and _is_own_runtime(Path(beside)):
             _load_own_runtime(f"{beside}.{PYTHON}")
         spec.loader.exec_module(module)
     finally:

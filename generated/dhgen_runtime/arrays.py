@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Arrays by what they hold, for annotations."""
 
 from __future__ import annotations

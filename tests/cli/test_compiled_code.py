@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numba
 
+from dhgen.runtime.python.jit import digest_of
 from dhgen.verify.compiled import compiled_code, import_temporary, keep_compiled
 from dhgen.verify.native import import_module
 from tests.cli.commands import ROOT, copy, full_disk
@@ -76,16 +77,30 @@ def planar(folder: Path) -> Path:
     return Path(shutil.copy(ROOT / "generated" / "planar_rr.py", folder))
 
 
+def digest(module: Path) -> str:
+    """The digest that names of the module's compiled functions hold."""
+    return str(vars(import_module(module))["_HOW"].digest)
+
+
+def kept(folder: Path) -> dict[str, bytes]:
+    """The files of numba's cache in a folder, at any depth."""
+    paths = (path for end in ("nbi", "nbc") for path in folder.rglob(f"*.{end}"))
+    return {path.name: path.read_bytes() for path in paths}
+
+
 def test_it_goes_where_numba_was_told_to_keep_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     module = planar(tmp_path)
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "told"))
-    keep_compiled({"planar_rr.made-1.nbi": b"made"}, module, rewritten=True)
-    (kept,) = tmp_path.rglob("*.nbi")
-    assert kept.is_relative_to(tmp_path / "told")
-    assert compiled_code(import_module(module)) == {"planar_rr.made-1.nbi": b"made"}
-    assert compiled_code(import_temporary(module)) == {}
+    own = {f"planar_rr.made {digest(module)}-1.nbi": b"made"}
+    text = module.parent / "dhgen_runtime" / "general" / "rows.py"
+    shared = {f"dhgen_runtime/general/rows.made {digest_of(text)}-1.nbi": b"for all robots"}
+    keep_compiled(own | shared, module)
+    assert len(list((tmp_path / "told").rglob("*.nbi"))) == 2
+    assert len(kept(tmp_path)) == 2
+    assert compiled_code(import_module(module, lend=False)) == own | shared
+    assert not any(".made " in name for name in compiled_code(import_temporary(module)))
 
 
 def test_what_numba_knows_of_the_same_text_stays(
@@ -94,29 +109,35 @@ def test_what_numba_knows_of_the_same_text_stays(
     """Its index numbers the code of other arguments in an order of its own."""
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     module = planar(tmp_path)
-    first = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
-    keep_compiled(first, module, rewritten=True)
+    one, two = f"planar_rr.one {digest(module)}-1", f"planar_rr.two {digest(module)}-2"
+    first = {f"{one}.1.nbc": b"1", f"{one}.nbi": b"one"}
+    keep_compiled(first, module)
     (folder,) = {path.parent for path in tmp_path.rglob("*.nbi")}
-    (folder / "planar_rr.one-1.1.nbc").write_bytes(b"a user's")
-    second = {"planar_rr.two-2.1.nbc": b"2", "planar_rr.two-2.nbi": b"two"}
-    keep_compiled(first | second, module, rewritten=False)
-    kept = {path.name: path.read_bytes() for path in folder.iterdir() if "nb" in path.suffix}
-    assert kept == first | second | {"planar_rr.one-1.1.nbc": b"a user's"}
-    keep_compiled(first, module, rewritten=True)
-    assert (folder / "planar_rr.one-1.1.nbc").read_bytes() == b"1"
-    assert {path.name for path in folder.iterdir() if path.suffix != ".pyc"} == set(kept)
+    (folder / f"{one}.1.nbc").write_bytes(b"a user's")
+    second = {f"{two}.1.nbc": b"2", f"{two}.nbi": b"two"}
+    keep_compiled(first | second, module)
+    assert kept(tmp_path) == first | second | {f"{one}.1.nbc": b"a user's"}
 
 
-def test_an_index_is_gone_while_its_code_is_replaced(
+def test_what_numba_knew_of_another_text_goes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(numba.config, "CACHE_DIR", "")
+    module = planar(tmp_path)
+    keep_compiled({f"planar_rr.one {digest(module)}-1.nbi": b"one"}, module)
+    assert kept(tmp_path)
+    module.write_text(module.read_text(encoding="utf-8") + "# changed\n", encoding="utf-8")
+    new = {f"planar_rr.one {digest(module)}-1.nbi": b"new"}
+    keep_compiled(new, module)
+    assert kept(tmp_path) == new
+
+
+def test_no_index_is_kept_without_its_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A full disk in between: there is nothing then, instead of other code than the index says."""
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     module = planar(tmp_path)
-    code = {"planar_rr.one-1.1.nbc": b"1", "planar_rr.one-1.nbi": b"one"}
-    keep_compiled(code, module, rewritten=True)
-    assert list(tmp_path.rglob("*.nbi"))
-
-    monkeypatch.setattr(Path, "write_bytes", full_disk)
-    keep_compiled(code, module, rewritten=True)
+    one = f"planar_rr.one {digest(module)}-1"
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_bytes", full_disk)
+        keep_compiled({f"{one}.1.nbc": b"1", f"{one}.nbi": b"one"}, module)
     assert not list(tmp_path.rglob("*.nbi"))

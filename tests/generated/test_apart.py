@@ -53,7 +53,8 @@ q, status = np.empty((1, 3)), np.empty(1, np.uint8)
 assert caller.call(T, q, status) == 1
 assert reach(chain, (q, status)) < 1e-9
 assert reach(chain, chain.ik_all(T)) < 1e-9
-print(sum(sum(each.stats.cache_misses.values()) for each in (caller.call, chain._unseeded)))
+asked = caller.call, chain._CALLS["unseeded"]
+print(sum(sum(each.stats.cache_misses.values()) for each in asked))
 """
 
 

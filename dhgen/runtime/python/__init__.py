@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The runtime of generated robots in Python: what is the same for all of them.
 
 It lies as `dhgen_runtime` beside the robots, which find it there by whatever name they are

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """numba or plain Python: how functions of the runtime and of robots are compiled.
 
 A file asks for its own way of compiling with `of_file(__file__)`. numba keeps what it compiles
@@ -90,12 +91,19 @@ def _keeps(folder: str, path: str) -> bool:
     return True
 
 
+def digest_of(path: Path) -> str:
+    """The digest of a file and of the whole runtime."""
+    text = path.read_bytes() if path.is_file() else b""
+    return hashlib.sha256(DIGEST.encode() + text).hexdigest()[:16]
+
+
 class Compiling:
     """How the functions of one file are compiled.
 
     Attributes:
         key: The name under which compiled code finds the file, and no other text of it, among the
             modules that Python knows.
+        digest: The digest of the file and of the whole runtime, in the names of its functions.
     """
 
     def __init__(self, path: Path) -> None:
@@ -104,10 +112,9 @@ class Compiling:
         Args:
             path: The file; need not exist, and is compiled anew in every process then.
         """
-        text = path.read_bytes() if path.is_file() else b""
-        self._digest = hashlib.sha256(DIGEST.encode() + text).hexdigest()[:16]
+        self.digest = digest_of(path)
         self._cache = _keeps(str(path.parent), str(path))
-        self.key = f"{path.stem} {self._digest}"
+        self.key = f"{path.stem} {self.digest}"
         # A second import of the text finds the functions of the first.
         module = sys.modules.setdefault(self.key, ModuleType(self.key)) if COMPILED else None
         self._apart: dict[str, tuple[Any, Any]] = (
@@ -125,7 +132,7 @@ class Compiling:
         if COMPILED:
             named: Any = function
             named.__module__ = self.key
-            named.__qualname__ = f"{named.__qualname__} {self._digest}"
+            named.__qualname__ = f"{named.__qualname__} {self.digest}"
         return function
 
     def njit(self, **options: Any) -> Callable[[F], F]:  # noqa: ANN401

@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
 from dhgen.runtime.python import INTERFACE
-from dhgen.targets.angles import Angles
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
 from dhgen.targets.python.calls import PythonCalls, python_calls
 from dhgen.targets.python.language import Python
 from dhgen.targets.python.texts import (
-    PythonArctangent,
     PythonComments,
     PythonPose,
     PythonTables,
-    python_arctangent,
     python_comments,
     python_pose,
     python_tables,
@@ -29,11 +25,10 @@ from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
+from dhgen.targets.walk import uses
 from dhgen.targets.writing import IN_PYTHON
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
@@ -51,8 +46,7 @@ class PythonSolver:
         bodies: The programs.
         parts: Functions that have templates of their own.
         regular: What serves regular poses, where there is a program for them.
-        angles: Parts of a turn.
-        arctangent: What it is made of, where the solver takes arctangents.
+        arctangent: Whether the solver takes arctangents.
     """
 
     comments: PythonComments
@@ -62,8 +56,7 @@ class PythonSolver:
     bodies: Bodies
     parts: Parts
     regular: PythonRegular | None
-    angles: Angles
-    arctangent: PythonArctangent | None
+    arctangent: bool
 
 
 def python_files(module: SolverModule) -> dict[str, str]:
@@ -74,16 +67,11 @@ def python_files(module: SolverModule) -> dict[str, str]:
     return {f"{module.name}.py": text}
 
 
-def digested(text: Callable[[str], str]) -> str:
-    """A text that names the digest of itself without it: numba tells texts apart by that."""
-    return text(sha256(text("").encode()).hexdigest()[:16])
-
-
 def python_solver(module: SolverModule, common: Common) -> PythonSolver:
     """What the templates name of a robot."""
     regular = regular_solver(module)
     flat = None if regular is None else flatten(regular)
-    calls = python_calls(module, common)
+    calls = python_calls(common)
     return PythonSolver(
         comments=python_comments(module, common, flat),
         tables=python_tables(module, flat),
@@ -92,8 +80,7 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
         bodies=bodies_of(module, Python(), _assignments, _entries),
         parts=parts_of(module, common, calls, IN_PYTHON),
         regular=None if flat is None else regular_values(module, flat),
-        angles=Angles(),
-        arctangent=python_arctangent(module.solver),
+        arctangent=uses(module.solver, "atan2"),
     )
 
 

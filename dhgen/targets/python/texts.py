@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.printing.comments import plain
 from dhgen.robot.task import TaskKind
-from dhgen.targets.arctangent import STEEP, arctangent_coefficients
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import has_to_be_finite, made_text, named_entries, slacks
@@ -16,13 +15,13 @@ from dhgen.targets.python.one_pose import assigned
 from dhgen.targets.scalar import output_texts, pose_entries
 from dhgen.targets.solver.searches import fan_steps
 from dhgen.targets.solver.task import meaning
-from dhgen.targets.walk import uses
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.program.ir import Program
     from dhgen.program.regular.flatten import Flat
+    from dhgen.robot.task import Task
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
@@ -86,26 +85,15 @@ class PythonPose:
 
     Attributes:
         entries: The names of its entries, _ for those that the solver does not read.
+        reader: The function of the runtime that reads what counts of it.
         finite: Whether all that has to be finite is.
         missed: The entries that the task names.
     """
 
     entries: str
+    reader: str
     finite: str
     missed: Sequence[MissedEntry]
-
-
-@dataclass(frozen=True, slots=True)
-class PythonArctangent:
-    """What the arctangent is made of.
-
-    Attributes:
-        tangent: Up to which ratio the polynomial serves as it is.
-        polynomial: Its value, as lines.
-    """
-
-    tangent: float
-    polynomial: Sequence[str]
 
 
 def python_comments(module: SolverModule, common: Common, flat: Flat | None) -> PythonComments:
@@ -184,7 +172,18 @@ def python_pose(module: SolverModule) -> PythonPose:
     entries = [f"p{'xyz'[row]}" for row in module.chain.task.position_rows]
     entries += [f"q_free[{place}]" for place in range(module.chain.given)]
     finite = [f"math.isfinite({each})" for each in has_to_be_finite(module, entries)]
-    return PythonPose(_entries(module.solver), " and ".join(finite) or "True", _missed(module))
+    reader = _reader(module.chain.task)
+    told = " and ".join(finite) or "True"
+    return PythonPose(_entries(module.solver), reader, told, _missed(module))
+
+
+def _reader(task: Task) -> str:
+    """The function of the runtime that reads what counts of a pose."""
+    if task.kind is TaskKind.POSE:
+        return "read_pose"
+    if task.names_rotation:
+        return "read_orientation"
+    return "read_pointing" if task.kind is TaskKind.POINTING else "read_position"
 
 
 def _entries(program: Program) -> str:
@@ -203,12 +202,3 @@ def _missed(module: SolverModule) -> list[MissedEntry]:
         )
         for each in named_entries(module.chain)
     ]
-
-
-def python_arctangent(program: Program) -> PythonArctangent | None:
-    """The constants of atan2, where the solver takes arctangents."""
-    if not uses(program, "atan2"):
-        return None
-    highest, *others = reversed(arctangent_coefficients())
-    steps = (f"p = p * u {'-' if c < 0 else '+'} {abs(c)!r}" for c in others)
-    return PythonArctangent(STEEP, [f"p = {highest!r}", *steps])

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """All solutions of arms of six joints, two slides at most, without closed form.
 
 M. Raghavan and B. Roth, Inverse kinematics of the general 6R manipulator and related linkages

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The array of a general arm: what numerical/arm.py makes, with the numbers of its loop."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What one formulation finds, and whether that is certainly everything."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What becomes of a candidate: a solution that is new, one that is known, or none.
 
 `marks` say of each solution whether the arm is singular there (bit 0), or nearly so (bit 1).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The real roots of a trigonometric polynomial of degree 8, known by its coefficients.
 
 f(phi) = sum of a_m cos m phi + b_m sin m phi, m = 0 ... 8; it is held as a_0 ... a_8, b_1 ... b_8.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Four turns and two slides: a polynomial of degree 4 in one of the turns, in closed form.
 
 J(phi1) L0 J(phi2) L1 ... J(phi6) L5 = 1 with phi1 a turn. Slides leave directions alone: Rz(phi1) A

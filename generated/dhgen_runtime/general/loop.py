@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The arm as a closed loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size; P = L T R.
 
 Rigid transforms are twelve numbers, row by row. A slide's length stands where a turn has its sine.

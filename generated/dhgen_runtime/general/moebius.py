@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A lens on the circle, for polynomials whose roots crowd on one side of it.
 
 Near the boundary of reach all solutions have nearly the same hidden angle. Around sixteen roots

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The joints from a root of the determinant: null vectors, then the other angles one by one."""
 
 from __future__ import annotations

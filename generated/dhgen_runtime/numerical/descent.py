@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Steps of damped least squares from joint values to a solution.
 
 `u` are the joints that are solved for, in units (radians or arm sizes); `q` all joints, whose other

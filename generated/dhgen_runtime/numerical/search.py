@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """All joints of any arm from the seed and from evenly spread starts, by descents alone."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The six equations of a formulation, and their determinant at many hidden angles at once."""
 
 from __future__ import annotations

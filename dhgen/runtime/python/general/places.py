@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Where the numbers of the loop stand in an arm's array, behind those of numerical/places.py."""
 
 from ..numerical.places import JOINTS, LOOP

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Newton's steps on the loop: from a candidate to a solution.
 
 `c` and `s` are cosines and sines of the joints in the loop; a slide's length stands in the sine's

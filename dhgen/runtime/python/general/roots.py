@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """All real roots of a polynomial on the circle that is known by what computes it.
 
 Its fit has a rounding of 1e-15 of its largest value, all around the circle; where roots crowd, or

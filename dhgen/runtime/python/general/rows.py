@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The rows of a general arm: what the loop's solutions are for it, and what descents add.
 
 Where it is not certain that the loop's solutions are all, they are taken to where descents lead,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """All solutions of the loop: formulations, then poses close by, then starts from anywhere."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Numbers that belong to no arm, with the same digits on every machine.
 
 Cosines and sines are computed in decimal arithmetic and rounded once; a machine's own library may

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The offset wrist: a polynomial of degree 8 or 4 in joint 6, in closed form.
 
 Axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at right angles in W,

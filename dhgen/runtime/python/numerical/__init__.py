@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Damped least squares: what takes joint values to solutions, and tells solutions apart.
 
 In reading order: places (the numbers of an arm), forward (pose and Jacobian), descent (steps to a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The array of an arm's numbers: made once, from what its file holds, in the order of places.py."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Everything of this folder compiled beforehand, so that no call waits for it."""
 
 from . import descent, search, solutions

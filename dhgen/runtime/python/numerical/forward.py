@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The forward model of any arm, from the list of its links."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Where the numbers of an arm and its task stand in the array that every function gets first.
 
 0 ... LOOP        sizes, the task, where the lists begin

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Which solutions are one, which belong to a continuum, and which are kept."""
 
 from __future__ import annotations

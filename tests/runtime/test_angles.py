@@ -1,9 +1,11 @@
-"""The arctangent of the Python modules: error, quadrants, signed zeros, NaN; plain and compiled."""
+"""The arctangent of the runtime: error, quadrants, signed zeros, NaN; plain and compiled."""
 
 from __future__ import annotations
 
 import math
+import re
 from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -11,7 +13,9 @@ import numpy as np
 import pytest
 from numba import njit
 
-from tests.targets.made import in_python
+from dhgen.runtime.python import angles
+from dhgen.targets.arctangent import STEEP, arctangent_coefficients
+from tests.runtime.plain import part
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -23,7 +27,7 @@ ULPS = 3.0  # the stated error; libraries differ in the directions that are aske
 
 
 def plain() -> Any:
-    return in_python("puma560")._atan2
+    return part("plain", "angles").atan2
 
 
 def compiled() -> Any:
@@ -41,6 +45,14 @@ def arguments() -> FloatArray:
     lengths = 10.0 ** source.uniform(-150, 150, len(turned))
     tiny = 10.0 ** source.uniform(-300, 0, (2000, 2)) * source.choice([-1, 1], (2000, 2))
     return np.concatenate([np.stack([np.sin(turned), np.cos(turned)], 1) * lengths[:, None], tiny])
+
+
+def test_the_coefficients_are_those_of_the_interpolation() -> None:
+    text = Path(str(angles.__file__)).read_text(encoding="utf-8")
+    told = re.findall(r"p = (?:p \* u )?(\+|-) ?([\d.]+)$", text, re.MULTILINE)
+    found = [float(sign + digits) for sign, digits in told]
+    assert tuple(reversed(found)) == arctangent_coefficients()
+    assert f"near > {STEEP!r} * far" in text
 
 
 @pytest.mark.parametrize("made", [plain, compiled])

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""Poses as callers give them: whether they are valid, and the nearest rotation where rounded.
+
+What counts of a pose is the robot's affair: it takes the function for its task. Each returns
+whether what it looks at is valid, and the upper three rows, twelve numbers; that positions are
+finite is asked by the robot.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from .jit import of_file
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+_HOW = of_file(__file__)
+
+# The last row may differ from 0 0 0 1 by this, in the sum of what its entries are off.
+LAST_ROW = 1e-9
+# The sum of squares by which a rotation misses orthonormality, up to which it is replaced by the
+# nearest rotation: a pose in single precision, or rounded to six digits. Beyond it the pose is
+# invalid.
+ROTATION = 1e-9
+# The same sum, up to which a rotation is taken as it is: rounding.
+ORTHONORMAL = 1e-24
+
+Rows = tuple[float, ...]
+
+
+@_HOW.merged
+def read_pose(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which every entry counts."""
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid, rows = read_orientation(T)
+    return valid and rest <= LAST_ROW, rows
+
+
+@_HOW.merged
+def read_orientation(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which the rotation counts, and perhaps the position.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = miss <= ROTATION
+    if valid and miss > ORTHONORMAL:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_HOW.merged
+def read_pointing(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which the position and the tool's z axis count, that with length one."""
+    x2, y2, z2 = T[0, 2], T[1, 2], T[2, 2]
+    square = x2 * x2 + y2 * y2 + z2 * z2
+    miss = (square - 1.0) * (square - 1.0)
+    valid = miss <= ROTATION
+    if valid and miss > ORTHONORMAL:
+        length = math.sqrt(square)
+        x2, y2, z2 = x2 / length, y2 / length, z2 / length
+    _, rows = read_position(T)
+    x0, x1, _, px, y0, y1, _, py, z0, z1, _, pz = rows
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_HOW.merged
+def read_position(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which no direction counts: its upper three rows as they are."""
+    return True, (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )  # fmt: skip

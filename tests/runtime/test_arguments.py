@@ -1,0 +1,72 @@
+"""What callers in Python may hand over, and what refusals say."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from dhgen.runtime.python.arguments import array_of, demand_array, numbers, results, span
+
+
+@pytest.mark.parametrize(
+    "values", [[1, 2], (True, False), np.array([1, 2], np.float32), np.array([1, 2], "O")]
+)
+def test_numbers_in_any_form(values: Any) -> None:
+    array = array_of(values, (2,), "q")
+    assert array.dtype == np.float64
+    assert array.flags.c_contiguous
+    assert array.tolist() == [float(v) for v in values]
+
+
+@pytest.mark.parametrize(
+    "values",
+    ["12", ["1", "2"], [1j, 2], [None, 2], np.array(["2020-01-01"] * 2, "M8[D]"), [[1], 2]],
+)
+def test_what_is_no_number(values: Any) -> None:
+    with pytest.raises(ValueError, match=r"^q must hold real numbers, with shape \(2,\)$"):
+        numbers(values, (2,), "q")
+
+
+def test_shapes_are_named() -> None:
+    with pytest.raises(ValueError, match=r"^q must have shape \(2,\), not \(3,\)$"):
+        array_of([1, 2, 3], (2,), "q")
+
+
+@pytest.mark.parametrize(
+    ("array", "told"),
+    [
+        ([1.0, 2.0], "q must be an array of float64, not list"),
+        (np.zeros(2, np.float32), "q must be an array of float64, not float32"),
+        (np.ma.zeros(2), "q must be an array of float64, not MaskedArray"),
+        (np.zeros(3), r"q must have shape \(2,\), not \(3,\)"),
+    ],
+)
+def test_arrays_that_are_filled(array: Any, told: str) -> None:
+    with pytest.raises(ValueError, match=f"^{told}$"):
+        demand_array("q", array, (2,), np.dtype(np.float64))
+
+
+def test_results_of_a_batch() -> None:
+    q, status = results(None, (5, 2, 3))
+    assert (q.shape, status.shape, status.dtype.name) == ((5, 2, 3), (5, 2), "uint8")
+    assert all(
+        given is taken
+        for given, taken in zip((q, status), results([q, status], (5, 2, 3)), strict=True)
+    )
+    for wrong in (q, (q,), (q[:4], status), (q[:, ::-1], status), (q, status.astype(int))):
+        with pytest.raises(ValueError, match=r"^out must be|in out must be"):
+            results(wrong, (5, 2, 3))
+    q.flags.writeable = False
+    with pytest.raises(ValueError, match=r"^q in out can't be written to: it is read-only$"):
+        results((q, status), (5, 2, 3))
+
+
+def test_branches() -> None:
+    names = ("up", "down")
+    assert span(None, names) == (0, 2)
+    assert span("down", names) == span(1, names) == span(np.int64(1), names) == (1, 2)
+    for wrong in ("left", 2, -1, True, 1.0):
+        with pytest.raises(ValueError, match="give a row, from 0, or a name: up, down"):
+            span(wrong, names)
