@@ -13,8 +13,8 @@ import numpy as np
 
 from ..jit import carray, of_file, room
 from ..numerical.descent import SOLUTION, TURN
-from .places import ADVANCE_C, ADVANCE_S, MOST, SLIDES
-from .refine import loop_error, newton_step, refine
+from .places import ADVANCE_C, ADVANCE_S, ANY_SLIDE, MOST, SLIDES
+from .refine import pivot, refine_sliding, refine_turning
 
 if TYPE_CHECKING:
     from ..arrays import Floats, Ints
@@ -49,6 +49,11 @@ def count_singular(marks: Ints) -> int:
 def gap_between(arm: Floats, a: Floats, b: Floats) -> float:
     """Returns the largest difference of two joint vectors, modulo turns."""
     most = 0.0
+    if arm[ANY_SLIDE] == 0.0:
+        for i in range(6):
+            gap = abs(a[i] - b[i])
+            most = max(most, min(gap, TURN - gap))
+        return most
     for i in range(6):
         gap = abs(a[i] - b[i])
         most = max(most, gap if arm[SLIDES + i] > 0.0 else min(gap, TURN - gap))
@@ -82,13 +87,14 @@ def in_loop(arm: Floats, q: Floats, c: Floats, s: Floats) -> None:
 def _from_loop(arm: Floats, c: Floats, s: Floats, q: Floats) -> None:
     """Computes joint values, angles in (-pi, pi], from their cosines and sines in the loop."""
     for i in range(6):
-        if arm[SLIDES + i] > 0.0:
-            q[i] = s[i]
-            continue
         cosine, sine = arm[ADVANCE_C + i], arm[ADVANCE_S + i]
         q[i] = math.atan2(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine)
         if q[i] < -ALMOST_PI:
             q[i] = math.pi
+    if arm[ANY_SLIDE] > 0.0:
+        for i in range(6):
+            if arm[SLIDES + i] > 0.0:
+                q[i] = s[i]
 
 
 @apart(
@@ -112,7 +118,10 @@ def offer(
     Where one is singular many come near to it: there is room for more than there are solutions, the
     last of it for regular ones.
     """
-    missing = refine(arm, links, c, s, afar)
+    if arm[ANY_SLIDE] > 0.0:
+        missing = refine_sliding(arm, links, c, s, afar)
+    else:
+        missing = refine_turning(links, c, s, afar)
     if not missing <= SOLUTION:
         return -1, count
     theta = carray(room(6), 6)
@@ -124,11 +133,9 @@ def offer(
             break
     singular = nearly = 0
     if doubtful:
-        J, x = carray(room(42), (6, 7)), carray(room(6), 6)
-        loop_error(arm, links, c, s, J)
-        pivot = newton_step(J, x)
-        singular = 1 if pivot < SINGULAR else 0
-        nearly = 1 if pivot < NEARLY_SINGULAR else 0
+        least = pivot(arm, links, c, s)
+        singular = 1 if least < SINGULAR else 0
+        nearly = 1 if least < NEARLY_SINGULAR else 0
     if place == count and count >= PLACES - nearly * int(arm[MOST]):
         return -1, count
     if place == count:

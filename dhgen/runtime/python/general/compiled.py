@@ -10,6 +10,7 @@ from . import (
     four_turns,
     loop,
     recover,
+    refine,
     roots,
     rows,
     search,
@@ -17,7 +18,7 @@ from . import (
 
 FILES = (
     *(descent, solutions, loop, equations, circle, four_turns),
-    *(recover, roots, candidates, attempts, search, rows),
+    *(recover, refine, roots, candidates, attempts, search, rows),
 )
 
 

@@ -97,13 +97,14 @@ def _sample_closed_form(
     samples: Floats,
 ) -> None:
     """Computes a polynomial in closed form at the sample angles, through a lens."""
-    for k in range(SAMPLES):
-        c, s, weight = through(x, y, SAMPLE_C[k], SAMPLE_S[k])
-        if arm[HAS_WRIST] > 0.0:
-            value = wrist_polynomial(arm, links, between[0], c, s)
-        else:
-            value = four_turns_polynomial(arm, joints, links, between, c, s)
-        samples[k] = weight * value
+    if arm[HAS_WRIST] > 0.0:
+        for k in range(SAMPLES):
+            c, s, weight = through(x, y, SAMPLE_C[k], SAMPLE_S[k])
+            samples[k] = weight * wrist_polynomial(arm, links, between[0], c, s)
+    else:
+        for k in range(SAMPLES):
+            c, s, weight = through(x, y, SAMPLE_C[k], SAMPLE_S[k])
+            samples[k] = weight * four_turns_polynomial(arm, joints, links, between, c, s)
 
 
 @apart(
