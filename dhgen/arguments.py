@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 from functools import partial
-from importlib import metadata
 from pathlib import Path
 
+from dhgen import __version__
 from dhgen.robot.source import quoted
 
 OUT = Path("generated")
@@ -46,16 +46,9 @@ def parser() -> argparse.ArgumentParser:
     )
     _add_numerical(made)
     made.add_argument(
-        "--version", action="version", version=f"dhgen {_version()}", help="print the version"
+        "--version", action="version", version=f"dhgen {__version__}", help="print the version"
     )
     return made
-
-
-def _version() -> str:
-    try:
-        return metadata.version("dhgen")
-    except metadata.PackageNotFoundError:  # a checkout
-        return "(not installed)"
 
 
 def _add_numerical(made: argparse.ArgumentParser) -> None:

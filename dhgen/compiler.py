@@ -81,23 +81,23 @@ def compile_loaded(
         UnsolvedError: No derivation solves the arm.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    robot, source = file.robot, source_name(file.path, out)
+    robot, source, digest = file.robot, source_name(file.path, out), file.digest
     tell("deriving")
     chain = build_chain(robot)
     derivation = derive(chain, numerical=robot.numerical)
     tell("writing programs")
-    module = _module(robot, derivation, source, DOUBLE)
+    module = _module(robot, derivation, source, digest, DOUBLE)
     single = None
     if robot.float32:
         _demand_closed_form(derivation)
-        single = _module(robot, derivation, source, SINGLE)
+        single = _module(robot, derivation, source, digest, SINGLE)
     document = derivation_document(robot, derivation, module.solver, source)
     files = {**emit(module, single), f"{module.name}.md": document}
     return Compilation(robot, derivation, module, single, MappingProxyType(files))
 
 
 def _module(
-    robot: Robot, derivation: Derivation, source: str, precision: Precision
+    robot: Robot, derivation: Derivation, source: str, digest: str, precision: Precision
 ) -> SolverModule:
     """The programs of a robot for some arithmetic, under the name that they bear there."""
     name = robot.name + precision.suffix
@@ -114,6 +114,7 @@ def _module(
         length_unit=robot.length_unit,
         arm_angle=programs.arm_angle,
         plane_miss=programs.plane_miss,
+        digest=digest,
         precision=precision,
     )
 

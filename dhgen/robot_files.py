@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,15 +23,18 @@ ENDINGS = (".yaml", ".yml")  # of the names of robot files in a folder
 
 @dataclass(frozen=True, slots=True)
 class RobotFile:
-    """A robot and where it was read."""
+    """A robot, where it was read, and a digest of the file, however its lines end."""
 
     path: Path
     robot: Robot
+    digest: str = ""
 
     @classmethod
     def read(cls, path: Path) -> RobotFile:
         """Reads one; RobotFileError where it has mistakes."""
-        return cls(path, load(path))
+        robot = load(path)
+        lines = path.read_bytes().splitlines()
+        return cls(path, robot, sha256(b"\n".join(lines)).hexdigest()[:16])
 
     def with_numerical(self) -> RobotFile:
         """The same as if the file said `numerical: true`."""

@@ -6,6 +6,9 @@
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 5939c1c54a168f17
+ * SPDX-License-Identifier: MIT
  */
 #ifndef ABB_IRB1600_H
 #define ABB_IRB1600_H

@@ -3,237 +3,26 @@
  * Inverse kinematics, generated from robots/bartell_rprpr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/bartell_rprpr.yaml. The formulas and where they come from:
  * bartell_rprpr.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 1ef349fb07595982
+ * SPDX-License-Identifier: MIT
  */
 #include "bartell_rprpr.h"
 
-#include <math.h>
+#if defined(BARTELL_RPRPR_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(BARTELL_RPRPR_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 5
+#define DHGEN_ROWS 2
+#include "dhgen/closed.h"
 
-/* What rows hold. */
-enum {
-    OK = BARTELL_RPRPR_OK, NONE = BARTELL_RPRPR_UNREACHABLE, FREE = BARTELL_RPRPR_FREE_JOINT,
-    OUT = BARTELL_RPRPR_OUT_OF_LIMITS, INVALID = BARTELL_RPRPR_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
-#else
-#define HELPER static inline
-#define APART static
+#if DHGEN_INTERFACE != 1
+#error "bartell_rprpr.c and the folder dhgen/ are of different versions: run dhgen robots/bartell_rprpr.yaml"
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef BARTELL_RPRPR_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DBARTELL_RPRPR_SCALAR. With -DBARTELL_RPRPR_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(BARTELL_RPRPR_SCALAR) && !defined(BARTELL_RPRPR_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define maximum_wide _mm512_max_pd
-#define minimum_wide _mm512_min_pd
-#define sqrt_wide _mm512_sqrt_pd
-#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
-#else
-#define LANES 4
-#define pick_wide pick_four
-#define maximum_wide maximum_four
-#define minimum_wide minimum_four
-#define sqrt_wide sqrt_four
-#define bits_wide bits_four
-#endif
-#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define maximum_four _mm256_max_pd
-#define minimum_four _mm256_min_pd
-#define sqrt_four _mm256_sqrt_pd
-#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
-#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
-#define shuffle __builtin_shufflevector
-#define where_all(mask) (mask)
-
-#define VECTOR(v, lanes) \
-typedef double v __attribute__((vector_size(8 * lanes))); \
-typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
-typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
-HELPER v all_##v(double x) { return x - (v){ 0 }; } \
-HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
-HELPER v copysign_##v(v x, v y) \
-{ \
-    const v##_mask sign = (v##_mask)all_##v(-0.0); \
-    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
-} \
-HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
-HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
-
-VECTOR(four, 4)
-VECTOR(wide, LANES)
-ARCTANGENT(four)
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0)
-#define copysign_wide copysign
-#define signed_wide copysign
-#define negated_wide(x, where) ((x) * copysign(1.0, where))
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#endif
-#ifdef BARTELL_RPRPR_LIBM /* half the time of atan2 */
-HELPER double atan2_wide(double y, double x)
-{
-    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
-}
-#else
-ARCTANGENT(wide)
-#endif
-
-MISFIT(wide, wide)
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] * T[3] * T[3] + T[7]
-        * T[7] * T[7] + T[11] * T[11] * T[11]);
-}
-
-#if LANES > 1
-/* Writes joint values of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER four irregularity_four(const double T[16])
-{
-    const four x = *(const four_at *)T, y = *(const four_at *)(T + 4),
-        z = *(const four_at *)(T + 8), x1 = shuffle(x, x, 1, 2, 0, 3),
-        y1 = shuffle(y, y, 1, 2, 0, 3), z1 = shuffle(z, z, 1, 2, 0, 3),
-        x2 = shuffle(x, x, 2, 0, 1, 3), y2 = shuffle(y, y, 2, 0, 1, 3),
-        lengths = x * x + y * y + z * z - 1.0, angles = x * x1 + y * y1 + z * z1,
-        mirror = x1 * y2 - x2 * y1 - z,
-        last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
-    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
-        0.0 } + last * last;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-#if LANES == 8
-    wide y[8];
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = x[k];
-        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    double y[16];
-    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
-    for (int k = 0; k < 4; k++)
-        x[k] = *(const wide_at *)(y + 4 * k);
-#endif
-}
-#endif
-
-
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 2.0, /* joint offset 1 [m] */
     second_weight = 0.5, /* lengths count in arm sizes [m^-1] */
@@ -256,12 +45,14 @@ const char *const bartell_rprpr_branches[2] = {
     "left", "right",
 };
 
-static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-static const int revolute[5] = { 1, 0, 1, 0, 1 };
-/* Of squared differences of joint values: lengths count in arm sizes. */
-static const double weight[5] = { 1.0, 0.25, 1.0, 0.25, 1.0 };
-#define slack(joint) (revolute[joint] ? 1e-09 : 2e-09) /* of limits */
+static const struct dhgen_joint joints[5] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 2e-09, 0.25, 2.0, 0.19634954084936207, 0 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 2e-09, 0.25, 2.0, 0.19634954084936207, 0 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
 
 void bartell_rprpr_fk(const double q[5], double T[16])
 {
@@ -292,197 +83,14 @@ void bartell_rprpr_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = -c3;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3] * T[3] * T[3]) && isfinite(T[7] * T[7] * T[7]) && isfinite(T[11] * T[11] *
-        T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
-        v2 = signed_wide(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
-        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt_wide(v5), v6 = 1.0 / v5,
-        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, angle1 = atan2_wide(v4, -v3);
-
-    /* r2 */
-    const wide q2_p = w1 * (v6 * (T24 * v3 + T14 * v4));
-
-    /* theta3 */
-    const wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v8 = T33 * T33 + Z2_3 * Z2_3,
-        w3 = sqrt_wide(v8), v9 = 1.0 / v8, factor3 = w3 * v9, v10 = T33 * factor3,
-        s3 = Z2_3 * factor3, angle2 = atan2_wide(Z2_3, -T33);
-
-    /* r4 */
-    const wide q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
-
-    /* theta5 */
-    const wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)), v12 = w1 * (v6 * (v3 * T21 + v4 * T11)),
-        v13 = v12 * v12 + v11 * v11, v14 = sqrt_wide(v13) * (1.0 / v13), c5 = v11 * v14,
-        s5 = v12 * v14, angle3 = atan2_wide(v12, v11);
-
-    /* is the pose one that the arm can take? */
-    const wide v15 = v7 * s3, v16 = s1 * s3, v17 = T34 - (d1 + v10 * q4_p), v18 = T33 - v10,
-        v19 = T31 - s3 * c5, v20 = T24 - (q4_p * v16 + v7 * q2_p), v21 = T23 - v16,
-        v22 = T21 - (v7 * s5 - c5 * (s1 * v10)), v23 = T14 - (s1 * q2_p - q4_p * v15),
-        v24 = T11 - (c5 * (v7 * v10) + s1 * s5), v25 = T13 + v15;
-
-    q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
-    kind[0] = kind_of(q[0], 0);
-    q[5] = angle1 - signed_wide(half_turn, v4); q[6] = -q2_p; q[7] = -angle2; q[8] = q4_p;
-    q[9] = angle3 - signed_wide(half_turn, v12);
-    kind[1] = kind_of(q[5], 0);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | ((v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v18 * v18 + v19 * v19 + v21
-        * v21 + v22 * v22 + v24 * v24 + v25 * v25) | (m4 < v17 * v17 + v20 * v20 + v23 * v23));
-}
-
-#if LANES > 1
-static const double
-    m2 = 0.5; /* 1 / 2 */
-/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-INLINED
-HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
-{
-    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
-
-    /* theta1 */
-    const double v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
-        v2 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
-        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt(v5), v6 = 1.0 / v5,
-        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, v8 = copysign(half_turn, v4);
-    const four v9 = m2 * (e1 - 1.0);
-
-    /* r2 */
-    const double r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
-
-    /* theta3 */
-    const double Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v10 = T33 * T33 + Z2_3 * Z2_3,
-        w3 = sqrt(v10), v11 = 1.0 / v10, factor3 = w3 * v11, v12 = T33 * factor3,
-        s3 = Z2_3 * factor3;
-
-    /* r4 */
-    const double q4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
-
-    /* theta5 */
-    const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11)),
-        v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15), c5 = v13 * v16, s5 = v14 * v16,
-        v17 = copysign(half_turn, v14);
-
-    /* is the pose one that the arm can take? */
-    const double v18 = v7 * s3, v19 = s1 * s3, v20 = T34 - (d1 + v12 * q4), v21 = T33 - v12,
-        v22 = T31 - s3 * c5, v23 = T24 - (q4 * v19 + v7 * r2), v24 = T23 - v19,
-        v25 = T21 - (v7 * s5 - c5 * (s1 * v12)), v26 = T14 - (s1 * r2 - q4 * v18),
-        v27 = T11 - (c5 * (v7 * v12) + s1 * s5), v28 = T13 + v18;
-
-    /* joint values */
-    const four q2 = e1 * r2;
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v10 <= m3) | (v5 <= m1) |
-        (v15 <= m3) | (m5 < v21 * v21 + v22 * v22 + v24 * v24 + v25 * v25 + v27 * v27 + v28 * v28) |
-        (m4 < v20 * v20 + v23 * v23 + v26 * v26)))
-        return -1;
-
-    const four_ratio ratio1 = ratio_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3
-        });
-    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
-        angle2 = shuffle(packed1, packed1, 1, 1, 1, 1),
-        angle3 = shuffle(packed1, packed1, 2, 2, 2, 2);
-    const four q1 = angle1 + v8 * v9, q5 = angle3 + v9 * v17, q3 = e1 * angle2;
-
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, all_four(q4));
-    store_1(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * NONE;
-    __builtin_memcpy(status + 0, &kind1, 2);
-    return __builtin_popcountll(0x101ull & ~none1);
-}
-
-/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
-HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
-{
-    wide pose[16], found[10], x[LANES];
-    wide_mask kind[2];
-    for (int i = 0; i < 16; i += LANES) {
-        for (int k = 0; k < LANES; k++)
-            x[k] = *(const wide_at *)(T + 16 * k + i);
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const wide_mask left = solve_wide(pose, found, kind);
-    for (int i = 0; i < 10; i += LANES) {
-        const int from = i + LANES <= 10 ? i : 10 - LANES;
-        for (int k = 0; k < LANES; k++)
-            x[k] = found[from + k];
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            *(wide_at *)(q + 10 * k + from) = x[k];
-    }
-    for (int i = 1; i < 2; i++)
-        kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++) {
-        const long long word = kind[0][k];
-        __builtin_memcpy(status + 2 * k, &word, 2);
-    }
-    return bits_wide(left);
-}
-#else
-HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
-{
-    wide_mask kind[2];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 2; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-#endif
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[5], double q[2][5], unsigned char status[2])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[5] = (double (*)[5])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(double);
 
     /* theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2 */
@@ -542,234 +150,158 @@ static void solve(
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2; q[row][2] = q3; q[row][3] = r4; q[row][4] = q5;
-        status[row] = (free1 || free3 || free5) ? FREE : OK;
+        status[row] = (free1 || free3 || free5) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
-static void take(const double from[5], double to[5])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 5; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
+        v2 = dhgen_signed_wide(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
+        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = dhgen_sqrt_wide(v5), v6 = 1.0 / v5,
+        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, angle1 = dhgen_atan2_wide(v4, -v3);
+
+    /* r2 */
+    const dhgen_wide q2_p = w1 * (v6 * (T24 * v3 + T14 * v4));
+
+    /* theta3 */
+    const dhgen_wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v8 = T33 * T33 + Z2_3 * Z2_3,
+        w3 = dhgen_sqrt_wide(v8), v9 = 1.0 / v8, factor3 = w3 * v9, v10 = T33 * factor3,
+        s3 = Z2_3 * factor3, angle2 = dhgen_atan2_wide(Z2_3, -T33);
+
+    /* r4 */
+    const dhgen_wide q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+
+    /* theta5 */
+    const dhgen_wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)),
+        v12 = w1 * (v6 * (v3 * T21 + v4 * T11)), v13 = v12 * v12 + v11 * v11,
+        v14 = dhgen_sqrt_wide(v13) * (1.0 / v13), c5 = v11 * v14, s5 = v12 * v14,
+        angle3 = dhgen_atan2_wide(v12, v11);
+
+    /* is the pose one that the arm can take? */
+    const dhgen_wide v15 = v7 * s3, v16 = s1 * s3, v17 = T34 - (d1 + v10 * q4_p), v18 = T33 - v10,
+        v19 = T31 - s3 * c5, v20 = T24 - (q4_p * v16 + v7 * q2_p), v21 = T23 - v16,
+        v22 = T21 - (v7 * s5 - c5 * (s1 * v10)), v23 = T14 - (s1 * q2_p - q4_p * v15),
+        v24 = T11 - (c5 * (v7 * v10) + s1 * s5), v25 = T13 + v15;
+
+    q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[5] = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, v4); q[6] = -q2_p; q[7] = -angle2;
+    q[8] = q4_p; q[9] = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, v12);
+    kind[1] = dhgen_kind_wide(q[5]);
+    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
+        T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v18 * v18 + v19 * v19 + v21
+        * v21 + v22 * v22 + v24 * v24 + v25 * v25) | (m4 < v17 * v17 + v20 * v20 + v23 * v23));
 }
 
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
+#if DHGEN_LANES > 1
+static const double
+    m2 = 0.5; /* 1 / 2 */
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    if (!revolute[joint])
-        return given;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[5], const double q[5], double half[5])
+    /* theta1 */
+    const double v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
+        v2 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
+        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt(v5), v6 = 1.0 / v5,
+        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, v8 = copysign(DHGEN_HALF_TURN, v4);
+    const dhgen_four v9 = m2 * (e1 - 1.0);
+
+    /* r2 */
+    const double r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
+
+    /* theta3 */
+    const double Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v10 = T33 * T33 + Z2_3 * Z2_3,
+        w3 = sqrt(v10), v11 = 1.0 / v10, factor3 = w3 * v11, v12 = T33 * factor3,
+        s3 = Z2_3 * factor3;
+
+    /* r4 */
+    const double q4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+
+    /* theta5 */
+    const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11)),
+        v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15), c5 = v13 * v16, s5 = v14 * v16,
+        v17 = copysign(DHGEN_HALF_TURN, v14);
+
+    /* is the pose one that the arm can take? */
+    const double v18 = v7 * s3, v19 = s1 * s3, v20 = T34 - (d1 + v12 * q4), v21 = T33 - v12,
+        v22 = T31 - s3 * c5, v23 = T24 - (q4 * v19 + v7 * r2), v24 = T23 - v19,
+        v25 = T21 - (v7 * s5 - c5 * (s1 * v12)), v26 = T14 - (s1 * r2 - q4 * v18),
+        v27 = T11 - (c5 * (v7 * v12) + s1 * s5), v28 = T13 + v18;
+
+    /* joint values */
+    const dhgen_four q2 = e1 * r2;
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v10
+        <= m3) | (v5 <= m1) | (v15 <= m3) | (m5 < v21 * v21 + v22 * v22 + v24 * v24 + v25 * v25 +
+        v27 * v27 + v28 * v28) | (m4 < v20 * v20 + v23 * v23 + v26 * v26)))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v4, Z2_3, v14, v4),
+        dhgen_four_of(-v3, -T33, v13, -v3));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
+        angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2);
+    const dhgen_four q1 = angle1 + v8 * v9, q5 = angle3 + v9 * v17, q3 = e1 * angle2;
+
+    dhgen_store_4(q, q + 5, q, q + 5, q1, q2, q3, dhgen_all_four(q4));
+    dhgen_store_1(q + 4, q + 9, q + 4, q + 9, q5);
+    const unsigned long long none1 = (dhgen_bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 2);
+    return __builtin_popcountll(0x101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    double most = 0.0;
-    for (int i = 0; i < 5; i++) {
-        double off = q[i] - x[i];
-        off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * sqrt(weight[i]));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
+#endif
 
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[5] = { 1.0, 2.0, 1.0, 2.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[5], double e[6])
-{
-    double P[16], square = 0.0;
-    bartell_rprpr_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[5], double damping, double e[6], double x[5])
-{
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
-    bartell_rprpr_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 5; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 11; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 11; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 11; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 5; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[5])
-{
-    double x[5], half[5], e[6], last = HUGE_VAL;
-    int settled = 0, lost = 0, held[5] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[5], double q[2][5],
-    unsigned char status[2])
-{
-    double x[5], half[5], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    take(seed, x);
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    for (int row = 2 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
-{
-    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 5; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
-    for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 2; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 5; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[3] = { 4, 2, 0 };
+static const struct dhgen_arm arm = {
+    5, 2, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 }, 0.5, entries, 9,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 3, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    bartell_rprpr_fk, bartell_rprpr_jacobian, solve, NULL, solve_regular,
+};
 
 int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[2][5], found[5], least = HUGE_VAL;
-    unsigned char status[2];
-    int result = -NONE;
-    int valid = bartell_rprpr_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 5; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 2 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 5; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += weight[i] * moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-#if LANES > 1
-    for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 10 * k, status + 2 * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                (void)bartell_rprpr_ik(
-                    T + 16 * i, NULL, (double (*)[5])(q + 10 * i), status + 2 * i);
-    }
-#endif
-    for (; k < n; k++)
-        (void)bartell_rprpr_ik(T + 16 * k, NULL, (double (*)[5])(q + 10 * k), status + 2 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

@@ -3,147 +3,29 @@
  * Inverse kinematics, generated from robots/cuspidal_3r.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/cuspidal_3r.yaml. The formulas and where they come from:
  * cuspidal_3r.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 7c0913eb7097a9fe
+ * SPDX-License-Identifier: MIT
  */
 #include "cuspidal_3r.h"
 
-#include <math.h>
+#define DHGEN_DOF 3
+#define DHGEN_ROWS 4
+#include "dhgen/ik.h"
+#include "dhgen/circle_roots.h"
+#include "dhgen/refine.h"
+#include "dhgen/retry.h"
 
-/* What rows hold. */
-enum {
-    OK = CUSPIDAL_3R_OK, NONE = CUSPIDAL_3R_UNREACHABLE, FREE = CUSPIDAL_3R_FREE_JOINT,
-    OUT = CUSPIDAL_3R_OUT_OF_LIMITS, INVALID = CUSPIDAL_3R_INVALID_POSE
-};
+#if DHGEN_INTERFACE != 1
+#error "cuspidal_3r.c and the folder dhgen/ are of different versions: run dhgen robots/cuspidal_3r.yaml"
+#endif
 
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
+enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };
 
-static double horner(const double p[5], double t)
+static void take(const double from[3], double to[3])
 {
-    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
-}
-
-/* The root between two points with values of unlike sign. */
-static double bracketed(const double p[5], double low, double high, double at_low)
-{
-    double t = 0.5 * (low + high);
-    for (int k = 0; k < 100; k++) {
-        const double value = horner(p, t);
-        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
-        if ((value < 0.0) == (at_low < 0.0))
-            low = t;
-        else
-            high = t;
-        double following = slope != 0.0 ? t - value / slope : low;
-        if (!(low < following && following < high))
-            following = 0.5 * (low + high);
-        if (fabs(following - t) <= 2e-16 * fabs(t))
-            return following;
-        t = following;
-    }
-    return t;
-}
-
-/* Roots of a polynomial that is monotone between neighbouring edges. */
-static int between(const double p[5], const double *edges, int count, double tolerance, double
-    *found)
-{
-    int roots = 0;
-    double before = edges[0], at_before = horner(p, edges[0]);
-    for (int k = 1; k < count; k++) {
-        const double edge = edges[k], size = 1.0 + edge * edge;
-        double value = horner(p, edge);
-        if (k < count - 1 && fabs(value) <= tolerance * size * size)
-            value = 0.0;
-        if (at_before * value < 0.0)
-            found[roots++] = bracketed(p, before, edge, at_before);
-        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
-            found[roots++] = edge;
-        before = edge;
-        at_before = value;
-    }
-    return roots;
-}
-
-/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
- * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
- * leading coefficient; its roots lie between those of its derivative, those between the roots of
- * the second. They are `close` where the slope is small: one may stand for two, or has another
- * beside it. Rounding may add so much to values. All roots are `moved` by an angle in the end. */
-static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
-        x[4],
-    int close[4])
-{
-    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
-    double best = -1.0, apart = 0.0, edges[5], extrema[4];
-    int count = 0;
-    x[0] = x[1] = x[2] = x[3] = NAN;
-    close[0] = close[1] = close[2] = close[3] = 0;
-    if (!(size > 0.0 && isfinite(size)))
-        return;
-    for (int k = 0; k < 16; k++) {
-        const double at = turn * k / 16, c = cos(at), s = sin(at);
-        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
-        if (value > best) {
-            best = value;
-            apart = at;
-        }
-    }
-    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
-    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
-    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
-    const double lead = a0 - u1 + u2;
-    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
-        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
-    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
-    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
-    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
-    edges[0] = -bound;
-    if (square > 0.0) {
-        edges[1] = -half - sqrt(square);
-        edges[2] = -half + sqrt(square);
-        count = 2;
-    }
-    edges[count + 1] = bound;
-    count = between(slope, edges, count + 2, 0.0, extrema);
-    for (int k = 0; k < count; k++)
-        edges[k + 1] = extrema[k];
-    edges[count + 1] = bound;
-    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
-    count = between(p, edges, count + 2, tolerance, x);
-    for (int k = 0; k < count; k++) {
-        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
-        const double ca = cos(at), sa = sin(at);
-        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
-        const int flat = fabs(rate) <= 0.0001 * size;
-        if (!flat)
-            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
-        at -= turn * ceil(at / turn - 0.5);
-        int place = k;
-        for (; place > 0 && x[place - 1] > at; place--) {
-            x[place] = x[place - 1];
-            close[place] = close[place - 1];
-        }
-        x[place] = at;
-        close[place] = flat;
-    }
-    for (int k = 0; k < 4; k++)
-        x[k] += moved;
-}
-
-
-/* By how much joint values miss the entries that count: the root of the sum of squares. */
-static double missed_by(const double *pose, const double *q)
-{
-    static const int named[3] = { 3, 7, 11 };
-    double reached[16], sum = 0.0;
-    cuspidal_3r_fk(q, reached);
-    for (int k = 0; k < 3; k++) {
-        const int i = named[k];
-        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.18181818181818182 : 1.0);
-        sum += off * off;
-    }
-    return sqrt(sum);
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
 }
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -393,7 +275,8 @@ static double exactness(const double T[16])
 
 /* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
  * the same. */
-static void tighten(const double T[16], double q[4][3], unsigned char status[4])
+static void tighten(
+    const struct dhgen_arm *arm, const double T[16], double q[4][3], unsigned char status[4])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
@@ -403,21 +286,22 @@ static void tighten(const double T[16], double q[4][3], unsigned char status[4])
         first[row] = miss[row] = HUGE_VAL;
         if (status[row] == NONE)
             continue;
-        first[row] = missed_by(T, q[row]);
+        first[row] = dhgen_missed_by(arm, T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
     const double enough = 10.0 * exact;
     for (int row = 0; row < 4; row++)
         if (miss[row] > enough)
-            q[row][0] = NAN;
+            q[row][0] = DHGEN_NAN;
     for (int row = 0; row < 4; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
         status[row] = NONE;
         for (int i = 0; i < 3; i++)
-            q[row][i] = NAN;
+            q[row][i] = DHGEN_NAN;
     }
 }
+
 
 static const double
     a1 = 1.0, /* link length 1 [m] */
@@ -442,9 +326,12 @@ const char *const cuspidal_3r_branches[4] = {
     "root1", "root2", "root3", "root4",
 };
 
-static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
-static const double highest[3] = { INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* of limits */
+static const struct dhgen_joint joints[3] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
 
 void cuspidal_3r_fk(const double q[3], double T[16])
 {
@@ -478,22 +365,13 @@ void cuspidal_3r_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = c2;
 }
 
-/* Copies a pose. Returns 0 for what is no pose. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    return 1;
-}
-
-enum { CLOSE = 64 }; /* roots nearly meet: the row may stand between two solutions */
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[3], double moved, double q[4][3], unsigned char status[4])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[3] = (double (*)[3])rows;
+    (void)free_joints;
     const double T14 = T[3];
     const double T24 = T[7];
     const double T34 = T[11];
@@ -510,8 +388,8 @@ static void solve(
     const int free1 = fabs(v17) + fabs(v13) + fabs(v14) + fabs(v15) + fabs(v16) <= free_limit6;
     double x1_roots[4];
     int x1_close[4];
-    circle_roots(free1 ? 1.0 : v17, free1 ? -1.0 : -v13, free1 ? 0.0 : v14, free1 ? 0.0 : v15, free1
-        ? 0.0 : v16, square_rounding * (v12 + k7), moved, x1_roots, x1_close);
+    dhgen_circle_roots(free1 ? 1.0 : v17, free1 ? -1.0 : -v13, free1 ? 0.0 : v14, free1 ? 0.0 : v15,
+        free1 ? 0.0 : v16, square_rounding * (v12 + k7), moved, x1_roots, x1_close);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
@@ -538,14 +416,9 @@ static void solve(
         const double q2 = atan2(s2, c2);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1 || free2) ? FREE : (x1_close[i1] || near2) ? CLOSE : OK;
+        status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : (x1_close[i1] || near2) ? DHGEN_CLOSE :
+            DHGEN_OK;
     }
-}
-
-static void take(const double from[3], double to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = from[i];
 }
 
 /* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
@@ -577,14 +450,15 @@ static int keep(double known[8][3], int count, const double q[3])
 
 /* Whether the row of a root that is moved leads to a solution, and to which. */
 static int leads(
-    struct descent *d, const double seed[3], double angle, int row, double exact,
+    struct descent *d, const double *free_joints, const double seed[3], double angle, int row,
+        double exact,
     double end[3])
 {
     double q[4][3];
     unsigned char kind[4];
     for (int k = 0; k < 4; k++)
         kind[k] = NONE;
-    solve(d->T, seed, angle, q, kind);
+    solve(d->T, free_joints, seed, angle, &q[0][0], kind);
     if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
@@ -605,7 +479,7 @@ static const double across[5] = { 0.0, -1.0, -2.0, -0.5, -4.0 };
  * on the other side. A row may have taken the seed's value for its root, which is one of the two
  * and hides the middle: the roots' own rows have a seed that is turned away. */
 static void both_sides(
-    const double T[16], const double seed[3], double q[4][3],
+const double T[16], const double *free_joints, const double seed[3], double q[4][3],
     unsigned char status[4])
 {
     struct descent d = { .T = T };
@@ -622,7 +496,7 @@ static void both_sides(
     any = 0;
     take(seed, away);
     away[0] += 2.0;
-    solve(T, away, 0.0, own, kind);
+    solve(T, free_joints, away, 0.0, &own[0][0], kind);
     for (int row = 0; row < 4; row++) {
         const int close = status[row] == CLOSE;
         double here[3];
@@ -650,7 +524,7 @@ static void both_sides(
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
         for (int k = 0; k < 18 && !found; k++)
-            found = leads(&d, away, beside[k], row, exact, end)
+            found = leads(&d, free_joints, away, beside[k], row, exact, end)
                 && is_new(known, others, end);
         if (!found)
             continue;
@@ -659,7 +533,7 @@ static void both_sides(
         off += end[0] - own[row][0];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
         for (int k = 0; k < 5; k++) {
-            if (!leads(&d, away, across[k] * off, row, exact, other)
+            if (!leads(&d, free_joints, away, across[k] * off, row, exact, other)
                     || !is_new(known, others, other) || gap_between(end, other) < 0.001)
                 continue;
             count = keep(known, count, other);
@@ -684,7 +558,7 @@ static void both_sides(
     }
     for (int row = 0; row < 4; row++)
         for (int i = 0; i < 3 && status[row] == NONE; i++)
-            q[row][i] = NAN;
+            q[row][i] = DHGEN_NAN;
 }
 
 
@@ -738,12 +612,13 @@ static double descend(struct descent *d, double u[3])
  * What is wrong with values: 1 is that they are beyond limits, 2 that they are not exact, 4 that
  * there are none. */
 static void seek(
-    const double T[16], const double seed[3], int begun, double q[4][3],
+const double T[16], const double *free_joints, const double seed[3], int begun, double q[4][3],
     unsigned char status[4])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
     double found[3] = { 0.0 };
+    (void)free_joints;
     int before = 4, chosen = -1;
     for (int row = 4 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == FREE;
@@ -780,209 +655,47 @@ static void seek(
     for (int row = 0; row < 4; row++) {
         status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 3; i++)
-            q[row][i] = row == begun ? found[i] : (double)NAN;
+            q[row][i] = row == begun ? found[i] : DHGEN_NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
+/* What follows where roots nearly meet, and where rows miss the pose. */
+static void complete(
+    const struct dhgen_arm *arm, const double *T, const double *free_joints, const double *seed,
+    int begun, double *rows, unsigned char *status)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
+    double (*const q)[3] = (double (*)[3])rows;
+    both_sides(T, free_joints, seed, q, status);
+    tighten(arm, T, q, status);
+    if (begun >= 0)
+        seek(T, free_joints, seed, begun, q, status);
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[3], const double q[3], double half[3])
-{
-    double most = 0.0;
-    for (int i = 0; i < 3; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[3] = { 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[3], double e[6])
-{
-    double P[16], square = 0.0;
-    cuspidal_3r_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[3], double damping, double e[6], double x[3])
-{
-    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
-    cuspidal_3r_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 3; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
-        A[i][3 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 9; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 9; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 9; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 3; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[3])
-{
-    double x[3], half[3], e[6], last = HUGE_VAL;
-    int settled = 0, lost = 0, held[3] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[3], double q[4][3],
-    unsigned char status[4])
-{
-    double x[3], half[3], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    take(seed, x);
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    for (int row = 4 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06)
-        take(x, q[place]);
-}
+static const int entries[3] = { 3, 7, 11 };
+static const int choosable[2] = { 1, 0 };
+static const struct dhgen_arm arm = {
+    3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
+    { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 }, 0.18181818181818182, entries, 3,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 2, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    cuspidal_3r_fk, cuspidal_3r_jacobian, solve, complete, NULL,
+};
 
 int cuspidal_3r_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
-    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 3; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 3; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, 0.0, q, status);
-    int begun = -1; /* the first row that was not simply out of reach */
-    for (int row = 4 - 1; row >= 0; row--)
-        begun = status[row] == NONE ? begun : row;
-    both_sides(pose, seed, q, status);
-    tighten(pose, q, status);
-    if (begun >= 0)
-        seek(pose, seed, begun, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 4; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[4][3], found[3], least = HUGE_VAL;
-    unsigned char status[4];
-    int result = -NONE;
-    int valid = cuspidal_3r_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 3; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 4 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-    for (; k < n; k++)
-        (void)cuspidal_3r_ik(T + 16 * k, NULL, (double (*)[3])(q + 12 * k), status + 4 * k);
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

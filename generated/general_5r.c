@@ -3,9 +3,15 @@
  * Inverse kinematics, generated from robots/general_5r.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/general_5r.yaml. The formulas and where they come from:
  * general_5r.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: eb5e755364b9cdb0
+ * SPDX-License-Identifier: MIT
  */
 #include "general_5r.h"
 
+#define DHGEN_DOF 5
+#define DHGEN_ROWS 16
+#include "dhgen/ik.h"
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
@@ -14,32 +20,10 @@
 #endif
 #include "dhgen/general.h"
 
-#include <math.h>
 
-/* What rows hold. */
-enum {
-    OK = GENERAL_5R_OK, NONE = GENERAL_5R_UNREACHABLE, FREE = GENERAL_5R_FREE_JOINT,
-    OUT = GENERAL_5R_OUT_OF_LIMITS, INVALID = GENERAL_5R_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
+#if DHGEN_INTERFACE != 1
+#error "general_5r.c and the folder dhgen/ are of different versions: run dhgen robots/general_5r.yaml"
+#endif
 
 /* In the order in which they are tried. */
 DHGEN_TABLE dhgen_formulation general_5r_formulations[2] = {
@@ -147,6 +131,7 @@ static void all_joints(
     dhgen_general_rows(&general_5r_general, &general_5r_descents, T, 0, seed, q[0], found, chosen);
 }
 
+
 static const double
     d1 = 0.32, /* joint offset 1 [m] */
     a1 = 0.09, /* link length 1 [m] */
@@ -181,14 +166,14 @@ const char *const general_5r_branches[16] = {
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
 
-static const double lowest[5] = {
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
+static const struct dhgen_joint joints[5] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.443460952792061, 2.443460952792061, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
-static const double highest[5] = {
-    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
-};
-#define slack(joint) 1e-09 /* of limits */
 
 void general_5r_fk(const double q[5], double T[16])
 {
@@ -273,58 +258,14 @@ void general_5r_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = ca1; J[27] = z2_z; J[28] = z3_z; J[29] = z4_z;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[5], double q[16][5], unsigned char status[16])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[5] = (double (*)[5])rows;
+    (void)free_joints;
+    (void)moved;
 
     /* all joints: the general 6R loop */
     double solution_roots[16][5];
@@ -343,276 +284,33 @@ static void solve(
         if (!found) continue; /* out of reach */
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-        status[row] = (chosen) ? FREE : OK;
+        status[row] = (chosen) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
-static void take(const double from[5], double to[5])
-{
-    for (int i = 0; i < 5; i++)
-        to[i] = from[i];
-}
-
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
-{
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
-
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[5], const double q[5], double half[5])
-{
-    double most = 0.0;
-    for (int i = 0; i < 5; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[5], double e[6])
-{
-    double P[16], square = 0.0;
-    general_5r_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[5], double damping, double e[6], double x[5])
-{
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
-    general_5r_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 5; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 11; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 11; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 11; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 5; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* The same of a value as it stands: it might be turned. */
-static double past_an_end(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.183185307179587)
-        return overshoot(joint, value);
-    const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-/* The same of all joints. */
-static double past_ends(const double values[5])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 5; i++)
-        sum += fabs(past_an_end(i, values[i]));
-    return sum;
-}
-
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
-static double at_an_end(int joint, double value, double seed)
-{
-    const double near = value + turn * floor((seed - value) / turn + 0.5);
-    const double past = fabs(past_an_end(joint, near));
-    if (0.0 < past && past < 0.01 && fabs(near - seed) < 0.15)
-        return near;
-    const double off = overshoot(joint, value);
-    if (off == 0.0 || fabs(off) > 0.01)
-        return turned(joint, value, value);
-    return off + (off > 0.0 ? highest : lowest)[joint];
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[5])
-{
-    double x[5], half[5], e[6], last = HUGE_VAL;
-    const int stands = isnan(enough);
-    int moves = 0, settled = 0, lost = 0, held[5] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e), past = 0.0;
-        int worst = 0;
-        enough = isnan(enough) ? miss + 1e-14 : enough;
-        for (int i = 0; i < 5 && stands && miss < enough; i++) {
-            const double off = pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            worst = fabs(off) > fabs(past) ? i : worst;
-            past = worst == i ? off : past;
-        }
-        /* one by one: others may follow it inside, or the first the second */
-        if (fabs(past) > 0.0) {
-            moves++;
-            for (int i = 0; i < 5; i++)
-                held[i] = i == worst || (held[i] && moves != 2);
-            last = HUGE_VAL;
-            x[worst] -= past;
-            miss = off_pose(T, x, e);
-        }
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Takes joint values onto ends that they are past or, as two may not stand there, inside. */
-static int lead_inside(const double T[16], double enough, double most, double q[5])
-{
-    double x[5], e[6];
-    if (settle(T, enough, most, q))
-        return 1;
-    int past = 0;
-    for (int i = 0; i < 5; i++)
-        past += fabs(past_an_end(i, q[i])) > 0.0;
-    enough = off_pose(T, q, e) + 1e-14;
-    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
-        for (int i = 0; i < 5; i++)
-            x[i] = q[i] - farther * past_an_end(i, q[i]);
-        if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
-            continue;
-        take(x, q);
-        return 1;
-    }
-    return 0;
-}
-
-/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
- * too, and no row that is less far beyond is nearer. */
-static int stand(
-    const double T[16], int row, int far, double rows[16][5], const unsigned char status[16])
-{
-    double x[5], half[5], to[5], *q = rows[row];
-    const double beyond = past_ends(q);
-    if (!(0.0 < beyond && (far || beyond < 0.01)))
-        return 0;
-    take(q, x);
-    if (!lead_inside(T, NAN, far ? HUGE_VAL : 1.5, x))
-        return 0;
-    const double off = half_way(q, x, half);
-    for (int k = 0; k < 16; k++)
-        if (status[k] != NONE && past_ends(rows[k]) < beyond
-            && half_way(rows[k], x, to) < off)
-            return 0;
-    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
-        return 0;
-    take(x, q);
-    return 1;
-}
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const struct dhgen_arm arm = {
+    5, 16, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 }, 0.5681818181818181, entries, 9,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
+    0, /* follows seed */
+    general_5r_fk, general_5r_jacobian, solve, NULL, NULL,
+};
 
 int general_5r_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
 {
-    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 5; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    for (int row = 0; row < 16; row++)
-        for (int i = 0; i < 5; i++)
-            q[row][i] = at_an_end(i, q[row][i], seed[i]);
-    for (int row = 0; row < 16; row++) {
-        if (status[row] == NONE)
-            continue;
-        (void)stand(pose, row, 0, q, status);
-        for (int i = 0; i < 5; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int general_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[16][5], found[5], least = HUGE_VAL;
-    unsigned char status[16];
-    int result = -NONE;
-    int valid = general_5r_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 5; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 16 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 5; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void general_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-    for (; k < n; k++)
-        (void)general_5r_ik(T + 16 * k, NULL, (double (*)[5])(q + 80 * k), status + 16 * k);
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

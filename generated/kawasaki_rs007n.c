@@ -3,263 +3,26 @@
  * Inverse kinematics, generated from robots/kawasaki_rs007n.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/kawasaki_rs007n.yaml. The formulas and where they come from:
  * kawasaki_rs007n.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: c7e35bee2ac03416
+ * SPDX-License-Identifier: MIT
  */
 #include "kawasaki_rs007n.h"
 
-#include <math.h>
+#if defined(KAWASAKI_RS007N_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(KAWASAKI_RS007N_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 6
+#define DHGEN_ROWS 8
+#include "dhgen/closed.h"
 
-/* What rows hold. */
-enum {
-    OK = KAWASAKI_RS007N_OK, NONE = KAWASAKI_RS007N_UNREACHABLE, FREE = KAWASAKI_RS007N_FREE_JOINT,
-    OUT = KAWASAKI_RS007N_OUT_OF_LIMITS, INVALID = KAWASAKI_RS007N_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
-#else
-#define HELPER static inline
-#define APART static
+#if DHGEN_INTERFACE != 1
+#error "kawasaki_rs007n.c and the folder dhgen/ are of different versions: run dhgen robots/kawasaki_rs007n.yaml"
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef KAWASAKI_RS007N_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>,
- * too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KAWASAKI_RS007N_SCALAR) && !defined(KAWASAKI_RS007N_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define maximum_wide _mm512_max_pd
-#define minimum_wide _mm512_min_pd
-#define sqrt_wide _mm512_sqrt_pd
-#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
-#else
-#define LANES 4
-#define pick_wide pick_four
-#define maximum_wide maximum_four
-#define minimum_wide minimum_four
-#define sqrt_wide sqrt_four
-#define bits_wide bits_four
-#endif
-#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define maximum_four _mm256_max_pd
-#define minimum_four _mm256_min_pd
-#define sqrt_four _mm256_sqrt_pd
-#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
-#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
-#define shuffle __builtin_shufflevector
-#define where_all(mask) (mask)
-
-#define VECTOR(v, lanes) \
-typedef double v __attribute__((vector_size(8 * lanes))); \
-typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
-typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
-HELPER v all_##v(double x) { return x - (v){ 0 }; } \
-HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
-HELPER v copysign_##v(v x, v y) \
-{ \
-    const v##_mask sign = (v##_mask)all_##v(-0.0); \
-    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
-} \
-HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
-HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
-
-VECTOR(four, 4)
-VECTOR(wide, LANES)
-ARCTANGENT(four)
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0)
-#define copysign_wide copysign
-#define signed_wide copysign
-#define negated_wide(x, where) ((x) * copysign(1.0, where))
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#endif
-#ifdef KAWASAKI_RS007N_LIBM /* half the time of atan2 */
-HELPER double atan2_wide(double y, double x)
-{
-    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
-}
-#else
-ARCTANGENT(wide)
-#endif
-
-MISFIT(wide, wide)
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-#if LANES > 1
-/* Writes joint values of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
-}
-
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER four irregularity_four(const double T[16])
-{
-    const four x = *(const four_at *)T, y = *(const four_at *)(T + 4),
-        z = *(const four_at *)(T + 8), x1 = shuffle(x, x, 1, 2, 0, 3),
-        y1 = shuffle(y, y, 1, 2, 0, 3), z1 = shuffle(z, z, 1, 2, 0, 3),
-        x2 = shuffle(x, x, 2, 0, 1, 3), y2 = shuffle(y, y, 2, 0, 1, 3),
-        lengths = x * x + y * y + z * z - 1.0, angles = x * x1 + y * y1 + z * z1,
-        mirror = x1 * y2 - x2 * y1 - z,
-        last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
-    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
-        0.0 } + last * last;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-#if LANES == 8
-    wide y[8];
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = x[k];
-        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    double y[16];
-    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
-    for (int k = 0; k < 4; k++)
-        x[k] = *(const wide_at *)(y + 4 * k);
-#endif
-}
-#endif
-
-/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
-#define TURNS(v) \
-HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
-HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
-
-TURNS(wide)
-#if LANES > 1
-TURNS(four)
-#endif
-
-#define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits; whether by rounding, perhaps. */
-#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
-#define exceeds(x, joint) (abs_wide(x) - high(joint))
-#define exceeds_four(x, joint) (abs_four(x) - high(joint))
-
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
     a2 = 0.355, /* link length 2 [m] */
@@ -302,15 +65,15 @@ const char *const kawasaki_rs007n_branches[8] = {
     "right-down-flip", "right-up-noflip", "right-up-flip",
 };
 
-static const double lowest[6] = {
-    -3.141592653589793, -2.356194490192345, -2.705260340591211, -3.490658503988659,
-    -2.181661564992912, -6.283185307179586,
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.356194490192345, 2.356194490192345, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.705260340591211, 2.705260340591211, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.490658503988659, 3.490658503988659, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.181661564992912, 2.181661564992912, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
-static const double highest[6] = {
-    3.141592653589793, 2.356194490192345, 2.705260340591211, 3.490658503988659, 2.181661564992912,
-    6.283185307179586,
-};
-#define slack(joint) 1e-09 /* of limits */
 
 void kawasaki_rs007n_fk(const double q[6], double T[16])
 {
@@ -367,324 +130,14 @@ void kawasaki_rs007n_jacobian(const double q[6], double J[36])
     J[30] = -1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -v8; J[34] = z4_z; J[35] = z5_z;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy, w1 = sqrt_wide(v1),
-        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
-
-    /* theta3 */
-    const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_wide(D3), v4 = w3 - w3,
-        v5 = k1 * (N3 - k2), s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
-
-    /* theta2 */
-    const wide X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
-        v11 = v8 - v9, v12 = m3 * N3 - m4, v13 = Z1_3 * v12, v14 = w3 * (m3 * w1),
-        S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
-        v18 = v15 + v16, v19 = w3 * (m3 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12, C2_pp = v20 - v19,
-        C2_pm = v19 + v20, C2_mp = v21 - v19, C2_mm = v19 + v21, v22 = S2_pp * S2_pp,
-        v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm, v25 = v24 + C2_pm * C2_pm,
-        v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm, w2_pp = sqrt_wide(v23),
-        w2_pm = sqrt_wide(v25), w2_mp = sqrt_wide(v26), w2_mm = sqrt_wide(v27), v28 = 1.0 / v23,
-        v29 = 1.0 / v25, v30 = 1.0 / v26, v31 = 1.0 / v27;
-
-    /* theta4 */
-    const wide v32 = s3 * v10, c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17)),
-        v33 = s3 * v11 + v7 * v18, c2m3_pm = w2_pm * (v29 * v33), c2m3_mp = w2_mp * (v30 * v33),
-        c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17)), v34 = v7 * v10,
-        v35 = w2_pp * (v28 * (v34 + s3 * v17)), v36 = s3 * v18 - v7 * v11,
-        v37 = w2_pm * (v29 * v36), v38 = w2_mp * (v30 * -v36),
-        v39 = w2_mm * (v31 * (s3 * -v17 - v34)), v40 = w1 * (v2 * (T13 * X1 + T23 * wy)),
-        v41 = T33 * v35 - c2m3_pp * v40, v42 = T33 * v37 - c2m3_pm * v40,
-        v43 = T33 * v38 + c2m3_mp * v40, v44 = T33 * v39 + c2m3_mm * v40, v45 = T13 * s1 - T23 * v3,
-        v46 = w1 * (v2 * (T13 * wy - X1 * T23)), v47 = v46 * v46, v48 = v47 + v41 * v41,
-        v49 = v47 + v42 * v42, v50 = v47 + v43 * v43, v51 = v47 + v44 * v44, v52 = 1.0 / v48,
-        v53 = 1.0 / v49, v54 = 1.0 / v50, v55 = 1.0 / v51;
-
-    /* theta6 */
-    const wide v56 = s1 * T12 - v3 * T22, v57 = w1 * (v2 * (X1 * T12 + wy * T22)),
-        v58 = s1 * T11 - v3 * T21, v59 = w1 * (v2 * (X1 * T11 + wy * T21));
-
-    /* joint values */
-    const wide angle1 = atan2_wide(wy, -X1), v60 = angle1 - offset1,
-        v61 = angle1 - signed_wide(half_turn, wy) - offset1, angle2 = atan2_wide(S2_pp, C2_pp),
-        v62 = angle2 - offset2, angle3 = atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
-        angle4 = atan2_wide(S2_pm, C2_mp), v64 = angle4 - offset2,
-        angle5 = atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2, q2_ppp = lowered_wide(v62),
-        q2_pmp = lowered_wide(v63), q2_mpp = lowered_wide(v64), q2_mmp = lowered_wide(v65),
-        angle6 = atan2_wide(v5, -v6), v66 = angle6 - offset3,
-        v67 = signed_wide(half_turn, v5) - angle6 - offset3, q3_ppp = raised_wide(v66),
-        q3_pmp = raised_wide(v67), angle7 = atan2_wide(-v46, v41), angle8 = atan2_wide(-v46, v42),
-        angle9 = atan2_wide(v46, v43), angle10 = atan2_wide(v46, v44),
-        v68 = signed_wide(half_turn, -v46), v69 = signed_wide(half_turn, v46),
-        v70 = angle7 - offset4, v71 = angle7 - v68 - offset4, v72 = angle8 - offset4,
-        v73 = angle8 - v68 - offset4, v74 = angle9 - offset4, v75 = angle9 - v69 - offset4,
-        v76 = angle10 - offset4, v77 = angle10 - v69 - offset4,
-        angle11 = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40),
-        angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40),
-        angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40),
-        angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40), v78 = angle11 - offset5,
-        v79 = offset5 + angle11, v80 = angle12 - offset5, v81 = offset5 + angle12,
-        v82 = angle13 - offset5, v83 = offset5 + angle13, v84 = angle14 - offset5,
-        v85 = offset5 + angle14, q5_ppp = raised_wide(v78),
-        q5_ppm = only_wide(-v79 <= -half_turn, turn) - v79, q5_pmp = raised_wide(v80),
-        q5_pmm = only_wide(-v81 <= -half_turn, turn) - v81, q5_mpp = raised_wide(v82),
-        q5_mpm = only_wide(-v83 <= -half_turn, turn) - v83, q5_mmp = raised_wide(v84),
-        q5_mmm = only_wide(-v85 <= -half_turn, turn) - v85,
-        v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59)),
-        v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59)),
-        angle15 = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))),
-        angle16 = atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))),
-        angle17 = atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54 * (v43
-            * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))),
-        angle18 = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55 * (v44
-            * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))), v88 = angle15 - offset6,
-        v89 = angle15 - signed_wide(half_turn, v86) - offset6, v90 = angle16 - offset6,
-        v91 = angle16 - signed_wide(half_turn, v87) - offset6, v92 = angle17 - offset6,
-        v93 = angle17 - signed_wide(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
-            v59)))) - offset6, v94 = angle18 - offset6,
-        v95 = angle18 - signed_wide(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
-            v59)))) - offset6, v96 = exceeds(q3_ppp, 3), v97 = exceeds(q3_pmp, 3),
-        q1_ppp = v4 + lowered_wide(v60), q1_mpp = v4 + lowered_wide(v61),
-        v98 = maximum_wide(v96, exceeds(q2_ppp, 2)), v99 = maximum_wide(v97, exceeds(q2_pmp, 2)),
-        v100 = maximum_wide(v96, exceeds(q2_mpp, 2)), v101 = maximum_wide(v97, exceeds(q2_mmp, 2)),
-        excess_ppp = maximum_wide(v98, exceeds(q5_ppp, 5)),
-        excess_ppm = maximum_wide(v98, exceeds(q5_ppm, 5)),
-        excess_pmp = maximum_wide(v99, exceeds(q5_pmp, 5)),
-        excess_pmm = maximum_wide(v99, exceeds(q5_pmm, 5)),
-        excess_mpp = maximum_wide(v100, exceeds(q5_mpp, 5)),
-        excess_mpm = maximum_wide(v100, exceeds(q5_mpm, 5)),
-        excess_mmp = maximum_wide(v101, exceeds(q5_mmp, 5)),
-        excess_mmm = maximum_wide(v101, exceeds(q5_mmm, 5));
-
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = raised_wide(v70); q[4] = q5_ppp;
-    q[5] = raised_wide(v88);
-    kind[0] = kind_of(q[0], 0.0 < excess_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = raised_wide(v71); q[10] = q5_ppm;
-    q[11] = raised_wide(v89);
-    kind[1] = kind_of(q[6], 0.0 < excess_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = raised_wide(v72); q[16] = q5_pmp;
-    q[17] = raised_wide(v90);
-    kind[2] = kind_of(q[12], 0.0 < excess_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = raised_wide(v73); q[22] = q5_pmm;
-    q[23] = raised_wide(v91);
-    kind[3] = kind_of(q[18], 0.0 < excess_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = raised_wide(v74); q[28] = q5_mpp;
-    q[29] = raised_wide(v92);
-    kind[4] = kind_of(q[24], 0.0 < excess_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = raised_wide(v75); q[34] = q5_mpm;
-    q[35] = raised_wide(v93);
-    kind[5] = kind_of(q[30], 0.0 < excess_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = raised_wide(v76); q[40] = q5_mmp;
-    q[41] = raised_wide(v94);
-    kind[6] = kind_of(q[36], 0.0 < excess_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = raised_wide(v77); q[46] = q5_mmm;
-    q[47] = raised_wide(v95);
-    kind[7] = kind_of(q[42], 0.0 < excess_mmm);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | ((v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) |
-        (v25 <= m5) | (v48 <= m6) | (v1 <= m1) | (abs_wide(D3) <= m2) | (v23 <= m5)) |
-        (grazes(excess_mmm) | grazes(excess_mmp) | grazes(excess_mpm) | grazes(excess_mpp) |
-        grazes(excess_pmm) | grazes(excess_pmp) | grazes(excess_ppp) | grazes(excess_ppm));
-}
-
-#if LANES > 1
-static const double
-    m7 = 0.5; /* 1 / 2 */
-/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-INLINED
-HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
-{
-    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
-
-    /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy, w1 = sqrt(v1),
-        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
-
-    /* theta3 */
-    const double Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k1 * (N3 - k2),
-        s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
-
-    /* theta2 */
-    const double X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
-    const four v10 = e1 * e2, v11 = v8 + v9 * v10;
-    const double v12 = m3 * N3 - m4, v13 = Z1_3 * v12;
-    const four S2 = v13 + w3 * (m3 * (w1 * v10));
-    const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * Z1_3)),
-        v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
-        v22 = 1.0 / v21;
-
-    /* theta4 */
-    const four v23 = e2 * v7, c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23)),
-        v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
-    const double v25 = w1 * (v2 * (T13 * X1 + T23 * wy));
-    const four v26 = T33 * v24 - e1 * (c2m3 * v25);
-    const double v27 = T13 * s1 - T23 * v3, v28 = w1 * (v2 * (T13 * wy - X1 * T23)),
-        v29 = v28 * v28;
-    const four v30 = v29 + v26 * v26, v31 = 1.0 / v30;
-
-    /* theta6 */
-    const double v32 = s1 * T12 - v3 * T22, v33 = w1 * (v2 * (X1 * T12 + wy * T22)),
-        v34 = s1 * T11 - v3 * T21, v35 = w1 * (v2 * (X1 * T11 + wy * T21));
-
-    /* joint values */
-    const double v36 = copysign(half_turn, wy), v39 = copysign(half_turn, v5);
-    const four v41 = signed_four(half_turn, -(e1 * v28)),
-        v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v21 <= m5) | (v30 <= m6))) |
-        (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
-        return -1;
-
-    const four_ratio ratio1 = ratio_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 }),
-        ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-(e1 * v28), v26),
-        ratio4 = ratio_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25)),
-        ratio5 = ratio_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3 * v33)))));
-    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
-        angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
-        angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
-    const four v37 = angle1 + v36 * (m7 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
-        q2_p = lowered_four(v38), v40 = e2 * angle3 + v39 * (m7 * (1.0 - e2)) - offset3,
-        q3_p = raised_four(v40), v42 = angle4 - offset4, v43 = angle4 - v41 - offset4,
-        q4_p = raised_four(v42), q4_m = raised_four(v43), v44 = angle5 - offset5,
-        v45 = offset5 + angle5, q5_p = raised_four(v44),
-        q5_m = only_four(-v45 <= -half_turn, turn) - v45, v47 = angle6 - offset6,
-        v48 = angle6 - signed_four(half_turn, v46) - offset6, q6_p = raised_four(v47),
-        q6_m = raised_four(v48), v49 = exceeds_four(q3_p, 3), q1_p = v4 + lowered_four(v37),
-        v50 = maximum_four(v49, exceeds_four(q2_p, 2)),
-        excess_p = maximum_four(v50, exceeds_four(q5_p, 5)),
-        excess_m = maximum_four(v50, exceeds_four(q5_m, 5));
-    const four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (bits_four((grazes_four(excess_p) | grazes_four(excess_m))))
-        return -1;
-
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
-        0x101010101010101ull);
-    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
-        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
-    __builtin_memcpy(status + 0, &kind1, 8);
-    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
-}
-
-/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
-HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
-{
-    wide pose[16], found[48], x[LANES];
-    wide_mask kind[8];
-    for (int i = 0; i < 16; i += LANES) {
-        for (int k = 0; k < LANES; k++)
-            x[k] = *(const wide_at *)(T + 16 * k + i);
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const wide_mask left = solve_wide(pose, found, kind);
-    for (int i = 0; i < 48; i += LANES) {
-        const int from = i + LANES <= 48 ? i : 48 - LANES;
-        for (int k = 0; k < LANES; k++)
-            x[k] = found[from + k];
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            *(wide_at *)(q + 48 * k + from) = x[k];
-    }
-    for (int i = 1; i < 8; i++)
-        kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++) {
-        const long long word = kind[0][k];
-        __builtin_memcpy(status + 8 * k, &word, 8);
-    }
-    return bits_wide(left);
-}
-#else
-HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
-{
-    wide_mask kind[8];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 8; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-#endif
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[6] = (double (*)[6])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -735,7 +188,7 @@ static void solve(
             v16 = T21 * c1 + T11 * s1, v17 = T11 * c1 - T21 * s1;
 
         /* joint values */
-        const double q1 = wrap(atan2(s1, c1) - offset1);
+        const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -766,8 +219,8 @@ static void solve(
             const double v15 = c2m3 * v14 + T32 * v7, v18 = c2m3 * v17 + T31 * v7;
 
             /* joint values */
-            const double q2 = wrap(atan2(s2, c2) - offset2);
-            const double q3 = wrap(atan2(s3, -v3) - offset3);
+            const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
+            const double q3 = dhgen_wrap(atan2(s3, -v3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -782,462 +235,291 @@ static void solve(
                 const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
 
                 /* joint values */
-                const double q4 = wrap(atan2(s4, c4) - offset4);
-                const double q5 = wrap(atan2(s5, c5) - offset5);
-                const double q6 = wrap(atan2(s6, c6) - offset6);
+                const double q4 = dhgen_wrap(atan2(s4, c4) - offset4);
+                const double q5 = dhgen_wrap(atan2(s5, c5) - offset5);
+                const double q6 = dhgen_wrap(atan2(s6, c6) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? FREE : OK;
+                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
 }
 
-static void take(const double from[6], double to[6])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 6; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy,
+        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1,
+        s1 = wy * factor1;
+
+    /* theta3 */
+    const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v4 = w3 - w3,
+        v5 = k1 * (N3 - k2), s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
+
+    /* theta2 */
+    const dhgen_wide X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2,
+        v10 = v8 + v9, v11 = v8 - v9, v12 = m3 * N3 - m4, v13 = Z1_3 * v12, v14 = w3 * (m3 * w1),
+        S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
+        v18 = v15 + v16, v19 = w3 * (m3 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12, C2_pp = v20 - v19,
+        C2_pm = v19 + v20, C2_mp = v21 - v19, C2_mm = v19 + v21, v22 = S2_pp * S2_pp,
+        v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm, v25 = v24 + C2_pm * C2_pm,
+        v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm, w2_pp = dhgen_sqrt_wide(v23),
+        w2_pm = dhgen_sqrt_wide(v25), w2_mp = dhgen_sqrt_wide(v26), w2_mm = dhgen_sqrt_wide(v27),
+        v28 = 1.0 / v23, v29 = 1.0 / v25, v30 = 1.0 / v26, v31 = 1.0 / v27;
+
+    /* theta4 */
+    const dhgen_wide v32 = s3 * v10, c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17)),
+        v33 = s3 * v11 + v7 * v18, c2m3_pm = w2_pm * (v29 * v33), c2m3_mp = w2_mp * (v30 * v33),
+        c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17)), v34 = v7 * v10,
+        v35 = w2_pp * (v28 * (v34 + s3 * v17)), v36 = s3 * v18 - v7 * v11,
+        v37 = w2_pm * (v29 * v36), v38 = w2_mp * (v30 * -v36),
+        v39 = w2_mm * (v31 * (s3 * -v17 - v34)), v40 = w1 * (v2 * (T13 * X1 + T23 * wy)),
+        v41 = T33 * v35 - c2m3_pp * v40, v42 = T33 * v37 - c2m3_pm * v40,
+        v43 = T33 * v38 + c2m3_mp * v40, v44 = T33 * v39 + c2m3_mm * v40, v45 = T13 * s1 - T23 * v3,
+        v46 = w1 * (v2 * (T13 * wy - X1 * T23)), v47 = v46 * v46, v48 = v47 + v41 * v41,
+        v49 = v47 + v42 * v42, v50 = v47 + v43 * v43, v51 = v47 + v44 * v44, v52 = 1.0 / v48,
+        v53 = 1.0 / v49, v54 = 1.0 / v50, v55 = 1.0 / v51;
+
+    /* theta6 */
+    const dhgen_wide v56 = s1 * T12 - v3 * T22, v57 = w1 * (v2 * (X1 * T12 + wy * T22)),
+        v58 = s1 * T11 - v3 * T21, v59 = w1 * (v2 * (X1 * T11 + wy * T21));
+
+    /* joint values */
+    const dhgen_wide angle1 = dhgen_atan2_wide(wy, -X1), v60 = angle1 - offset1,
+        v61 = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, wy) - offset1,
+        angle2 = dhgen_atan2_wide(S2_pp, C2_pp), v62 = angle2 - offset2,
+        angle3 = dhgen_atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
+        angle4 = dhgen_atan2_wide(S2_pm, C2_mp), v64 = angle4 - offset2,
+        angle5 = dhgen_atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2,
+        q2_ppp = dhgen_lowered_wide(v62), q2_pmp = dhgen_lowered_wide(v63),
+        q2_mpp = dhgen_lowered_wide(v64), q2_mmp = dhgen_lowered_wide(v65),
+        angle6 = dhgen_atan2_wide(v5, -v6), v66 = angle6 - offset3,
+        v67 = dhgen_signed_wide(DHGEN_HALF_TURN, v5) - angle6 - offset3,
+        q3_ppp = dhgen_raised_wide(v66), q3_pmp = dhgen_raised_wide(v67),
+        angle7 = dhgen_atan2_wide(-v46, v41), angle8 = dhgen_atan2_wide(-v46, v42),
+        angle9 = dhgen_atan2_wide(v46, v43), angle10 = dhgen_atan2_wide(v46, v44),
+        v68 = dhgen_signed_wide(DHGEN_HALF_TURN, -v46),
+        v69 = dhgen_signed_wide(DHGEN_HALF_TURN, v46), v70 = angle7 - offset4,
+        v71 = angle7 - v68 - offset4, v72 = angle8 - offset4, v73 = angle8 - v68 - offset4,
+        v74 = angle9 - offset4, v75 = angle9 - v69 - offset4, v76 = angle10 - offset4,
+        v77 = angle10 - v69 - offset4,
+        angle11 = dhgen_atan2_wide(dhgen_sqrt_wide(v48), T33 * c2m3_pp + v35 * v40),
+        angle12 = dhgen_atan2_wide(dhgen_sqrt_wide(v49), T33 * c2m3_pm + v37 * v40),
+        angle13 = dhgen_atan2_wide(dhgen_sqrt_wide(v50), T33 * c2m3_mp - v38 * v40),
+        angle14 = dhgen_atan2_wide(dhgen_sqrt_wide(v51), T33 * c2m3_mm - v39 * v40),
+        v78 = angle11 - offset5, v79 = offset5 + angle11, v80 = angle12 - offset5,
+        v81 = offset5 + angle12, v82 = angle13 - offset5, v83 = offset5 + angle13,
+        v84 = angle14 - offset5, v85 = offset5 + angle14, q5_ppp = dhgen_raised_wide(v78),
+        q5_ppm = dhgen_only_wide(-v79 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v79,
+        q5_pmp = dhgen_raised_wide(v80),
+        q5_pmm = dhgen_only_wide(-v81 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v81,
+        q5_mpp = dhgen_raised_wide(v82),
+        q5_mpm = dhgen_only_wide(-v83 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v83,
+        q5_mmp = dhgen_raised_wide(v84),
+        q5_mmm = dhgen_only_wide(-v85 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v85,
+        v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59)),
+        v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59)),
+        angle15 = dhgen_atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))),
+        angle16 = dhgen_atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))),
+        angle17 = dhgen_atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54 *
+            (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))),
+        angle18 = dhgen_atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55 *
+            (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))), v88 = angle15 - offset6,
+        v89 = angle15 - dhgen_signed_wide(DHGEN_HALF_TURN, v86) - offset6, v90 = angle16 - offset6,
+        v91 = angle16 - dhgen_signed_wide(DHGEN_HALF_TURN, v87) - offset6, v92 = angle17 - offset6,
+        v93 = angle17 - dhgen_signed_wide(DHGEN_HALF_TURN, -(v54 * (v43 * v58 - v45 * (v38 * T31 +
+            c2m3_mp * v59)))) - offset6, v94 = angle18 - offset6,
+        v95 = angle18 - dhgen_signed_wide(DHGEN_HALF_TURN, -(v55 * (v44 * v58 - v45 * (v39 * T31 +
+            c2m3_mm * v59)))) - offset6, v96 = dhgen_exceeds_wide(q3_ppp, joints + 2),
+        v97 = dhgen_exceeds_wide(q3_pmp, joints + 2), q1_ppp = v4 + dhgen_lowered_wide(v60),
+        q1_mpp = v4 + dhgen_lowered_wide(v61),
+        v98 = dhgen_maximum_wide(v96, dhgen_exceeds_wide(q2_ppp, joints + 1)),
+        v99 = dhgen_maximum_wide(v97, dhgen_exceeds_wide(q2_pmp, joints + 1)),
+        v100 = dhgen_maximum_wide(v96, dhgen_exceeds_wide(q2_mpp, joints + 1)),
+        v101 = dhgen_maximum_wide(v97, dhgen_exceeds_wide(q2_mmp, joints + 1)),
+        excess_ppp = dhgen_maximum_wide(v98, dhgen_exceeds_wide(q5_ppp, joints + 4)),
+        excess_ppm = dhgen_maximum_wide(v98, dhgen_exceeds_wide(q5_ppm, joints + 4)),
+        excess_pmp = dhgen_maximum_wide(v99, dhgen_exceeds_wide(q5_pmp, joints + 4)),
+        excess_pmm = dhgen_maximum_wide(v99, dhgen_exceeds_wide(q5_pmm, joints + 4)),
+        excess_mpp = dhgen_maximum_wide(v100, dhgen_exceeds_wide(q5_mpp, joints + 4)),
+        excess_mpm = dhgen_maximum_wide(v100, dhgen_exceeds_wide(q5_mpm, joints + 4)),
+        excess_mmp = dhgen_maximum_wide(v101, dhgen_exceeds_wide(q5_mmp, joints + 4)),
+        excess_mmm = dhgen_maximum_wide(v101, dhgen_exceeds_wide(q5_mmm, joints + 4));
+
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = dhgen_raised_wide(v70); q[4] = q5_ppp;
+    q[5] = dhgen_raised_wide(v88);
+    kind[0] = dhgen_kind_within_wide(q[0], 0.0 < excess_ppp);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = dhgen_raised_wide(v71); q[10] = q5_ppm;
+    q[11] = dhgen_raised_wide(v89);
+    kind[1] = dhgen_kind_within_wide(q[6], 0.0 < excess_ppm);
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = dhgen_raised_wide(v72); q[16] = q5_pmp;
+    q[17] = dhgen_raised_wide(v90);
+    kind[2] = dhgen_kind_within_wide(q[12], 0.0 < excess_pmp);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = dhgen_raised_wide(v73); q[22] = q5_pmm;
+    q[23] = dhgen_raised_wide(v91);
+    kind[3] = dhgen_kind_within_wide(q[18], 0.0 < excess_pmm);
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = dhgen_raised_wide(v74); q[28] = q5_mpp;
+    q[29] = dhgen_raised_wide(v92);
+    kind[4] = dhgen_kind_within_wide(q[24], 0.0 < excess_mpp);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = dhgen_raised_wide(v75); q[34] = q5_mpm;
+    q[35] = dhgen_raised_wide(v93);
+    kind[5] = dhgen_kind_within_wide(q[30], 0.0 < excess_mpm);
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = dhgen_raised_wide(v76); q[40] = q5_mmp;
+    q[41] = dhgen_raised_wide(v94);
+    kind[6] = dhgen_kind_within_wide(q[36], 0.0 < excess_mmp);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = dhgen_raised_wide(v77); q[46] = q5_mmm;
+    q[47] = dhgen_raised_wide(v95);
+    kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
+    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) |
+        (v25 <= m5) | (v48 <= m6) | (v1 <= m1) | (dhgen_abs_wide(D3) <= m2) | (v23 <= m5)) |
+        (dhgen_grazes_wide(excess_mmm) | dhgen_grazes_wide(excess_mmp) |
+        dhgen_grazes_wide(excess_mpm) | dhgen_grazes_wide(excess_mpp) |
+        dhgen_grazes_wide(excess_pmm) | dhgen_grazes_wide(excess_pmp) |
+        dhgen_grazes_wide(excess_ppp) | dhgen_grazes_wide(excess_ppm));
 }
 
-/* A row that another value of a free joint may serve, and what solving again needs. */
-struct search {
-    const double *T;
-    double seed[6], start, q[8][6];
-    unsigned char status[8];
-    int joint, row;
+#if DHGEN_LANES > 1
+static const double
+    m7 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy, w1 = sqrt(v1),
+        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
+
+    /* theta3 */
+    const double Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k1 * (N3 - k2),
+        s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
+
+    /* theta2 */
+    const double X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
+    const dhgen_four v10 = e1 * e2, v11 = v8 + v9 * v10;
+    const double v12 = m3 * N3 - m4, v13 = Z1_3 * v12;
+    const dhgen_four S2 = v13 + w3 * (m3 * (w1 * v10));
+    const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
+    const dhgen_four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * Z1_3)),
+        v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v21),
+        v22 = 1.0 / v21;
+
+    /* theta4 */
+    const dhgen_four v23 = e2 * v7, c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23)),
+        v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
+    const double v25 = w1 * (v2 * (T13 * X1 + T23 * wy));
+    const dhgen_four v26 = T33 * v24 - e1 * (c2m3 * v25);
+    const double v27 = T13 * s1 - T23 * v3, v28 = w1 * (v2 * (T13 * wy - X1 * T23)),
+        v29 = v28 * v28;
+    const dhgen_four v30 = v29 + v26 * v26, v31 = 1.0 / v30;
+
+    /* theta6 */
+    const double v32 = s1 * T12 - v3 * T22, v33 = w1 * (v2 * (X1 * T12 + wy * T22)),
+        v34 = s1 * T11 - v3 * T21, v35 = w1 * (v2 * (X1 * T11 + wy * T21));
+
+    /* joint values */
+    const double v36 = copysign(DHGEN_HALF_TURN, wy), v39 = copysign(DHGEN_HALF_TURN, v5);
+    const dhgen_four v41 = dhgen_signed_four(DHGEN_HALF_TURN, -(e1 * v28)),
+        v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v21 <= m5) |
+        (v30 <= m6))) | (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(wy, v5, wy, wy),
+        dhgen_four_of(-X1, -v6, -X1, -X1)), ratio2 = dhgen_ratio_four(S2, C2),
+        ratio3 = dhgen_ratio_four(-(e1 * v28), v26),
+        ratio4 = dhgen_ratio_four(dhgen_sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25)),
+        ratio5 = dhgen_ratio_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3 *
+            v33)))));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle3 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2),
+        angle4 = dhgen_angle_four(ratio3), angle5 = dhgen_angle_four(ratio4),
+        angle6 = dhgen_angle_four(ratio5);
+    const dhgen_four v37 = angle1 + v36 * (m7 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
+        q2_p = dhgen_lowered_four(v38), v40 = e2 * angle3 + v39 * (m7 * (1.0 - e2)) - offset3,
+        q3_p = dhgen_raised_four(v40), v42 = angle4 - offset4, v43 = angle4 - v41 - offset4,
+        q4_p = dhgen_raised_four(v42), q4_m = dhgen_raised_four(v43), v44 = angle5 - offset5,
+        v45 = offset5 + angle5, q5_p = dhgen_raised_four(v44),
+        q5_m = dhgen_only_four(-v45 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v45, v47 = angle6 - offset6,
+        v48 = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v46) - offset6,
+        q6_p = dhgen_raised_four(v47), q6_m = dhgen_raised_four(v48),
+        v49 = dhgen_exceeds_four(q3_p, joints + 2), q1_p = v4 + dhgen_lowered_four(v37),
+        v50 = dhgen_maximum_four(v49, dhgen_exceeds_four(q2_p, joints + 1)),
+        excess_p = dhgen_maximum_four(v50, dhgen_exceeds_four(q5_p, joints + 4)),
+        excess_m = dhgen_maximum_four(v50, dhgen_exceeds_four(q5_m, joints + 4));
+    const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
+    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+        return -1;
+
+    dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, q2_p, q3_p, q4_p);
+    dhgen_store_2(q + 4, q + 16, q + 28, q + 40, q5_p, q6_p);
+    dhgen_store_4(q + 6, q + 18, q + 30, q + 42, q1_p, q2_p, q3_p, q4_m);
+    dhgen_store_2(q + 10, q + 22, q + 34, q + 46, q5_m, q6_m);
+    const unsigned long long none1 = (dhgen_bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (dhgen_bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (dhgen_bits_four(outside_m) * 0x20004000800100ull &
+        0x100010001000100ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE + (outside1 & ~none1) *
+        DHGEN_OUT_OF_LIMITS;
+    __builtin_memcpy(status, &kind1, 8);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
+}
+#endif
+
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[3] = { 3, 1, 0 };
+static const struct dhgen_arm arm = {
+    6, 8, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0 }, 0.8561643835616439, entries, 9,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
+    choosable, 3, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
+    1, /* follows seed */
+    kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve, NULL, solve_regular,
 };
-
-/* Solves with the joint moved: 0 if it serves, else less. */
-static double attempt(struct search *s, double moved)
-{
-    s->seed[s->joint] = s->start + moved;
-    for (int i = 0; i < 8; i++)
-        s->status[i] = NONE;
-    solve(s->T, s->seed, s->q, s->status);
-    if (s->status[s->row] == NONE)
-        return -HUGE_VAL;
-    return -beyond_limits(s->q[s->row]);
-}
-
-/* Golden section for a move that serves, or NaN. */
-static double summit(struct search *s, double low, double high)
-{
-    for (int k = 0; k < 52; k++) {
-        const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(s, low + third), right = attempt(s, high - third);
-        if (left == 0.0 || right == 0.0)
-            return left == 0.0 ? low + third : high - third;
-        if (left >= right)
-            high -= third;
-        else
-            low += third;
-    }
-    return NAN;
-}
-
-/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section, bisection of the nearest end; of two equally near the lower one. */
-static double serving_value(struct search *s)
-{
-    const double step = 0.09817477042468103;
-    if (attempt(s, 0.0) == 0.0)
-        return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
-    for (int k = -32; k <= 32; k++) {
-        before = here;
-        here = after;
-        after = attempt(s, (double)(k + 1) * step);
-        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
-        if (here < 0.0 && here >= before && here > after)
-            outer = summit(s, outer - step, outer + step);
-        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
-            continue;
-        if (isnan(outer))
-            continue;
-        for (int i = 0; i < 52; i++) {
-            const double middle = 0.5 * (inner + outer);
-            if (attempt(s, middle) == 0.0)
-                outer = middle;
-            else
-                inner = middle;
-        }
-        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
-            nearest = outer;
-    }
-    return nearest;
-}
-
-/* Whether a joint beyond its limits does not move with the one that is searched. */
-static int hopeless(struct search *s)
-{
-    struct search other = *s;
-    if (isinf(attempt(s, 0.0)) || isinf(attempt(&other, 0.1)))
-        return 0;
-    for (int i = 0; i < 6; i++) {
-        const double value = s->q[s->row][i], moved = fabs(value - other.q[s->row][i]);
-        if (moved < 1e-09 && fabs(overshoot(i, value)) > 0.0)
-            return 1;
-    }
-    return 0;
-}
-
-/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
- * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
-static void keep_limits(
-    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
-{
-    static const int choosable[3] = { 3, 1, 0 };
-    struct search search = { .T = T, .row = row };
-    for (int i = 0; i < 6; i++)
-        search.seed[i] = seed[i] - overshoot(i, seed[i]);
-    for (int k = 0; k < 3; k++) {
-        const int joint = search.joint = choosable[k];
-        const double inside = search.seed[joint];
-        search.start = fmod(seed[joint], turn);
-        const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
-        /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            attempt(&search, nearest);
-            status[row] = search.status[row];
-            take(search.q[row], q[row]);
-            return;
-        }
-        search.seed[joint] = inside;
-    }
-}
-
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
-{
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
-
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[6], const double q[6], double half[6])
-{
-    double most = 0.0;
-    for (int i = 0; i < 6; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[6], double e[6])
-{
-    double P[16], square = 0.0;
-    kawasaki_rs007n_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[6], double damping, double e[6], double x[6])
-{
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
-    kawasaki_rs007n_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 12; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 12; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 12; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* The same of a value as it stands: it might be turned. */
-static double past_an_end(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.183185307179587)
-        return overshoot(joint, value);
-    const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-/* The same of all joints. */
-static double past_ends(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(past_an_end(i, values[i]));
-    return sum;
-}
-
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
-static double at_an_end(int joint, double value, double seed)
-{
-    const double near = value + turn * floor((seed - value) / turn + 0.5);
-    const double past = fabs(past_an_end(joint, near));
-    if (0.0 < past && past < 0.01 && fabs(near - seed) < 0.15)
-        return near;
-    const double off = overshoot(joint, value);
-    if (off == 0.0 || fabs(off) > 0.01)
-        return turned(joint, value, value);
-    return off + (off > 0.0 ? highest : lowest)[joint];
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[6])
-{
-    double x[6], half[6], e[6], last = HUGE_VAL;
-    const int stands = isnan(enough);
-    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e), past = 0.0;
-        int worst = 0;
-        enough = isnan(enough) ? miss + 1e-14 : enough;
-        for (int i = 0; i < 6 && stands && miss < enough; i++) {
-            const double off = pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            worst = fabs(off) > fabs(past) ? i : worst;
-            past = worst == i ? off : past;
-        }
-        /* one by one: others may follow it inside, or the first the second */
-        if (fabs(past) > 0.0) {
-            moves++;
-            for (int i = 0; i < 6; i++)
-                held[i] = i == worst || (held[i] && moves != 2);
-            last = HUGE_VAL;
-            x[worst] -= past;
-            miss = off_pose(T, x, e);
-        }
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Takes joint values onto ends that they are past or, as two may not stand there, inside. */
-static int lead_inside(const double T[16], double enough, double most, double q[6])
-{
-    double x[6], e[6];
-    if (settle(T, enough, most, q))
-        return 1;
-    int past = 0;
-    for (int i = 0; i < 6; i++)
-        past += fabs(past_an_end(i, q[i])) > 0.0;
-    enough = off_pose(T, q, e) + 1e-14;
-    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
-        for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther * past_an_end(i, q[i]);
-        if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
-            continue;
-        take(x, q);
-        return 1;
-    }
-    return 0;
-}
-
-/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
- * too, and no row that is less far beyond is nearer. */
-static int stand(
-    const double T[16], int row, int far, double rows[8][6], const unsigned char status[8])
-{
-    double x[6], half[6], to[6], *q = rows[row];
-    const double beyond = past_ends(q);
-    if (!(0.0 < beyond && (far || beyond < 0.01)))
-        return 0;
-    take(q, x);
-    if (!lead_inside(T, NAN, far ? HUGE_VAL : 1.5, x))
-        return 0;
-    const double off = half_way(q, x, half);
-    for (int k = 0; k < 8; k++)
-        if (status[k] != NONE && past_ends(rows[k]) < beyond
-            && half_way(rows[k], x, to) < off)
-            return 0;
-    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
-        return 0;
-    take(x, q);
-    return 1;
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[6], double q[8][6],
-    unsigned char status[8])
-{
-    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    for (int i = 0; i < 6; i++) {
-        const double seen = seed[i], past = fabs(past_an_end(i, seen));
-        const double here = past <= 0.15 ? seen : turned(i, seen, seen);
-        x[i] = here - past_an_end(i, here);
-    }
-    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
-        return;
-    for (int row = 8 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06 || past_ends(q[place]) > 0.0)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 6; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
-    for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    for (int row = 0; row < 8; row++)
-        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
-            keep_limits(pose, seed, row, q, status);
-    for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 6; i++)
-            q[row][i] = at_an_end(i, q[row][i], seed[i]);
-    stay(pose, seed, q, status);
-    /* far where no row is inside */
-    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
-        const int row = n % 8, far = n >= 8;
-        if (status[row] == NONE)
-            continue;
-        if (stand(pose, row, far, q, status) && far)
-            status[row] = FREE;
-        for (int i = 0; i < 6; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
 
 int kawasaki_rs007n_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], found[6], least = HUGE_VAL;
-    unsigned char status[8];
-    int result = -NONE;
-    int valid = kawasaki_rs007n_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 6; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    int past = 0; /* joints past an end and turned */
-    for (int i = 0; i < 6 && valid; i++)
-        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
-            for (int row = 0; row < 8; row++)
-                past += status[row] == OK
-                    && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
-    if (past)
-        (void)ik_carefully(T, q_seed, all, status);
-    for (int row = 0; row < 8 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 6; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void kawasaki_rs007n_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-#if LANES > 1
-    for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                (void)kawasaki_rs007n_ik(
-                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
-    }
-#endif
-    for (; k < n; k++)
-        (void)kawasaki_rs007n_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

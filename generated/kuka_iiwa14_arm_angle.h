@@ -7,6 +7,9 @@
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: cd3289ea3711612a
+ * SPDX-License-Identifier: MIT
  */
 #ifndef KUKA_IIWA14_ARM_ANGLE_H
 #define KUKA_IIWA14_ARM_ANGLE_H

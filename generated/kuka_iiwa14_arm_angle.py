@@ -399,8 +399,8 @@ def _solve(pose, q_free, seed, q, status):
 
         # shoulder
         v10 = d5 * v3
-        arm = math.sqrt(v10 * v10 + v12)
-        v13 = 1.0 / arm
+        arm_ = math.sqrt(v10 * v10 + v12)
+        v13 = 1.0 / arm_
         v14 = v10 * v13
         v15 = v11 * v13
         side = -1.0 if -(d5 * (d3 * v3)) < -straight_limit else 1.0
@@ -745,9 +745,9 @@ def _regular(pose, q_free, q, status):
     v13 = d5 * v5
     v14 = d3 + d5 * v3
     v15 = v14 * v14 + v13 * v13
-    arm = math.sqrt(v15)
+    arm_ = math.sqrt(v15)
     v16 = 1.0 / v15
-    v17 = arm * v16
+    v17 = arm_ * v16
     v18 = v13 * v17
     v19 = v14 * v17
     v20 = d5 * (d3 * v5)
@@ -768,12 +768,12 @@ def _regular(pose, q_free, q, status):
     v34 = gz * v19
 
     # theta5, type 2: U5[3, 3]
-    v50 = arm * (v16 * (gz * (T33 * v14)))
+    v50 = arm_ * (v16 * (gz * (T33 * v14)))
     v51 = T33 * v13
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v65 = arm * (v16 * (gz * (v14 * T32)))
-    v72 = arm * (v16 * (gz * (v14 * T31)))
+    v65 = arm_ * (v16 * (gz * (v14 * T32)))
+    v72 = arm_ * (v16 * (gz * (v14 * T31)))
     v73 = v13 * T31
     v76 = v13 * T32
     sin_psi = math.sin(q_free[0])
@@ -820,8 +820,8 @@ def _regular(pose, q_free, q, status):
     v47 = T33 * w1_m - v35 * v45
     v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
     v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
-    v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50)
-    v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51))))
+    v52 = w1_p * v44 - (uz * (arm_ * (v16 * (side_p * v51))) - v50)
+    v53 = w1_m * v45 + (v50 + uz * (arm_ * (v16 * (side_m * v51))))
     X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
     v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
     Y5_p = v42 * v48 - v38 * v46
@@ -851,11 +851,11 @@ def _regular(pose, q_free, q, status):
     v70 = c2_p * v68 + w1_p * T31
     v71 = w1_m * T31 - v35 * v69
     v74 = (
-        v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 * (side_p *
+        v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm_ * (v16 * (side_p *
         v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
     )
     v75 = (
-        s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43 * (v3 * v71)
+        s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm_ * (v16 * (side_m * v73))))) + (v43 * (v3 * v71)
         + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
     )
 
@@ -889,11 +889,11 @@ def _regular(pose, q_free, q, status):
     room[18] = -X5_p
     room[19] = v54
     room[20] = (
-        v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm * (v16 * (side_p *
+        v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm_ * (v16 * (side_p *
         v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
     )
     room[21] = (
-        s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m * v76))))) + (v43 * (v3 * v64)
+        s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm_ * (v16 * (side_m * v76))))) + (v43 * (v3 * v64)
         + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
     )
     room[22] = -X1_p
@@ -1147,9 +1147,9 @@ def _in_tiles(T, q_free, q, status):
             v13 = d5 * v5
             v14 = d3 + d5 * v3
             v15 = v14 * v14 + v13 * v13
-            arm = math.sqrt(v15)
+            arm_ = math.sqrt(v15)
             v16 = 1.0 / v15
-            v17 = arm * v16
+            v17 = arm_ * v16
             v18 = v13 * v17
             v19 = v14 * v17
             v20 = d5 * (d3 * v5)
@@ -1164,10 +1164,10 @@ def _in_tiles(T, q_free, q, status):
             v27 = gy * v19
             v28 = gx * v19
             v34 = gz * v19
-            v50 = arm * (v16 * (gz * (T33 * v14)))
+            v50 = arm_ * (v16 * (gz * (T33 * v14)))
             v51 = T33 * v13
-            v65 = arm * (v16 * (gz * (v14 * T32)))
-            v72 = arm * (v16 * (gz * (v14 * T31)))
+            v65 = arm_ * (v16 * (gz * (v14 * T32)))
+            v72 = arm_ * (v16 * (gz * (v14 * T31)))
             v73 = v13 * T31
             v76 = v13 * T32
             work[288 + k] = D4
@@ -1179,7 +1179,7 @@ def _in_tiles(T, q_free, q, status):
             work[384 + k] = v10
             work[400 + k] = v11
             work[416 + k] = v12
-            work[432 + k] = arm
+            work[432 + k] = arm_
             work[448 + k] = v16
             work[464 + k] = side_p
             work[480 + k] = side_m
@@ -1226,7 +1226,7 @@ def _in_tiles(T, q_free, q, status):
             v10 = work[384 + k]
             v11 = work[400 + k]
             v12 = work[416 + k]
-            arm = work[432 + k]
+            arm_ = work[432 + k]
             v16 = work[448 + k]
             side_p = work[464 + k]
             side_m = work[480 + k]
@@ -1279,8 +1279,8 @@ def _in_tiles(T, q_free, q, status):
             v47 = T33 * w1_m - v35 * v45
             v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
             v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
-            v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50)
-            v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51))))
+            v52 = w1_p * v44 - (uz * (arm_ * (v16 * (side_p * v51))) - v50)
+            v53 = w1_m * v45 + (v50 + uz * (arm_ * (v16 * (side_m * v51))))
             X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
             v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
             Y5_p = v42 * v48 - v38 * v46
@@ -1308,12 +1308,12 @@ def _in_tiles(T, q_free, q, status):
             v70 = c2_p * v68 + w1_p * T31
             v71 = w1_m * T31 - v35 * v69
             v74 = (
-                v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 *
+                v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm_ * (v16 *
                 (side_p * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
             )
             v75 = (
-                s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43 * (v3
-                * v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
+                s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm_ * (v16 * (side_m * v73))))) + (v43 *
+                (v3 * v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
             )
             v85 = angle11 - offset4
             v86 = offset4 + angle11
@@ -1354,12 +1354,12 @@ def _in_tiles(T, q_free, q, status):
             work[1280 + k] = -X5_p
             work[1296 + k] = v54
             work[1312 + k] = (
-                v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm * (v16 *
+                v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm_ * (v16 *
                 (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
             )
             work[1328 + k] = (
-                s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m * v76))))) + (v43 * (v3
-                * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
+                s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm_ * (v16 * (side_m * v76))))) + (v43 *
+                (v3 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
             )
             work[1344 + k] = -X1_p
             work[1360 + k] = v29

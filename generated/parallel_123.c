@@ -3,169 +3,29 @@
  * Inverse kinematics, generated from robots/parallel_123.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/parallel_123.yaml. The formulas and where they come from:
  * parallel_123.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 425b4ad5df594b11
+ * SPDX-License-Identifier: MIT
  */
 #include "parallel_123.h"
 
-#include <math.h>
+#define DHGEN_DOF 6
+#define DHGEN_ROWS 8
+#include "dhgen/ik.h"
+#include "dhgen/circle_roots.h"
+#include "dhgen/refine.h"
+#include "dhgen/retry.h"
 
-/* What rows hold. */
-enum {
-    OK = PARALLEL_123_OK, NONE = PARALLEL_123_UNREACHABLE, FREE = PARALLEL_123_FREE_JOINT,
-    OUT = PARALLEL_123_OUT_OF_LIMITS, INVALID = PARALLEL_123_INVALID_POSE
-};
+#if DHGEN_INTERFACE != 1
+#error "parallel_123.c and the folder dhgen/ are of different versions: run dhgen robots/parallel_123.yaml"
+#endif
 
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
+enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };
 
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
+static void take(const double from[6], double to[6])
 {
-    return angle - turn * ceil(angle / turn - 0.5);
-}
-
-static double horner(const double p[5], double t)
-{
-    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
-}
-
-/* The root between two points with values of unlike sign. */
-static double bracketed(const double p[5], double low, double high, double at_low)
-{
-    double t = 0.5 * (low + high);
-    for (int k = 0; k < 100; k++) {
-        const double value = horner(p, t);
-        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
-        if ((value < 0.0) == (at_low < 0.0))
-            low = t;
-        else
-            high = t;
-        double following = slope != 0.0 ? t - value / slope : low;
-        if (!(low < following && following < high))
-            following = 0.5 * (low + high);
-        if (fabs(following - t) <= 2e-16 * fabs(t))
-            return following;
-        t = following;
-    }
-    return t;
-}
-
-/* Roots of a polynomial that is monotone between neighbouring edges. */
-static int between(const double p[5], const double *edges, int count, double tolerance, double
-    *found)
-{
-    int roots = 0;
-    double before = edges[0], at_before = horner(p, edges[0]);
-    for (int k = 1; k < count; k++) {
-        const double edge = edges[k], size = 1.0 + edge * edge;
-        double value = horner(p, edge);
-        if (k < count - 1 && fabs(value) <= tolerance * size * size)
-            value = 0.0;
-        if (at_before * value < 0.0)
-            found[roots++] = bracketed(p, before, edge, at_before);
-        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
-            found[roots++] = edge;
-        before = edge;
-        at_before = value;
-    }
-    return roots;
-}
-
-/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
- * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
- * leading coefficient; its roots lie between those of its derivative, those between the roots of
- * the second. They are `close` where the slope is small: one may stand for two, or has another
- * beside it. Rounding may add so much to values. All roots are `moved` by an angle in the end. */
-static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
-        x[4],
-    int close[4])
-{
-    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
-    double best = -1.0, apart = 0.0, edges[5], extrema[4];
-    int count = 0;
-    x[0] = x[1] = x[2] = x[3] = NAN;
-    close[0] = close[1] = close[2] = close[3] = 0;
-    if (!(size > 0.0 && isfinite(size)))
-        return;
-    for (int k = 0; k < 16; k++) {
-        const double at = turn * k / 16, c = cos(at), s = sin(at);
-        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
-        if (value > best) {
-            best = value;
-            apart = at;
-        }
-    }
-    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
-    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
-    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
-    const double lead = a0 - u1 + u2;
-    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
-        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
-    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
-    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
-    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
-    edges[0] = -bound;
-    if (square > 0.0) {
-        edges[1] = -half - sqrt(square);
-        edges[2] = -half + sqrt(square);
-        count = 2;
-    }
-    edges[count + 1] = bound;
-    count = between(slope, edges, count + 2, 0.0, extrema);
-    for (int k = 0; k < count; k++)
-        edges[k + 1] = extrema[k];
-    edges[count + 1] = bound;
-    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
-    count = between(p, edges, count + 2, tolerance, x);
-    for (int k = 0; k < count; k++) {
-        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
-        const double ca = cos(at), sa = sin(at);
-        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
-        const int flat = fabs(rate) <= 0.0001 * size;
-        if (!flat)
-            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
-        at -= turn * ceil(at / turn - 0.5);
-        int place = k;
-        for (; place > 0 && x[place - 1] > at; place--) {
-            x[place] = x[place - 1];
-            close[place] = close[place - 1];
-        }
-        x[place] = at;
-        close[place] = flat;
-    }
-    for (int k = 0; k < 4; k++)
-        x[k] += moved;
-}
-
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
-
-/* By how much joint values miss the entries that count: the root of the sum of squares. */
-static double missed_by(const double *pose, const double *q)
-{
-    static const int named[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-    double reached[16], sum = 0.0;
-    parallel_123_fk(q, reached);
-    for (int k = 0; k < 9; k++) {
-        const int i = named[k];
-        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.625 : 1.0);
-        sum += off * off;
-    }
-    return sqrt(sum);
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
 }
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -440,7 +300,8 @@ static double exactness(const double T[16])
 
 /* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
  * the same. */
-static void tighten(const double T[16], double q[8][6], unsigned char status[8])
+static void tighten(
+    const struct dhgen_arm *arm, const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
@@ -450,21 +311,22 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
         first[row] = miss[row] = HUGE_VAL;
         if (status[row] == NONE)
             continue;
-        first[row] = missed_by(T, q[row]);
+        first[row] = dhgen_missed_by(arm, T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
     const double enough = 10.0 * exact;
     for (int row = 0; row < 8; row++)
         if (miss[row] > enough)
-            q[row][0] = NAN;
+            q[row][0] = DHGEN_NAN;
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
         status[row] = NONE;
         for (int i = 0; i < 6; i++)
-            q[row][i] = NAN;
+            q[row][i] = DHGEN_NAN;
     }
 }
+
 
 static const double
     a1 = 0.3, /* link length 1 [m] */
@@ -523,11 +385,15 @@ const char *const parallel_123_branches[8] = {
     "root4-up",
 };
 
-static const double lowest[6] = {
-    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
-static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* of limits */
 
 void parallel_123_fk(const double q[6], double T[16])
 {
@@ -591,59 +457,13 @@ void parallel_123_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 1.0; J[32] = 1.0; J[33] = 0.0; J[34] = -v3; J[35] = -v7;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-enum { CLOSE = 64 }; /* roots nearly meet: the row may stand between two solutions */
-
-/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
- * free, and the row's second value is its angle. */
-enum { LOST = 128, NEARLY = 192 };
-
-/* Notes why a row is lost, and how far it is from a solution. */
-static void lose(int why, double off, double q[6], unsigned char *status)
-{
-    *status = (unsigned char)why;
-    q[0] = off;
-}
-
-/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
- * is LOST says how far it is from a solution (negative). */
+/* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[6], double moved, double q[8][6], unsigned char status[8])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[6] = (double (*)[6])rows;
+    (void)free_joints;
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
@@ -663,8 +483,8 @@ static void solve(
     const double v23 = square_rounding * (v16 + k6);
     double x6_roots[4];
     int x6_close[4];
-    circle_roots(free6 ? 1.0 : v21, free6 ? -1.0 : v17, free6 ? 0.0 : v18, free6 ? 0.0 : v19, free6
-        ? 0.0 : v20, v23, moved, x6_roots, x6_close);
+    dhgen_circle_roots(free6 ? 1.0 : v21, free6 ? -1.0 : v17, free6 ? 0.0 : v18, free6 ? 0.0 : v19,
+        free6 ? 0.0 : v20, v23, moved, x6_roots, x6_close);
     const double v26 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]),
         v27 = 2.0 * (cos(seed[5]) * sin(seed[5])), v28 = 2.0 * v20, v29 = 2.0 * v19,
         v31 = v22 * near_limit,
@@ -739,12 +559,12 @@ static void solve(
         const double D2 = (longest2 - N2) * (N2 - shortest2);
         const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
         if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
-            if (near6) lose(NEARLY + 6, D2, q[2 * i1], &status[2 * i1]);
+            if (near6) dhgen_lose(DHGEN_NEARLY + 6, D2, q[2 * i1], &status[2 * i1]);
             if (near6) q[2 * i1][1] = v34;
-            if (free6) lose(LOST + 6, D2, q[2 * i1], &status[2 * i1]);
-            if (free123) lose(LOST + 1, D2, q[2 * i1], &status[2 * i1]);
-            if (free123) lose(LOST + 2, D2, q[2 * i1], &status[2 * i1]);
-            if (free123) lose(LOST + 3, D2, q[2 * i1], &status[2 * i1]);
+            if (free6) dhgen_lose(DHGEN_LOST + 6, D2, q[2 * i1], &status[2 * i1]);
+            if (free123) dhgen_lose(DHGEN_LOST + 1, D2, q[2 * i1], &status[2 * i1]);
+            if (free123) dhgen_lose(DHGEN_LOST + 2, D2, q[2 * i1], &status[2 * i1]);
+            if (free123) dhgen_lose(DHGEN_LOST + 3, D2, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w2 = sqrt(apart2 ? D2 : 0.0);
@@ -780,147 +600,15 @@ static void solve(
             const double q1 = atan2(s1, c1);
 
             /* joint values */
-            const double q3 = wrap(theta123 - (q2 + q1));
+            const double q3 = dhgen_wrap(theta123 - (q2 + q1));
             const int free1_ = free123 || free1;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1_ || free123 || free123 || free6) ? FREE : (x6_close[i1] || near6 ||
-                near123 || near1) ? CLOSE : OK;
+            status[row] = (free1_ || free123 || free123 || free6) ? DHGEN_FREE_JOINT : (x6_close[i1]
+                || near6 || near123 || near1) ? DHGEN_CLOSE : DHGEN_OK;
         }
     }
-}
-
-static void take(const double from[6], double to[6])
-{
-    for (int i = 0; i < 6; i++)
-        to[i] = from[i];
-}
-
-/* A row that another value of a free joint may serve, and what solving again needs. */
-struct search {
-    const double *T;
-    double seed[6], start, q[8][6];
-    unsigned char status[8];
-    int joint, row;
-    double by; /* how far roots are moved */
-};
-
-/* How far a row is from a solution: 0 if it is solved. */
-static double shortfall(const struct search *s)
-{
-    if (s->status[s->row] >= LOST)
-        return s->q[s->row][0];
-    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
-}
-
-/* Solves with the joint moved: 0 if it serves, else less. */
-static double attempt(struct search *s, double moved)
-{
-    s->seed[s->joint] = s->start + moved;
-    for (int i = 0; i < 8; i++)
-        s->status[i] = NONE;
-    solve(s->T, s->seed, s->by, s->q, s->status);
-    const double result = shortfall(s);
-    return result;
-}
-
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *s)
-{
-    const int status = s->status[s->row];
-    return status != NONE && status < LOST;
-}
-
-/* Golden section for a move that serves, or NaN. */
-static double summit(struct search *s, double low, double high)
-{
-    for (int k = 0; k < 52; k++) {
-        const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(s, low + third), right = attempt(s, high - third);
-        if (left == 0.0 || right == 0.0)
-            return left == 0.0 ? low + third : high - third;
-        if (left >= right)
-            high -= third;
-        else
-            low += third;
-    }
-    /* where branches meet this one has no solution of its own */
-    if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
-        return NAN;
-    attempt(s, low);
-    return serves(s) ? low : (double)NAN;
-}
-
-/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section, bisection of the nearest end; of two equally near the lower one. */
-static double serving_value(struct search *s)
-{
-    const double step = 0.09817477042468103;
-    if (attempt(s, 0.0) == 0.0)
-        return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
-    for (int k = -32; k <= 32; k++) {
-        before = here;
-        here = after;
-        after = attempt(s, (double)(k + 1) * step);
-        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
-        if (here < 0.0 && here >= before && here > after)
-            outer = summit(s, outer - step, outer + step);
-        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
-            continue;
-        if (isnan(outer))
-            continue;
-        for (int i = 0; i < 52; i++) {
-            const double middle = 0.5 * (inner + outer);
-            if (attempt(s, middle) == 0.0)
-                outer = middle;
-            else
-                inner = middle;
-        }
-        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
-            nearest = outer;
-    }
-    return nearest;
-}
-
-/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
- * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
- * rounding of what it was taken from, `solve` takes it as its own. */
-static double serving_digits(struct search *s)
-{
-    double before[2] = { -HUGE_VAL, -HUGE_VAL };
-    int past[2] = { 0 };
-    for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
-        for (int way = 0; way < 2; way++) {
-            const double there = way ? -moved : moved, here = attempt(s, there);
-            if (here == 0.0)
-                return there;
-            if (here < 2.0 * before[way] && !past[way]++) {
-                const double top = summit(s, 0.25 * there, there);
-                if (!isnan(top))
-                    return top;
-            }
-            before[way] = here;
-        }
-    return NAN;
-}
-
-/* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(
-    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
-{
-    const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row };
-    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    take(seed, lost.seed);
-    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
-    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
-    const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : NONE;
-    for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
 
 /* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
@@ -952,14 +640,15 @@ static int keep(double known[16][6], int count, const double q[6])
 
 /* Whether the row of a root that is moved leads to a solution, and to which. */
 static int leads(
-    struct descent *d, const double seed[6], double angle, int row, double exact,
+    struct descent *d, const double *free_joints, const double seed[6], double angle, int row,
+        double exact,
     double end[6])
 {
     double q[8][6];
     unsigned char kind[8];
     for (int k = 0; k < 8; k++)
         kind[k] = NONE;
-    solve(d->T, seed, angle, q, kind);
+    solve(d->T, free_joints, seed, angle, &q[0][0], kind);
     if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
@@ -980,7 +669,7 @@ static const double across[5] = { 0.0, -1.0, -2.0, -0.5, -4.0 };
  * on the other side. A row may have taken the seed's value for its root, which is one of the two
  * and hides the middle: the roots' own rows have a seed that is turned away. */
 static void both_sides(
-    const double T[16], const double seed[6], double q[8][6],
+const double T[16], const double *free_joints, const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     struct descent d = { .T = T };
@@ -997,7 +686,7 @@ static void both_sides(
     any = 0;
     take(seed, away);
     away[5] += 2.0;
-    solve(T, away, 0.0, own, kind);
+    solve(T, free_joints, away, 0.0, &own[0][0], kind);
     for (int row = 0; row < 8; row++) {
         const int close = status[row] == CLOSE;
         double here[6];
@@ -1025,7 +714,7 @@ static void both_sides(
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
         for (int k = 0; k < 18 && !found; k++)
-            found = leads(&d, away, beside[k], row, exact, end)
+            found = leads(&d, free_joints, away, beside[k], row, exact, end)
                 && is_new(known, others, end);
         if (!found)
             continue;
@@ -1034,7 +723,7 @@ static void both_sides(
         off += end[5] - own[row][5];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
         for (int k = 0; k < 5; k++) {
-            if (!leads(&d, away, across[k] * off, row, exact, other)
+            if (!leads(&d, free_joints, away, across[k] * off, row, exact, other)
                     || !is_new(known, others, other) || gap_between(end, other) < 0.001)
                 continue;
             count = keep(known, count, other);
@@ -1059,7 +748,7 @@ static void both_sides(
     }
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 6 && status[row] == NONE; i++)
-            q[row][i] = NAN;
+            q[row][i] = DHGEN_NAN;
 }
 
 
@@ -1119,12 +808,13 @@ static double descend(struct descent *d, double u[6])
  * What is wrong with values: 1 is that they are beyond limits, 2 that they are not exact, 4 that
  * there are none. */
 static void seek(
-    const double T[16], const double seed[6], int begun, double q[8][6],
+const double T[16], const double *free_joints, const double seed[6], int begun, double q[8][6],
     unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
     double found[6] = { 0.0 };
+    (void)free_joints;
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == FREE;
@@ -1161,240 +851,47 @@ static void seek(
     for (int row = 0; row < 8; row++) {
         status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 6; i++)
-            q[row][i] = row == begun ? found[i] : (double)NAN;
+            q[row][i] = row == begun ? found[i] : DHGEN_NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
+/* What follows where roots nearly meet, and where rows miss the pose. */
+static void complete(
+    const struct dhgen_arm *arm, const double *T, const double *free_joints, const double *seed,
+    int begun, double *rows, unsigned char *status)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
+    double (*const q)[6] = (double (*)[6])rows;
+    both_sides(T, free_joints, seed, q, status);
+    tighten(arm, T, q, status);
+    if (begun >= 0)
+        seek(T, free_joints, seed, begun, q, status);
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[6], const double q[6], double half[6])
-{
-    double most = 0.0;
-    for (int i = 0; i < 6; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[6], double e[6])
-{
-    double P[16], square = 0.0;
-    parallel_123_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[6], double damping, double e[6], double x[6])
-{
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
-    parallel_123_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 12; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 12; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 12; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[6])
-{
-    double x[6], half[6], e[6], last = HUGE_VAL;
-    int settled = 0, lost = 0, held[6] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
-static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
-{
-    const int held[6] = { 0 };
-    for (int n = 0; n < 8 * 8; n++) {
-        double half[6], e[6], *row = q[n / 8];
-        const int k = n % 8;
-        int ends = 0;
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
-            for (int i = 0; i < 3; i++) {
-                off_pose(T, half, e);
-                add_step(held, 1e-13, e, half);
-            }
-            ends = off_pose(T, half, e) <= 1e-14;
-        }
-        for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = NONE;
-            row[i] = NAN;
-        }
-    }
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[6], double q[8][6],
-    unsigned char status[8])
-{
-    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    take(seed, x);
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    for (int row = 8 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06)
-        take(x, q[place]);
-}
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[4] = { 5, 2, 1, 0 };
+static const struct dhgen_arm arm = {
+    6, 8, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, entries, 9,
+    0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 4, NULL, 0, 52,
+    1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    parallel_123_fk, parallel_123_jacobian, solve, complete, NULL,
+};
 
 int parallel_123_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
-    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 6; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, 0.0, q, status);
-    int begun = -1; /* the first row that was not simply out of reach */
-    for (int row = 8 - 1; row >= 0; row--)
-        begun = status[row] == NONE ? begun : row;
-    for (int row = 0; row < 8; row++)
-        if (status[row] >= LOST)
-            choose_again(pose, seed, row, q, status);
-    both_sides(pose, seed, q, status);
-    tighten(pose, q, status);
-    if (begun >= 0)
-        seek(pose, seed, begun, q, status);
-    tell_once(pose, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 6; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], found[6], least = HUGE_VAL;
-    unsigned char status[8];
-    int result = -NONE;
-    int valid = parallel_123_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 6; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 8 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 6; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void parallel_123_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-    for (; k < n; k++)
-        (void)parallel_123_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

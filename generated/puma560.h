@@ -5,6 +5,9 @@
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: c837751b3dc7a697
+ * SPDX-License-Identifier: MIT
  */
 #ifndef PUMA560_H
 #define PUMA560_H

@@ -2,221 +2,26 @@
  *
  * Inverse kinematics, generated from robots/rpr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rpr.yaml. The formulas and where they come from: rpr.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 95010ce82ad5dabd
+ * SPDX-License-Identifier: MIT
  */
 #include "rpr.h"
 
-#include <math.h>
+#if defined(RPR_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(RPR_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 3
+#define DHGEN_ROWS 4
+#include "dhgen/closed.h"
 
-/* What rows hold. */
-enum {
-    OK = RPR_OK, NONE = RPR_UNREACHABLE, FREE = RPR_FREE_JOINT,
-    OUT = RPR_OUT_OF_LIMITS, INVALID = RPR_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
-#else
-#define HELPER static inline
-#define APART static
+#if DHGEN_INTERFACE != 1
+#error "rpr.c and the folder dhgen/ are of different versions: run dhgen robots/rpr.yaml"
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef RPR_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DRPR_SCALAR. With -DRPR_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(RPR_SCALAR) && !defined(RPR_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define maximum_wide _mm512_max_pd
-#define minimum_wide _mm512_min_pd
-#define sqrt_wide _mm512_sqrt_pd
-#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
-#else
-#define LANES 4
-#define pick_wide pick_four
-#define maximum_wide maximum_four
-#define minimum_wide minimum_four
-#define sqrt_wide sqrt_four
-#define bits_wide bits_four
-#endif
-#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define maximum_four _mm256_max_pd
-#define minimum_four _mm256_min_pd
-#define sqrt_four _mm256_sqrt_pd
-#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
-#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
-#define shuffle __builtin_shufflevector
-#define where_all(mask) (mask)
-
-#define VECTOR(v, lanes) \
-typedef double v __attribute__((vector_size(8 * lanes))); \
-typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
-typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
-HELPER v all_##v(double x) { return x - (v){ 0 }; } \
-HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
-HELPER v copysign_##v(v x, v y) \
-{ \
-    const v##_mask sign = (v##_mask)all_##v(-0.0); \
-    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
-} \
-HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
-HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
-
-VECTOR(four, 4)
-VECTOR(wide, LANES)
-ARCTANGENT(four)
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0)
-#define copysign_wide copysign
-#define signed_wide copysign
-#define negated_wide(x, where) ((x) * copysign(1.0, where))
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#endif
-#ifdef RPR_LIBM /* half the time of atan2 */
-HELPER double atan2_wide(double y, double x)
-{
-    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
-}
-#else
-ARCTANGENT(wide)
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    return 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] * T[11]);
-}
-
-#if LANES > 1
-/* Writes joint values of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
-}
-
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER four irregularity_four(const double T[16])
-{
-    return all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] * T[11]));
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-#if LANES == 8
-    wide y[8];
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = x[k];
-        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    double y[16];
-    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
-    for (int k = 0; k < 4; k++)
-        x[k] = *(const wide_at *)(y + 4 * k);
-#endif
-}
-#endif
-
-
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     a3 = 0.3, /* link length 3 [m] */
@@ -238,12 +43,12 @@ const char *const rpr_branches[4] = {
     "left-noflip", "left-flip", "right-noflip", "right-flip",
 };
 
-static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
-static const double highest[3] = { INFINITY, INFINITY, INFINITY };
-static const int revolute[3] = { 1, 0, 1 };
-/* Of squared differences of joint values: lengths count in arm sizes. */
-static const double weight[3] = { 1.0, 1.5624999999999998, 1.0 };
-#define slack(joint) (revolute[joint] ? 1e-09 : 8e-10) /* of limits */
+static const struct dhgen_joint joints[3] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 8e-10, 1.5624999999999998, 0.8, 0.07853981633974483, 0 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
 
 void rpr_fk(const double q[3], double T[16])
 {
@@ -269,135 +74,14 @@ void rpr_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose. Returns 0 for what is no pose. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3] * T[3] * T[3]) && isfinite(T[7] * T[7] * T[7]) && isfinite(T[11] * T[11] *
-        T[11])))
-        return 0;
-    return 1;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide v1 = T24 * T24 + T14 * T14, w1 = sqrt_wide(v1), angle1 = atan2_wide(-T14, T24);
-
-    /* theta3 */
-    const wide Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt_wide(D3), v2 = w3 - w3,
-        angle2 = atan2_wide(-(a3 * w3), -(a3 * Z3));
-
-    /* r2 */
-    const wide q2_pp = w1 + w3, q2_pm = w1 - w3;
-
-    /* joint values */
-    const wide q1_pp = angle1 + v2, q1_mp = v2 + (angle1 - signed_wide(half_turn, -T14));
-
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = angle2;
-    kind[0] = kind_of(q[0], 0);
-    q[3] = q1_pp; q[4] = q2_pm; q[5] = -angle2;
-    kind[1] = kind_of(q[3], 0);
-    q[6] = q1_mp; q[7] = -q2_pm; q[8] = angle2;
-    kind[2] = kind_of(q[6], 0);
-    q[9] = q1_mp; q[10] = -q2_pp; q[11] = -angle2;
-    kind[3] = kind_of(q[9], 0);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | ((v1 <= m1) | (abs_wide(D3) <= m3 * (merge_slack1 + 2.0 * abs_wide(Z3))));
-}
-
-#if LANES > 1
-static const double
-    m2 = 0.5; /* 1 / 2 */
-/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-INLINED
-HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
-{
-    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
-
-    /* theta1 */
-    const double v1 = T24 * T24 + T14 * T14, w1 = sqrt(v1), v2 = copysign(half_turn, -T14);
-
-    /* theta3 */
-    const double Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt(D3), v3 = w3 - w3;
-
-    /* r2 */
-    const four v4 = e1 * w1, v5 = e2 * w3, q2 = v4 + v5;
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3
-        * (merge_slack1 + 2.0 * fabs(Z3)))))
-        return -1;
-
-    const four_ratio ratio1 = ratio_four((four){ -T14, -(a3 * w3), -T14, -T14 }, (four){ T24, -(a3 *
-        Z3), T24, T24 });
-    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
-        angle2 = shuffle(packed1, packed1, 1, 1, 1, 1);
-    const four q3 = e2 * angle2, q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
-
-    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2);
-    store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * NONE;
-    __builtin_memcpy(status + 0, &kind1, 4);
-    return __builtin_popcountll(0x1010101ull & ~none1);
-}
-
-/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
-HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
-{
-    wide pose[16], found[12], x[LANES];
-    wide_mask kind[4];
-    for (int i = 0; i < 16; i += LANES) {
-        for (int k = 0; k < LANES; k++)
-            x[k] = *(const wide_at *)(T + 16 * k + i);
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const wide_mask left = solve_wide(pose, found, kind);
-    for (int i = 0; i < 12; i += LANES) {
-        const int from = i + LANES <= 12 ? i : 12 - LANES;
-        for (int k = 0; k < LANES; k++)
-            x[k] = found[from + k];
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            *(wide_at *)(q + 12 * k + from) = x[k];
-    }
-    for (int i = 1; i < 4; i++)
-        kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++) {
-        const long long word = kind[0][k];
-        __builtin_memcpy(status + 4 * k, &word, 4);
-    }
-    return bits_wide(left);
-}
-#else
-HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
-{
-    wide_mask kind[4];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 4; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-#endif
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[3], double q[4][3], unsigned char status[4])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[3] = (double (*)[3])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(double);
 
     /* theta1, type 2: U1[1, 4] */
@@ -435,225 +119,124 @@ static void solve(
             const double r2 = root1 + v3;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = r2; q[row][2] = q3;
-            status[row] = (free1) ? FREE : OK;
+            status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
 
-static void take(const double from[3], double to[3])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 3; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide v1 = T24 * T24 + T14 * T14, w1 = dhgen_sqrt_wide(v1),
+        angle1 = dhgen_atan2_wide(-T14, T24);
+
+    /* theta3 */
+    const dhgen_wide Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = dhgen_sqrt_wide(D3), v2 = w3 - w3,
+        angle2 = dhgen_atan2_wide(-(a3 * w3), -(a3 * Z3));
+
+    /* r2 */
+    const dhgen_wide q2_pp = w1 + w3, q2_pm = w1 - w3;
+
+    /* joint values */
+    const dhgen_wide q1_pp = angle1 + v2,
+        q1_mp = v2 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, -T14));
+
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = angle2;
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[3] = q1_pp; q[4] = q2_pm; q[5] = -angle2;
+    kind[1] = dhgen_kind_wide(q[3]);
+    q[6] = q1_mp; q[7] = -q2_pm; q[8] = angle2;
+    kind[2] = dhgen_kind_wide(q[6]);
+    q[9] = q1_mp; q[10] = -q2_pp; q[11] = -angle2;
+    kind[3] = dhgen_kind_wide(q[9]);
+    const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] *
+        T[11]) <= DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3) <= m3 * (merge_slack1 + 2.0 *
+        dhgen_abs_wide(Z3))));
 }
 
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
+#if DHGEN_LANES > 1
+static const double
+    m2 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    if (!revolute[joint])
-        return given;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[3], const double q[3], double half[3])
+    /* theta1 */
+    const double v1 = T24 * T24 + T14 * T14, w1 = sqrt(v1), v2 = copysign(DHGEN_HALF_TURN, -T14);
+
+    /* theta3 */
+    const double Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt(D3), v3 = w3 - w3;
+
+    /* r2 */
+    const dhgen_four v4 = e1 * w1, v5 = e2 * w3, q2 = v4 + v5;
+
+    if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] *
+        T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3 *
+        (merge_slack1 + 2.0 * fabs(Z3)))))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T14, -(a3 * w3), -T14,
+        -T14), dhgen_four_of(T24, -(a3 * Z3), T24, T24));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1);
+    const dhgen_four q3 = e2 * angle2, q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
+
+    dhgen_store_2(q, q + 3, q + 6, q + 9, q1, q2);
+    dhgen_store_1(q + 2, q + 5, q + 8, q + 11, q3);
+    const unsigned long long none1 = (dhgen_bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 4);
+    return __builtin_popcountll(0x1010101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    double most = 0.0;
-    for (int i = 0; i < 3; i++) {
-        double off = q[i] - x[i];
-        off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * sqrt(weight[i]));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
+#endif
 
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 1.25, 1.25, 1.25, 0.0, 0.0, 0.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[3] = { 1.0, 0.8, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[3], double e[6])
-{
-    double P[16], square = 0.0;
-    rpr_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[3], double damping, double e[6], double x[3])
-{
-    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
-    rpr_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 3; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
-        A[i][3 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 9; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 9; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 9; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 3; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[3])
-{
-    double x[3], half[3], e[6], last = HUGE_VAL;
-    int settled = 0, lost = 0, held[3] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[3], double q[4][3],
-    unsigned char status[4])
-{
-    double x[3], half[3], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    take(seed, x);
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    for (int row = 4 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
-{
-    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 3; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 3; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 4; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
+static const int entries[3] = { 3, 7, 11 };
+static const int choosable[1] = { 0 };
+static const struct dhgen_arm arm = {
+    3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
+    { 1.25, 1.25, 1.25, 0.0, 0.0, 0.0 }, 1.25, entries, 3,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 1, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    rpr_fk, rpr_jacobian, solve, NULL, solve_regular,
+};
 
 int rpr_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[4][3], found[3], least = HUGE_VAL;
-    unsigned char status[4];
-    int result = -NONE;
-    int valid = rpr_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 3; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 4 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += weight[i] * moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-#if LANES > 1
-    for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 12 * k, status + 4 * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                (void)rpr_ik(T + 16 * i, NULL, (double (*)[3])(q + 12 * i), status + 4 * i);
-    }
-#endif
-    for (; k < n; k++)
-        (void)rpr_ik(T + 16 * k, NULL, (double (*)[3])(q + 12 * k), status + 4 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

@@ -5,6 +5,9 @@
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 3c8847d60a3624ea
+ * SPDX-License-Identifier: MIT
  */
 #ifndef RRPRRR_H
 #define RRPRRR_H

@@ -3,266 +3,26 @@
  * Inverse kinematics, generated from robots/techman_tm5_900.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/techman_tm5_900.yaml. The formulas and where they come from:
  * techman_tm5_900.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: de090da5846bf584
+ * SPDX-License-Identifier: MIT
  */
 #include "techman_tm5_900.h"
 
-#include <math.h>
+#if defined(TECHMAN_TM5_900_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(TECHMAN_TM5_900_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 6
+#define DHGEN_ROWS 8
+#include "dhgen/closed.h"
 
-/* What rows hold. */
-enum {
-    OK = TECHMAN_TM5_900_OK, NONE = TECHMAN_TM5_900_UNREACHABLE, FREE = TECHMAN_TM5_900_FREE_JOINT,
-    OUT = TECHMAN_TM5_900_OUT_OF_LIMITS, INVALID = TECHMAN_TM5_900_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
-#else
-#define HELPER static inline
-#define APART static
+#if DHGEN_INTERFACE != 1
+#error "techman_tm5_900.c and the folder dhgen/ are of different versions: run dhgen robots/techman_tm5_900.yaml"
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef TECHMAN_TM5_900_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DTECHMAN_TM5_900_SCALAR. With -DTECHMAN_TM5_900_LIBM the arctangents are those of <math.h>,
- * too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(TECHMAN_TM5_900_SCALAR) && !defined(TECHMAN_TM5_900_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define maximum_wide _mm512_max_pd
-#define minimum_wide _mm512_min_pd
-#define sqrt_wide _mm512_sqrt_pd
-#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
-#else
-#define LANES 4
-#define pick_wide pick_four
-#define maximum_wide maximum_four
-#define minimum_wide minimum_four
-#define sqrt_wide sqrt_four
-#define bits_wide bits_four
-#endif
-#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define maximum_four _mm256_max_pd
-#define minimum_four _mm256_min_pd
-#define sqrt_four _mm256_sqrt_pd
-#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
-#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
-#define shuffle __builtin_shufflevector
-#define where_all(mask) (mask)
-
-#define VECTOR(v, lanes) \
-typedef double v __attribute__((vector_size(8 * lanes))); \
-typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
-typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
-HELPER v all_##v(double x) { return x - (v){ 0 }; } \
-HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
-HELPER v copysign_##v(v x, v y) \
-{ \
-    const v##_mask sign = (v##_mask)all_##v(-0.0); \
-    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
-} \
-HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
-HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
-
-VECTOR(four, 4)
-VECTOR(wide, LANES)
-ARCTANGENT(four)
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0)
-#define copysign_wide copysign
-#define signed_wide copysign
-#define negated_wide(x, where) ((x) * copysign(1.0, where))
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#endif
-#ifdef TECHMAN_TM5_900_LIBM /* half the time of atan2 */
-HELPER double atan2_wide(double y, double x)
-{
-    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
-}
-#else
-ARCTANGENT(wide)
-#endif
-
-MISFIT(wide, wide)
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-#if LANES > 1
-/* Writes joint values of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
-}
-
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER four irregularity_four(const double T[16])
-{
-    const four x = *(const four_at *)T, y = *(const four_at *)(T + 4),
-        z = *(const four_at *)(T + 8), x1 = shuffle(x, x, 1, 2, 0, 3),
-        y1 = shuffle(y, y, 1, 2, 0, 3), z1 = shuffle(z, z, 1, 2, 0, 3),
-        x2 = shuffle(x, x, 2, 0, 1, 3), y2 = shuffle(y, y, 2, 0, 1, 3),
-        lengths = x * x + y * y + z * z - 1.0, angles = x * x1 + y * y1 + z * z1,
-        mirror = x1 * y2 - x2 * y1 - z,
-        last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
-    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
-        0.0 } + last * last;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-#if LANES == 8
-    wide y[8];
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = x[k];
-        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    double y[16];
-    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
-    for (int k = 0; k < 4; k++)
-        x[k] = *(const wide_at *)(y + 4 * k);
-#endif
-}
-#endif
-
-/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
-#define TURNS(v) \
-HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
-HELPER v centred_##v(v x) \
-{ \
-    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
-}
-
-TURNS(wide)
-#if LANES > 1
-TURNS(four)
-#endif
-
-#define high(joint) (highest[joint - 1] + slack(joint - 1))
-/* How far a joint is beyond its limits; whether by rounding, perhaps. */
-#define grazes(x) (abs_wide((x) - 5e-07) <= 5e-07)
-#define grazes_four(x) (abs_four((x) - 5e-07) <= 5e-07)
-#define exceeds(x, joint) (abs_wide(x) - high(joint))
-#define exceeds_four(x, joint) (abs_four(x) - high(joint))
-
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.1452, /* joint offset 1 [m] */
     a2 = 0.429, /* link length 2 [m] */
@@ -308,15 +68,15 @@ const char *const techman_tm5_900_branches[8] = {
     "right-noflip-up", "right-flip-down", "right-flip-up",
 };
 
-static const double lowest[6] = {
-    -4.71238898038469, -3.141592653589793, -2.705260340591211, -3.141592653589793,
-    -3.141592653589793, -4.71238898038469,
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -4.71238898038469, 4.71238898038469, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.705260340591211, 2.705260340591211, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -4.71238898038469, 4.71238898038469, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
-static const double highest[6] = {
-    4.71238898038469, 3.141592653589793, 2.705260340591211, 3.141592653589793, 3.141592653589793,
-    4.71238898038469,
-};
-#define slack(joint) 1e-09 /* of limits */
 
 void techman_tm5_900_fk(const double q[6], double T[16])
 {
@@ -373,323 +133,14 @@ void techman_tm5_900_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = 0.0; J[34] = z4_z; J[35] = z5_z;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy),
-        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
-        v3 = inverse1 * (d3 * X1), s1_p = v3 + w1 * (wy * inverse1),
-        s1_m = v3 + w1 * (inverse1 * -wy);
-
-    /* theta6 */
-    const wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11,
-        Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12,
-        v4 = X6_p * X6_p + Y6_p * Y6_p, v5 = X6_m * X6_m + Y6_m * Y6_m, w6_p = sqrt_wide(v4),
-        w6_m = sqrt_wide(v5), v6 = 1.0 / v4, v7 = 1.0 / v5, angle1 = atan2_wide(Y6_p, -X6_p),
-        angle2 = atan2_wide(Y6_m, -X6_m);
-
-    /* theta5 */
-    const wide c5_p = T23 * c1_p - T13 * s1_p, c5_m = T23 * c1_m - T13 * s1_m,
-        angle3 = atan2_wide(w6_p, c5_p), angle4 = atan2_wide(w6_m, c5_m);
-
-    /* theta234 */
-    const wide v8 = v6 * (Y6_p * T31 - X6_p * T32), v9 = v7 * (Y6_m * T31 - X6_m * T32),
-        Z1_234_p = w6_p * v8, Z1_234_m = w6_m * v9,
-        v10 = T33 - v6 * (c5_p * (X6_p * T31 + Y6_p * T32)),
-        v11 = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32)), s234_p = w6_p * v10,
-        s234_m = w6_m * v11, angle5 = atan2_wide(v10, -v8), angle6 = atan2_wide(v11, -v9),
-        theta234_pm = angle5 - signed_wide(half_turn, v10),
-        theta234_mm = angle6 - signed_wide(half_turn, v11);
-
-    /* theta3 */
-    const wide v12 = d6 * w6_p, v13 = d6 * w6_m, v14 = T34 - d1, v15 = d5 * Z1_234_p,
-        v16 = d5 * Z1_234_m, v17 = s234_p * v12, v18 = s234_m * v13, Z1_3_pp = v14 - (v15 + v17),
-        Z1_3_pm = v14 - (v17 - v15), Z1_3_mp = v14 - (v16 + v18), Z1_3_mm = v14 - (v18 - v16),
-        v19 = T14 * c1_p + T24 * s1_p, v20 = T14 * c1_m + T24 * s1_m, v21 = Z1_234_p * v12,
-        v22 = Z1_234_m * v13, v23 = d5 * s234_p, v24 = d5 * s234_m, Z2_3_pp = v19 + (v21 - v23),
-        Z2_3_pm = v19 + (v21 + v23), Z2_3_mp = v20 + (v22 - v24), Z2_3_mm = v20 + (v22 + v24),
-        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
-        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
-        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
-        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
-        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
-        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
-        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
-        w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
-        v25 = w3_pp - w3_pp, v26 = w3_pm - w3_pm, v27 = w3_mp - w3_mp, v28 = w3_mm - w3_mm,
-        angle7 = atan2_wide(w3_pp, N3_pp - k5), angle8 = atan2_wide(w3_pm, N3_pm - k5),
-        angle9 = atan2_wide(w3_mp, N3_mp - k5), angle10 = atan2_wide(w3_mm, N3_mm - k5);
-
-    /* theta2 */
-    const wide v29 = m6 + m5 * N3_pp, v30 = m6 + m5 * N3_pm, v31 = m6 + m5 * N3_mp,
-        v32 = m6 + m5 * N3_mm, v33 = Z1_3_pp * v29, v34 = Z1_3_pm * v30, v35 = Z1_3_mp * v31,
-        v36 = Z1_3_mm * v32, v37 = Z2_3_pp * v29, v38 = Z2_3_pm * v30, v39 = Z2_3_mp * v31,
-        v40 = Z2_3_mm * v32, v41 = w3_pp * (m5 * Z2_3_pp),
-        angle11 = atan2_wide(v33 - v41, v37 + w3_pp * (m5 * Z1_3_pp)),
-        angle12 = atan2_wide(v33 + v41, v37 + w3_pp * (m5 * -Z1_3_pp)),
-        v42 = w3_pm * (m5 * Z2_3_pm), angle13 = atan2_wide(v34 - v42, v38 + w3_pm * (m5 * Z1_3_pm)),
-        angle14 = atan2_wide(v34 + v42, v38 + w3_pm * (m5 * -Z1_3_pm)),
-        v43 = w3_mp * (m5 * Z2_3_mp), angle15 = atan2_wide(v35 - v43, v39 + w3_mp * (m5 * Z1_3_mp)),
-        angle16 = atan2_wide(v35 + v43, v39 + w3_mp * (m5 * -Z1_3_mp)),
-        v44 = w3_mm * (m5 * Z2_3_mm), angle17 = atan2_wide(v36 - v44, v40 + w3_mm * (m5 * Z1_3_mm)),
-        angle18 = atan2_wide(v36 + v44, v40 + w3_mm * (m5 * -Z1_3_mm));
-
-    /* joint values */
-    const wide angle19 = atan2_wide(s1_p, c1_p), v45 = angle19 - offset1,
-        angle20 = atan2_wide(s1_m, c1_m), v46 = angle20 - offset1, q1__p = raised_wide(v45),
-        q1__m = raised_wide(v46), v47 = angle11 - offset2, v48 = angle12 - offset2,
-        v49 = angle13 - offset2, v50 = angle14 - offset2, v51 = angle15 - offset2,
-        v52 = angle16 - offset2, v53 = angle17 - offset2, v54 = angle18 - offset2,
-        v55 = angle5 - (angle7 + angle11) - offset4, v56 = angle5 - (angle12 - angle7) - offset4,
-        v57 = theta234_pm - (angle8 + angle13) - offset4,
-        v58 = theta234_pm - (angle14 - angle8) - offset4,
-        v59 = angle6 - (angle9 + angle15) - offset4, v60 = angle6 - (angle16 - angle9) - offset4,
-        v61 = theta234_mm - (angle10 + angle17) - offset4,
-        v62 = theta234_mm - (angle18 - angle10) - offset4, v63 = centred_wide(v55),
-        v64 = centred_wide(v56), v65 = centred_wide(v57), v66 = centred_wide(v58),
-        v67 = centred_wide(v59), v68 = centred_wide(v60), v69 = centred_wide(v61),
-        v70 = centred_wide(v62), excess_pp = exceeds(angle7, 3), excess_pm = exceeds(angle8, 3),
-        excess_mp = exceeds(angle9, 3), excess_mm = exceeds(angle10, 3);
-    const wide_mask outside_ppp = 0.0 < excess_pp, outside_pmp = 0.0 < excess_pm,
-        outside_mpp = 0.0 < excess_mp, outside_mmp = 0.0 < excess_mm;
-    const wide q1_ppp = v25 + q1__p, q1_pmp = v26 + q1__p, q1_mpp = v27 + q1__m,
-        q1_mmp = v28 + q1__m, q5_ppp = angle3 + v25, q5_pmp = v26 - angle3, q5_mpp = angle4 + v27,
-        q5_mmp = v28 - angle4, q6_ppp = angle1 + v25,
-        q6_pmp = v26 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v27,
-        q6_mmp = v28 + (angle2 - signed_wide(half_turn, Y6_m));
-
-    q[0] = q1_ppp; q[1] = raised_wide(v47); q[2] = angle7; q[3] = raised_wide(v63); q[4] = q5_ppp;
-    q[5] = q6_ppp;
-    kind[0] = kind_of(q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = raised_wide(v48); q[8] = -angle7; q[9] = raised_wide(v64); q[10] = q5_ppp;
-    q[11] = q6_ppp;
-    kind[1] = kind_of(q[6], outside_ppp);
-    q[12] = q1_pmp; q[13] = raised_wide(v49); q[14] = angle8; q[15] = raised_wide(v65);
-    q[16] = q5_pmp; q[17] = q6_pmp;
-    kind[2] = kind_of(q[12], outside_pmp);
-    q[18] = q1_pmp; q[19] = raised_wide(v50); q[20] = -angle8; q[21] = raised_wide(v66);
-    q[22] = q5_pmp; q[23] = q6_pmp;
-    kind[3] = kind_of(q[18], outside_pmp);
-    q[24] = q1_mpp; q[25] = raised_wide(v51); q[26] = angle9; q[27] = raised_wide(v67);
-    q[28] = q5_mpp; q[29] = q6_mpp;
-    kind[4] = kind_of(q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = raised_wide(v52); q[32] = -angle9; q[33] = raised_wide(v68);
-    q[34] = q5_mpp; q[35] = q6_mpp;
-    kind[5] = kind_of(q[30], outside_mpp);
-    q[36] = q1_mmp; q[37] = raised_wide(v53); q[38] = angle10; q[39] = raised_wide(v69);
-    q[40] = q5_mmp; q[41] = q6_mmp;
-    kind[6] = kind_of(q[36], outside_mmp);
-    q[42] = q1_mmp; q[43] = raised_wide(v54); q[44] = -angle10; q[45] = raised_wide(v70);
-    q[46] = q5_mmp; q[47] = q6_mmp;
-    kind[7] = kind_of(q[42], outside_mmp);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | ((abs_wide(v1 * D3_mm) <= m4) | (abs_wide(v1 * D3_mp) <= m4) |
-        (abs_wide(v1 * D3_pm) <= m4) | (abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) | (abs_wide(D1) <=
-        m1) | (v4 <= m2)) | (grazes(excess_mm) | grazes(excess_mp) | grazes(excess_pp) |
-        grazes(excess_pm));
-}
-
-#if LANES > 1
-static const double
-    m3 = 0.5; /* 1 / 2 */
-/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-INLINED
-HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
-{
-    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
-
-    /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
-    const four c1 = v2 - w1 * (inverse1 * (e1 * X1));
-    const double v3 = inverse1 * (d3 * X1);
-    const four s1 = v3 + w1 * (inverse1 * (e1 * wy));
-
-    /* theta6 */
-    const four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
-        w6 = sqrt_four(v4), v5 = 1.0 / v4, v6 = signed_four(half_turn, Y6), v7 = m3 * (e2 - 1.0);
-
-    /* theta5 */
-    const four c5 = T23 * c1 - T13 * s1;
-
-    /* theta234 */
-    const four v8 = v5 * (Y6 * T31 - X6 * T32), Z1_234 = w6 * v8,
-        v9 = T33 - v5 * (c5 * (X6 * T31 + Y6 * T32)), s234 = w6 * v9,
-        v10 = signed_four(half_turn, v9);
-
-    /* theta3 */
-    const four v11 = d6 * w6;
-    const double v12 = T34 - d1;
-    const four v13 = d5 * Z1_234, v14 = s234 * v11, Z1_3 = v12 - (v14 + e2 * v13),
-        v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
-        Z2_3 = v15 + (v16 - e2 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3), v18 = w3 - w3;
-
-    /* theta2 */
-    const four v19 = m6 + m5 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m5 * Z2_3);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (v4 <= m2) | (abs_four(v1 * D3) <= m4)) |
-        (unsigned)(fabs(D1) <= m1))
-        return -1;
-
-    const four_ratio ratio1 = ratio_four(shuffle(Y6, w6, 0, 5, 2, 7), shuffle(-X6, c5, 0, 5, 2, 7)),
-        ratio2 = ratio_four(shuffle(v9, s1, 0, 5, 2, 7), shuffle(-v8, c1, 0, 5, 2, 7)),
-        ratio3 = ratio_four(w3, N3 - k5), ratio4 = ratio_four(v20 - v22, v21 + w3 * (m5 * Z1_3)),
-        ratio5 = ratio_four(v20 + v22, v21 + w3 * (m5 * -Z1_3));
-    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
-        angle2 = shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = angle_four(ratio2),
-        angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
-        angle7 = shuffle(packed2, packed2, 1, 1, 3, 3), angle4 = angle_four(ratio3),
-        angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
-    const four theta234 = angle3 + v7 * v10, v23 = angle7 - offset1, q1_ = raised_four(v23),
-        v24 = angle5 - offset2, v25 = angle6 - offset2, q2_p = raised_four(v24),
-        q2_m = raised_four(v25), v26 = theta234 - (angle4 + angle5) - offset4,
-        v27 = theta234 - (angle6 - angle4) - offset4, v28 = centred_four(v26),
-        v29 = centred_four(v27), q4_p = raised_four(v28), q4_m = raised_four(v29),
-        excess = exceeds_four(angle4, 3);
-    const four_mask outside_p = 0.0 < excess;
-    const four q1_p = v18 + q1_, q5_p = v18 + e2 * angle2, q6_p = v18 + (angle1 + v6 * v7);
-    if (bits_four(grazes_four(excess)))
-        return -1;
-
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle4, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -angle4, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
-    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
-        0x101010101010101ull);
-    const unsigned long long outside1 = (bits_four(outside_p) * 0x20204040808101ull &
-        0x101010101010101ull);
-    const unsigned long long kind1 = none1 * NONE + (outside1 & ~none1) * OUT;
-    __builtin_memcpy(status + 0, &kind1, 8);
-    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
-}
-
-/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
-HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
-{
-    wide pose[16], found[48], x[LANES];
-    wide_mask kind[8];
-    for (int i = 0; i < 16; i += LANES) {
-        for (int k = 0; k < LANES; k++)
-            x[k] = *(const wide_at *)(T + 16 * k + i);
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const wide_mask left = solve_wide(pose, found, kind);
-    for (int i = 0; i < 48; i += LANES) {
-        const int from = i + LANES <= 48 ? i : 48 - LANES;
-        for (int k = 0; k < LANES; k++)
-            x[k] = found[from + k];
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            *(wide_at *)(q + 48 * k + from) = x[k];
-    }
-    for (int i = 1; i < 8; i++)
-        kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++) {
-        const long long word = kind[0][k];
-        __builtin_memcpy(status + 8 * k, &word, 8);
-    }
-    return bits_wide(left);
-}
-#else
-HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
-{
-    wide_mask kind[8];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 8; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-#endif
-
-/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
- * free, and the row's second value is its angle. */
-enum { LOST = 128, NEARLY = 192 };
-
-/* Notes why a row is lost, and how far it is from a solution. */
-static void lose(int why, double off, double q[6], unsigned char *status)
-{
-    *status = (unsigned char)why;
-    q[0] = off;
-}
-
-/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
- * is LOST says how far it is from a solution (negative). */
+/* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[6] = (double (*)[6])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -734,7 +185,7 @@ static void solve(
         const double v9 = T14 * c1 + T24 * s1, v10 = (free6 || free1 || near6) ? 1.0 : v1;
 
         /* joint values */
-        const double q1 = wrap(atan2(s1, c1) - offset1);
+        const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -767,10 +218,13 @@ static void solve(
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(-boundary3 <= D3 * v10)) {
-                if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
+                    i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2(v6, -v5);
-                if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
-                if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
+                    i2]);
+                if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
+                    i2]);
                 continue; /* out of reach */
             }
             const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -801,572 +255,271 @@ static void solve(
                 const double theta2 = atan2(s2, c2);
 
                 /* joint values */
-                const double q2 = wrap(theta2 - offset2);
-                const double q4 = wrap(theta234 - (q3 + theta2) - offset4);
+                const double q2 = dhgen_wrap(theta2 - offset2);
+                const double q4 = dhgen_wrap(theta234 - (q3 + theta2) - offset4);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free6) ? FREE : OK;
+                status[row] = (free1 || free2 || free6) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
 }
 
-static void take(const double from[6], double to[6])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 6; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy),
+        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
+        v3 = inverse1 * (d3 * X1), s1_p = v3 + w1 * (wy * inverse1),
+        s1_m = v3 + w1 * (inverse1 * -wy);
+
+    /* theta6 */
+    const dhgen_wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11,
+        Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12,
+        v4 = X6_p * X6_p + Y6_p * Y6_p, v5 = X6_m * X6_m + Y6_m * Y6_m, w6_p = dhgen_sqrt_wide(v4),
+        w6_m = dhgen_sqrt_wide(v5), v6 = 1.0 / v4, v7 = 1.0 / v5,
+        angle1 = dhgen_atan2_wide(Y6_p, -X6_p), angle2 = dhgen_atan2_wide(Y6_m, -X6_m);
+
+    /* theta5 */
+    const dhgen_wide c5_p = T23 * c1_p - T13 * s1_p, c5_m = T23 * c1_m - T13 * s1_m,
+        angle3 = dhgen_atan2_wide(w6_p, c5_p), angle4 = dhgen_atan2_wide(w6_m, c5_m);
+
+    /* theta234 */
+    const dhgen_wide v8 = v6 * (Y6_p * T31 - X6_p * T32), v9 = v7 * (Y6_m * T31 - X6_m * T32),
+        Z1_234_p = w6_p * v8, Z1_234_m = w6_m * v9,
+        v10 = T33 - v6 * (c5_p * (X6_p * T31 + Y6_p * T32)),
+        v11 = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32)), s234_p = w6_p * v10,
+        s234_m = w6_m * v11, angle5 = dhgen_atan2_wide(v10, -v8),
+        angle6 = dhgen_atan2_wide(v11, -v9),
+        theta234_pm = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, v10),
+        theta234_mm = angle6 - dhgen_signed_wide(DHGEN_HALF_TURN, v11);
+
+    /* theta3 */
+    const dhgen_wide v12 = d6 * w6_p, v13 = d6 * w6_m, v14 = T34 - d1, v15 = d5 * Z1_234_p,
+        v16 = d5 * Z1_234_m, v17 = s234_p * v12, v18 = s234_m * v13, Z1_3_pp = v14 - (v15 + v17),
+        Z1_3_pm = v14 - (v17 - v15), Z1_3_mp = v14 - (v16 + v18), Z1_3_mm = v14 - (v18 - v16),
+        v19 = T14 * c1_p + T24 * s1_p, v20 = T14 * c1_m + T24 * s1_m, v21 = Z1_234_p * v12,
+        v22 = Z1_234_m * v13, v23 = d5 * s234_p, v24 = d5 * s234_m, Z2_3_pp = v19 + (v21 - v23),
+        Z2_3_pm = v19 + (v21 + v23), Z2_3_mp = v20 + (v22 - v24), Z2_3_mm = v20 + (v22 + v24),
+        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
+        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
+        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
+        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
+        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = dhgen_sqrt_wide(D3_pp),
+        w3_pm = dhgen_sqrt_wide(D3_pm), w3_mp = dhgen_sqrt_wide(D3_mp),
+        w3_mm = dhgen_sqrt_wide(D3_mm), v25 = w3_pp - w3_pp, v26 = w3_pm - w3_pm,
+        v27 = w3_mp - w3_mp, v28 = w3_mm - w3_mm, angle7 = dhgen_atan2_wide(w3_pp, N3_pp - k5),
+        angle8 = dhgen_atan2_wide(w3_pm, N3_pm - k5), angle9 = dhgen_atan2_wide(w3_mp, N3_mp - k5),
+        angle10 = dhgen_atan2_wide(w3_mm, N3_mm - k5);
+
+    /* theta2 */
+    const dhgen_wide v29 = m6 + m5 * N3_pp, v30 = m6 + m5 * N3_pm, v31 = m6 + m5 * N3_mp,
+        v32 = m6 + m5 * N3_mm, v33 = Z1_3_pp * v29, v34 = Z1_3_pm * v30, v35 = Z1_3_mp * v31,
+        v36 = Z1_3_mm * v32, v37 = Z2_3_pp * v29, v38 = Z2_3_pm * v30, v39 = Z2_3_mp * v31,
+        v40 = Z2_3_mm * v32, v41 = w3_pp * (m5 * Z2_3_pp),
+        angle11 = dhgen_atan2_wide(v33 - v41, v37 + w3_pp * (m5 * Z1_3_pp)),
+        angle12 = dhgen_atan2_wide(v33 + v41, v37 + w3_pp * (m5 * -Z1_3_pp)),
+        v42 = w3_pm * (m5 * Z2_3_pm),
+        angle13 = dhgen_atan2_wide(v34 - v42, v38 + w3_pm * (m5 * Z1_3_pm)),
+        angle14 = dhgen_atan2_wide(v34 + v42, v38 + w3_pm * (m5 * -Z1_3_pm)),
+        v43 = w3_mp * (m5 * Z2_3_mp),
+        angle15 = dhgen_atan2_wide(v35 - v43, v39 + w3_mp * (m5 * Z1_3_mp)),
+        angle16 = dhgen_atan2_wide(v35 + v43, v39 + w3_mp * (m5 * -Z1_3_mp)),
+        v44 = w3_mm * (m5 * Z2_3_mm),
+        angle17 = dhgen_atan2_wide(v36 - v44, v40 + w3_mm * (m5 * Z1_3_mm)),
+        angle18 = dhgen_atan2_wide(v36 + v44, v40 + w3_mm * (m5 * -Z1_3_mm));
+
+    /* joint values */
+    const dhgen_wide angle19 = dhgen_atan2_wide(s1_p, c1_p), v45 = angle19 - offset1,
+        angle20 = dhgen_atan2_wide(s1_m, c1_m), v46 = angle20 - offset1,
+        q1__p = dhgen_raised_wide(v45), q1__m = dhgen_raised_wide(v46), v47 = angle11 - offset2,
+        v48 = angle12 - offset2, v49 = angle13 - offset2, v50 = angle14 - offset2,
+        v51 = angle15 - offset2, v52 = angle16 - offset2, v53 = angle17 - offset2,
+        v54 = angle18 - offset2, v55 = angle5 - (angle7 + angle11) - offset4,
+        v56 = angle5 - (angle12 - angle7) - offset4,
+        v57 = theta234_pm - (angle8 + angle13) - offset4,
+        v58 = theta234_pm - (angle14 - angle8) - offset4,
+        v59 = angle6 - (angle9 + angle15) - offset4, v60 = angle6 - (angle16 - angle9) - offset4,
+        v61 = theta234_mm - (angle10 + angle17) - offset4,
+        v62 = theta234_mm - (angle18 - angle10) - offset4, v63 = dhgen_centred_wide(v55),
+        v64 = dhgen_centred_wide(v56), v65 = dhgen_centred_wide(v57), v66 = dhgen_centred_wide(v58),
+        v67 = dhgen_centred_wide(v59), v68 = dhgen_centred_wide(v60), v69 = dhgen_centred_wide(v61),
+        v70 = dhgen_centred_wide(v62), excess_pp = dhgen_exceeds_wide(angle7, joints + 2),
+        excess_pm = dhgen_exceeds_wide(angle8, joints + 2),
+        excess_mp = dhgen_exceeds_wide(angle9, joints + 2),
+        excess_mm = dhgen_exceeds_wide(angle10, joints + 2);
+    const dhgen_wide_mask outside_ppp = 0.0 < excess_pp, outside_pmp = 0.0 < excess_pm,
+        outside_mpp = 0.0 < excess_mp, outside_mmp = 0.0 < excess_mm;
+    const dhgen_wide q1_ppp = v25 + q1__p, q1_pmp = v26 + q1__p, q1_mpp = v27 + q1__m,
+        q1_mmp = v28 + q1__m, q5_ppp = angle3 + v25, q5_pmp = v26 - angle3, q5_mpp = angle4 + v27,
+        q5_mmp = v28 - angle4, q6_ppp = angle1 + v25,
+        q6_pmp = v26 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Y6_p)), q6_mpp = angle2 + v27,
+        q6_mmp = v28 + (angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, Y6_m));
+
+    q[0] = q1_ppp; q[1] = dhgen_raised_wide(v47); q[2] = angle7; q[3] = dhgen_raised_wide(v63);
+    q[4] = q5_ppp; q[5] = q6_ppp;
+    kind[0] = dhgen_kind_within_wide(q[0], outside_ppp);
+    q[6] = q1_ppp; q[7] = dhgen_raised_wide(v48); q[8] = -angle7; q[9] = dhgen_raised_wide(v64);
+    q[10] = q5_ppp; q[11] = q6_ppp;
+    kind[1] = dhgen_kind_within_wide(q[6], outside_ppp);
+    q[12] = q1_pmp; q[13] = dhgen_raised_wide(v49); q[14] = angle8; q[15] = dhgen_raised_wide(v65);
+    q[16] = q5_pmp; q[17] = q6_pmp;
+    kind[2] = dhgen_kind_within_wide(q[12], outside_pmp);
+    q[18] = q1_pmp; q[19] = dhgen_raised_wide(v50); q[20] = -angle8; q[21] = dhgen_raised_wide(v66);
+    q[22] = q5_pmp; q[23] = q6_pmp;
+    kind[3] = dhgen_kind_within_wide(q[18], outside_pmp);
+    q[24] = q1_mpp; q[25] = dhgen_raised_wide(v51); q[26] = angle9; q[27] = dhgen_raised_wide(v67);
+    q[28] = q5_mpp; q[29] = q6_mpp;
+    kind[4] = dhgen_kind_within_wide(q[24], outside_mpp);
+    q[30] = q1_mpp; q[31] = dhgen_raised_wide(v52); q[32] = -angle9; q[33] = dhgen_raised_wide(v68);
+    q[34] = q5_mpp; q[35] = q6_mpp;
+    kind[5] = dhgen_kind_within_wide(q[30], outside_mpp);
+    q[36] = q1_mmp; q[37] = dhgen_raised_wide(v53); q[38] = angle10; q[39] = dhgen_raised_wide(v69);
+    q[40] = q5_mmp; q[41] = q6_mmp;
+    kind[6] = dhgen_kind_within_wide(q[36], outside_mmp);
+    q[42] = q1_mmp; q[43] = dhgen_raised_wide(v54); q[44] = -angle10;
+    q[45] = dhgen_raised_wide(v70); q[46] = q5_mmp; q[47] = q6_mmp;
+    kind[7] = dhgen_kind_within_wide(q[42], outside_mmp);
+    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((dhgen_abs_wide(v1 * D3_mm) <= m4) | (dhgen_abs_wide(v1 * D3_mp) <= m4) |
+        (dhgen_abs_wide(v1 * D3_pm) <= m4) | (dhgen_abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) |
+        (dhgen_abs_wide(D1) <= m1) | (v4 <= m2)) | (dhgen_grazes_wide(excess_mm) |
+        dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
 }
 
-/* A row that another value of a free joint may serve, and what solving again needs. */
-struct search {
-    const double *T;
-    double seed[6], start, q[8][6];
-    unsigned char status[8];
-    int joint, row;
-    double best, at; /* where the arm came nearest */
-    int within; /* whether limits count */
+#if DHGEN_LANES > 1
+static const double
+    m3 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
+    const dhgen_four c1 = v2 - w1 * (inverse1 * (e1 * X1));
+    const double v3 = inverse1 * (d3 * X1);
+    const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * wy));
+
+    /* theta6 */
+    const dhgen_four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
+        w6 = dhgen_sqrt_four(v4), v5 = 1.0 / v4, v6 = dhgen_signed_four(DHGEN_HALF_TURN, Y6),
+        v7 = m3 * (e2 - 1.0);
+
+    /* theta5 */
+    const dhgen_four c5 = T23 * c1 - T13 * s1;
+
+    /* theta234 */
+    const dhgen_four v8 = v5 * (Y6 * T31 - X6 * T32), Z1_234 = w6 * v8,
+        v9 = T33 - v5 * (c5 * (X6 * T31 + Y6 * T32)), s234 = w6 * v9,
+        v10 = dhgen_signed_four(DHGEN_HALF_TURN, v9);
+
+    /* theta3 */
+    const dhgen_four v11 = d6 * w6;
+    const double v12 = T34 - d1;
+    const dhgen_four v13 = d5 * Z1_234, v14 = s234 * v11, Z1_3 = v12 - (v14 + e2 * v13),
+        v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
+        Z2_3 = v15 + (v16 - e2 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
+        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_four(D3), v18 = w3 - w3;
+
+    /* theta2 */
+    const dhgen_four v19 = m6 + m5 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m5 * Z2_3);
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v4 <= m2) |
+        (dhgen_abs_four(v1 * D3) <= m4)) | (unsigned)(fabs(D1) <= m1))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(Y6, w6, 0, 5, 2, 7),
+        dhgen_shuffle(-X6, c5, 0, 5, 2, 7)),
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(v9, s1, 0, 5, 2, 7), dhgen_shuffle(-v8, c1, 0, 5, 2,
+            7)), ratio3 = dhgen_ratio_four(w3, N3 - k5),
+        ratio4 = dhgen_ratio_four(v20 - v22, v21 + w3 * (m5 * Z1_3)),
+        ratio5 = dhgen_ratio_four(v20 + v22, v21 + w3 * (m5 * -Z1_3));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = dhgen_angle_four(ratio2),
+        angle3 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle7 = dhgen_shuffle(packed2, packed2, 1, 1, 3, 3), angle4 = dhgen_angle_four(ratio3),
+        angle5 = dhgen_angle_four(ratio4), angle6 = dhgen_angle_four(ratio5);
+    const dhgen_four theta234 = angle3 + v7 * v10, v23 = angle7 - offset1,
+        q1_ = dhgen_raised_four(v23), v24 = angle5 - offset2, v25 = angle6 - offset2,
+        q2_p = dhgen_raised_four(v24), q2_m = dhgen_raised_four(v25),
+        v26 = theta234 - (angle4 + angle5) - offset4, v27 = theta234 - (angle6 - angle4) - offset4,
+        v28 = dhgen_centred_four(v26), v29 = dhgen_centred_four(v27), q4_p = dhgen_raised_four(v28),
+        q4_m = dhgen_raised_four(v29), excess = dhgen_exceeds_four(angle4, joints + 2);
+    const dhgen_four_mask outside_p = 0.0 < excess;
+    const dhgen_four q1_p = v18 + q1_, q5_p = v18 + e2 * angle2, q6_p = v18 + (angle1 + v6 * v7);
+    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+        return -1;
+
+    dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, q2_p, angle4, q4_p);
+    dhgen_store_2(q + 4, q + 16, q + 28, q + 40, q5_p, q6_p);
+    dhgen_store_4(q + 6, q + 18, q + 30, q + 42, q1_p, q2_m, -angle4, q4_m);
+    dhgen_store_2(q + 10, q + 22, q + 34, q + 46, q5_p, q6_p);
+    const unsigned long long none1 = (dhgen_bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (dhgen_bits_four(outside_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE + (outside1 & ~none1) *
+        DHGEN_OUT_OF_LIMITS;
+    __builtin_memcpy(status, &kind1, 8);
+    return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
+}
+#endif
+
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[3] = { 5, 1, 0 };
+static const int together[2] = { 0, 5 };
+static const struct dhgen_arm arm = {
+    6, 8, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 }, 0.753494329955167, entries, 9,
+    0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
+    choosable, 3, together, 2, 52,
+    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
+    1, /* follows seed */
+    techman_tm5_900_fk, techman_tm5_900_jacobian, solve, NULL, solve_regular,
 };
-
-/* How far a row is from a solution: 0 if it is solved. */
-static double shortfall(const struct search *s)
-{
-    if (s->status[s->row] >= LOST)
-        return s->q[s->row][0];
-    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
-}
-
-/* Solves with the joint moved: 0 if it serves, else less. */
-static double attempt(struct search *s, double moved)
-{
-    s->seed[s->joint] = s->start + moved;
-    for (int i = 0; i < 8; i++)
-        s->status[i] = NONE;
-    solve(s->T, s->seed, s->q, s->status);
-    const double result = shortfall(s);
-    if (result > s->best) {
-        s->best = result;
-        s->at = s->seed[s->joint];
-    }
-    return result == 0.0 && s->within ? -beyond_limits(s->q[s->row]) : result;
-}
-
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *s)
-{
-    const int status = s->status[s->row];
-    if (s->within && beyond_limits(s->q[s->row]) > 0.0)
-        return 0;
-    return status != NONE && status < LOST;
-}
-
-/* Golden section for a move that serves, or NaN. */
-static double summit(struct search *s, double low, double high)
-{
-    for (int k = 0; k < 52; k++) {
-        const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(s, low + third), right = attempt(s, high - third);
-        if (left == 0.0 || right == 0.0)
-            return left == 0.0 ? low + third : high - third;
-        if (left >= right)
-            high -= third;
-        else
-            low += third;
-    }
-    /* where branches meet this one has no solution of its own */
-    if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
-        return NAN;
-    attempt(s, low);
-    return serves(s) ? low : (double)NAN;
-}
-
-/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section, bisection of the nearest end; of two equally near the lower one. */
-static double serving_value(struct search *s)
-{
-    const double step = 0.09817477042468103;
-    if (attempt(s, 0.0) == 0.0)
-        return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
-    for (int k = -32; k <= 32; k++) {
-        before = here;
-        here = after;
-        after = attempt(s, (double)(k + 1) * step);
-        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
-        if (here < 0.0 && here >= before && here > after)
-            outer = summit(s, outer - step, outer + step);
-        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
-            continue;
-        if (isnan(outer))
-            continue;
-        for (int i = 0; i < 52; i++) {
-            const double middle = 0.5 * (inner + outer);
-            if (attempt(s, middle) == 0.0)
-                outer = middle;
-            else
-                inner = middle;
-        }
-        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
-            nearest = outer;
-    }
-    return nearest;
-}
-
-/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
- * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
- * rounding of what it was taken from, `solve` takes it as its own. */
-static double serving_digits(struct search *s)
-{
-    double before[2] = { -HUGE_VAL, -HUGE_VAL };
-    int past[2] = { 0 };
-    for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
-        for (int way = 0; way < 2; way++) {
-            const double there = way ? -moved : moved, here = attempt(s, there);
-            if (here == 0.0)
-                return there;
-            if (here < 2.0 * before[way] && !past[way]++) {
-                const double top = summit(s, 0.25 * there, there);
-                if (!isnan(top))
-                    return top;
-            }
-            before[way] = here;
-        }
-    return NAN;
-}
-
-/* Several joints are free, none serves alone: in turn each goes to where the arm came nearest. */
-static double serving_in_turn(struct search *s)
-{
-    static const int joints[] = { 0, 5 };
-    double serving = NAN, before = -HUGE_VAL;
-    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
-        before = s->best;
-        s->seed[s->joint] = s->at;
-        s->joint = joints[k % 2];
-        s->start = s->at = s->seed[s->joint];
-        serving = serving_value(s);
-    }
-    return serving;
-}
-
-/* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(
-    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
-{
-    const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row, .best = -HUGE_VAL };
-    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    take(seed, lost.seed);
-    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
-    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    if (isnan(nearest) && !nearly)
-        nearest = serving_in_turn(&lost);
-    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
-    const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : NONE;
-    for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : (double)NAN;
-}
-
-/* Whether a joint beyond its limits does not move with the one that is searched. */
-static int hopeless(struct search *s)
-{
-    struct search other = *s;
-    attempt(s, 0.0);
-    attempt(&other, 0.1);
-    if (shortfall(s) < 0.0 || shortfall(&other) < 0.0)
-        return 0;
-    for (int i = 0; i < 6; i++) {
-        const double value = s->q[s->row][i], moved = fabs(value - other.q[s->row][i]);
-        if (moved < 1e-09 && fabs(overshoot(i, value)) > 0.0)
-            return 1;
-    }
-    return 0;
-}
-
-/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
- * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
-static void keep_limits(
-    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
-{
-    static const int choosable[3] = { 5, 1, 0 };
-    struct search search = { .T = T, .row = row, .within = 1 };
-    for (int i = 0; i < 6; i++)
-        search.seed[i] = seed[i] - overshoot(i, seed[i]);
-    for (int k = 0; k < 3; k++) {
-        const int joint = search.joint = choosable[k];
-        const double inside = search.seed[joint];
-        search.start = fmod(seed[joint], turn);
-        const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
-        /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            attempt(&search, nearest);
-            status[row] = search.status[row];
-            take(search.q[row], q[row]);
-            return;
-        }
-        search.seed[joint] = inside;
-    }
-}
-
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
-{
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
-
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[6], const double q[6], double half[6])
-{
-    double most = 0.0;
-    for (int i = 0; i < 6; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[6], double e[6])
-{
-    double P[16], square = 0.0;
-    techman_tm5_900_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[6], double damping, double e[6], double x[6])
-{
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
-    techman_tm5_900_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 12; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 12; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 12; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* The same of a value as it stands: it might be turned. */
-static double past_an_end(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (high - low < 6.183185307179587)
-        return overshoot(joint, value);
-    const double off = value - fmin(fmax(value, low), high);
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-/* The same of all joints. */
-static double past_ends(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(past_an_end(i, values[i]));
-    return sum;
-}
-
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
-static double at_an_end(int joint, double value, double seed)
-{
-    const double near = value + turn * floor((seed - value) / turn + 0.5);
-    const double past = fabs(past_an_end(joint, near));
-    if (0.0 < past && past < 0.01 && fabs(near - seed) < 0.15)
-        return near;
-    const double off = overshoot(joint, value);
-    if (off == 0.0 || fabs(off) > 0.01)
-        return turned(joint, value, value);
-    return off + (off > 0.0 ? highest : lowest)[joint];
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[6])
-{
-    double x[6], half[6], e[6], last = HUGE_VAL;
-    const int stands = isnan(enough);
-    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e), past = 0.0;
-        int worst = 0;
-        enough = isnan(enough) ? miss + 1e-14 : enough;
-        for (int i = 0; i < 6 && stands && miss < enough; i++) {
-            const double off = pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            worst = fabs(off) > fabs(past) ? i : worst;
-            past = worst == i ? off : past;
-        }
-        /* one by one: others may follow it inside, or the first the second */
-        if (fabs(past) > 0.0) {
-            moves++;
-            for (int i = 0; i < 6; i++)
-                held[i] = i == worst || (held[i] && moves != 2);
-            last = HUGE_VAL;
-            x[worst] -= past;
-            miss = off_pose(T, x, e);
-        }
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Takes joint values onto ends that they are past or, as two may not stand there, inside. */
-static int lead_inside(const double T[16], double enough, double most, double q[6])
-{
-    double x[6], e[6];
-    if (settle(T, enough, most, q))
-        return 1;
-    int past = 0;
-    for (int i = 0; i < 6; i++)
-        past += fabs(past_an_end(i, q[i])) > 0.0;
-    enough = off_pose(T, q, e) + 1e-14;
-    for (double farther = 2.0; past > 1 && farther <= 16.0; farther *= 2.0) {
-        for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther * past_an_end(i, q[i]);
-        if (!settle(T, enough, most, x) || past_ends(x) > 0.0)
-            continue;
-        take(x, q);
-        return 1;
-    }
-    return 0;
-}
-
-/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
- * too, and no row that is less far beyond is nearer. */
-static int stand(
-    const double T[16], int row, int far, double rows[8][6], const unsigned char status[8])
-{
-    double x[6], half[6], to[6], *q = rows[row];
-    const double beyond = past_ends(q);
-    if (!(0.0 < beyond && (far || beyond < 0.01)))
-        return 0;
-    take(q, x);
-    if (!lead_inside(T, NAN, far ? HUGE_VAL : 1.5, x))
-        return 0;
-    const double off = half_way(q, x, half);
-    for (int k = 0; k < 8; k++)
-        if (status[k] != NONE && past_ends(rows[k]) < beyond
-            && half_way(rows[k], x, to) < off)
-            return 0;
-    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
-        return 0;
-    take(x, q);
-    return 1;
-}
-
-/* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
- * half way the arm is singular. */
-static void tell_once(const double T[16], double q[8][6], unsigned char status[8])
-{
-    const int held[6] = { 0 };
-    for (int n = 0; n < 8 * 8; n++) {
-        double half[6], e[6], *row = q[n / 8];
-        const int k = n % 8;
-        int ends = k == 0 && off_pose(T, row, e) > 1e-11 && !settle(T, 1e-12, 0.15, row);
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
-            for (int i = 0; i < 3; i++) {
-                off_pose(T, half, e);
-                add_step(held, 1e-13, e, half);
-            }
-            ends = off_pose(T, half, e) <= 1e-14;
-        }
-        for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = NONE;
-            row[i] = NAN;
-        }
-    }
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[6], double q[8][6],
-    unsigned char status[8])
-{
-    double x[6], half[6], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    for (int i = 0; i < 6; i++) {
-        const double seen = seed[i], past = fabs(past_an_end(i, seen));
-        const double here = past <= 0.15 ? seen : turned(i, seen, seen);
-        x[i] = here - past_an_end(i, here);
-    }
-    if (!settle(T, 1e-12, 0.15, x) || (past_ends(x) > 1e-09 && !lead_inside(T, NAN, 0.15, x)))
-        return;
-    for (int row = 8 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06 || past_ends(q[place]) > 0.0)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 6; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
-    for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    for (int row = 0; row < 8; row++)
-        if (status[row] >= LOST)
-            choose_again(pose, seed, row, q, status);
-    for (int row = 0; row < 8; row++)
-        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
-            keep_limits(pose, seed, row, q, status);
-    tell_once(pose, q, status);
-    for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 6; i++)
-            q[row][i] = at_an_end(i, q[row][i], seed[i]);
-    stay(pose, seed, q, status);
-    /* far where no row is inside */
-    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
-        const int row = n % 8, far = n >= 8;
-        if (status[row] == NONE)
-            continue;
-        if (stand(pose, row, far, q, status) && far)
-            status[row] = FREE;
-        for (int i = 0; i < 6; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
 
 int techman_tm5_900_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int techman_tm5_900_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], found[6], least = HUGE_VAL;
-    unsigned char status[8];
-    int result = -NONE;
-    int valid = techman_tm5_900_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 6; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    int past = 0; /* joints past an end and turned */
-    for (int i = 0; i < 6 && valid; i++)
-        if (fmin(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15)
-            for (int row = 0; row < 8; row++)
-                past += status[row] == OK
-                    && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0;
-    if (past)
-        (void)ik_carefully(T, q_seed, all, status);
-    for (int row = 0; row < 8 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 6; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void techman_tm5_900_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-#if LANES > 1
-    for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                (void)techman_tm5_900_ik(
-                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
-    }
-#endif
-    for (; k < n; k++)
-        (void)techman_tm5_900_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

@@ -2,140 +2,1640 @@
  *
  * Inverse kinematics, generated from robots/ur5.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/ur5.yaml. The formulas and where they come from: ur5.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 96c2b35056b3b6dc
+ * SPDX-License-Identifier: MIT
  */
 #include "ur5_f32.h"
 
-#include <math.h>
+#define DHGEN_SINGLE_PRECISION
+#define DHGEN_SCALAR
+#if defined(UR5_F32_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 6
+#define DHGEN_ROWS 8
+/* What the file of an arm in closed form needs. */
 
-/* What rows hold. */
+/* An arm as the runtime sees it: a table of numbers, of what has to be done around the formulas of
+ * its solver, and of the robot's own functions. */
+
+/* What a robot's file and the runtime agree on: the number of their interface, statuses, and the
+ * marks of functions and tables. */
+
+#include <math.h>
+#include <stddef.h>
+
+/* NaN and infinity mark what is no solution and no limit: a compiler that is told that they don't
+ * exist makes solutions of poses that are out of reach. */
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
+#endif
+
+/* A robot's file names the interface that it was generated for, and refuses another one. */
+#define DHGEN_INTERFACE 1
+
+/* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
+ * functions of the runtime, DHGEN_APART before those whose stack and code have to stay out of their
+ * callers, DHGEN_TABLE before constant tables. DHGEN_API stands before what robots' files call:
+ * with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their files have its
+ * declarations only. */
+#if defined(__GNUC__)
+#define DHGEN_UNUSED __attribute__((unused))
+#define DHGEN_NOINLINE __attribute__((noinline))
+#define DHGEN_ALWAYS __attribute__((always_inline))
+#else
+#define DHGEN_UNUSED
+#define DHGEN_NOINLINE
+#define DHGEN_ALWAYS
+#endif
+#ifndef DHGEN_FN
+#define DHGEN_FN DHGEN_UNUSED static
+#endif
+#ifndef DHGEN_INLINE
+#define DHGEN_INLINE DHGEN_UNUSED static inline
+#endif
+#ifndef DHGEN_APART
+#define DHGEN_APART DHGEN_NOINLINE DHGEN_UNUSED static
+#endif
+#ifndef DHGEN_TABLE
+#define DHGEN_TABLE static const
+#endif
+#ifndef DHGEN_API
+#if defined(DHGEN_SHARED) && defined(__cplusplus)
+#define DHGEN_API extern "C"
+#elif defined(DHGEN_SHARED)
+#define DHGEN_API
+#else
+#define DHGEN_API DHGEN_APART
+#endif
+#endif
+
+/* What is no solution. */
+#define DHGEN_NAN ((float)NAN)
+
+#define DHGEN_TURN 6.2831855f
+#define DHGEN_HALF_TURN 3.1415927f
+
+/* The statuses of rows. The last three are a solver's notes to the runtime: no caller sees them. */
 enum {
-    OK = UR5_F32_OK, NONE = UR5_F32_UNREACHABLE, FREE = UR5_F32_FREE_JOINT,
-    OUT = UR5_F32_OUT_OF_LIMITS, INVALID = UR5_F32_INVALID_POSE
+    DHGEN_OK,
+    DHGEN_UNREACHABLE,
+    DHGEN_FREE_JOINT,
+    DHGEN_OUT_OF_LIMITS,
+    DHGEN_INVALID_POSE,
+    DHGEN_CLOSE = 64,  /* roots nearly meet: the row may stand between two solutions */
+    DHGEN_LOST = 128,  /* + j: the row was lost after joint j had been chosen freely */
+    DHGEN_NEARLY = 192 /* + j: the same, joint j is nearly free, and q[1] of the row is its angle */
 };
 
-static const float turn = 6.2831855f;
-#define half_turn (0.5f * turn)
+/* Notes why a row is lost, and how far it is from a solution: negative out of reach, positive where
+ * it misses the pose. */
+DHGEN_INLINE void dhgen_lose(int why, float off, float *q, unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
 
 /* The angle moved by whole turns to (-pi, pi]. */
-static float wrap(float angle)
+DHGEN_INLINE float dhgen_wrap(float angle)
 {
-    return angle - turn * ceilf(angle / turn - 0.5f);
+    return angle - DHGEN_TURN * ceilf(angle / DHGEN_TURN - 0.5f);
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, float)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
+/* Sizes of arrays, and bounds of loops: constants where a robot's file brings the runtime along,
+ * else the most that the compiled runtime takes, and the arm's own. */
+#define DHGEN_MOST_JOINTS 16
+#define DHGEN_MOST_ROWS 64
+#if defined(DHGEN_DOF) && !defined(DHGEN_SHARED)
+#define DHGEN_JOINTS DHGEN_DOF
+#define DHGEN_BRANCHES DHGEN_ROWS
+#define dhgen_dof(arm) ((void)(arm), DHGEN_DOF)
+#define dhgen_rows(arm) ((void)(arm), DHGEN_ROWS)
 #else
-#define HELPER static inline
-#define APART static
+#define DHGEN_JOINTS DHGEN_MOST_JOINTS
+#define DHGEN_BRANCHES DHGEN_MOST_ROWS
+#define dhgen_dof(arm) ((arm)->dof)
+#define dhgen_rows(arm) ((arm)->rows)
+#endif
+#ifdef DHGEN_DOF
+#if DHGEN_DOF > DHGEN_MOST_JOINTS || DHGEN_ROWS > DHGEN_MOST_ROWS
+#error "dhgen: more joints or rows than the runtime has room for"
+#endif
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef UR5_F32_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const float odd[11] = {
-    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
-    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
-    -0.050853834f, 0.039229743f, -0.019174544f,
+struct dhgen_joint {
+    float lowest, highest; /* limits, infinite where it has none [rad or length] */
+    float slack;           /* a value may miss its limits by this [rad or length] */
+    float weight;          /* of its squared differences: lengths count in arm sizes */
+    float pace;            /* what a step of one means in refining; 0 if the caller gives it */
+    float fan_step;        /* from one value to the next where it is free [rad or length] */
+    int revolute;           /* whether it turns */
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0f) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421357f; \
-    const v ahead = all_##v(0.7853982f), half = all_##v(1.5707964f); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0f * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
+/* What of a pose is checked, besides that it is finite. */
+enum {
+    DHGEN_COORDINATES, /* nothing: coordinates count */
+    DHGEN_POINTING,    /* the tool's z axis */
+    DHGEN_ROTATION,    /* the rotation */
+    DHGEN_POSE         /* the rotation and the last row */
+};
+
+struct dhgen_arm {
+    int dof, rows; /* joints; branches */
+    int given;     /* values that the caller gives */
+    int task;      /* DHGEN_POSE ... */
+    const struct dhgen_joint *joints;
+    const int *given_joints; /* the joints whose values the caller gives, from 0 */
+    int given_joint_count;   /* as many as `given`, none where that is an arm angle */
+
+    /* By how much joint values miss a pose: what its entries count, lengths in arm sizes, to few
+     * digits in refining; and for whether a row fits, the places of the entries that do. */
+    float miss_weights[6];
+    float per_length;
+    const int *entries;
+    int entry_count;
+
+    /* What the solver's rows need. */
+    int slides;                    /* joints slide: also squares of lengths have to be finite */
+    int retries, checks;           /* other values of free joints may reach; may meet the pose */
+    int keeps_limits;              /* other values of free joints may keep limits */
+    const int *choosable;          /* joints that may be free, from 0, the last first */
+    int choosable_count;           /* how many */
+    const int *together;           /* joints that may have to be chosen together, from 0 */
+    int together_count;            /* how many */
+    int cuts;                      /* of an interval by golden section */
+    int merges, refines;           /* branches that meet may come out apart; rows need refining */
+    int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
+    int follows_seed;              /* where rounding can't tell solutions apart */
+
+    /* The robot's own functions. `regular` solves regular poses: how many rows are OK, or -1 where
+     * the pose needs care. `solve` fills the rows of branches that have a solution, roots of
+     * polynomials being moved by an angle. `complete` works on all of them, where roots of
+     * polynomials nearly meet or rows miss the pose; `begun` is the first row that was not simply
+     * out of reach, or negative. The last two may be NULL. */
+    void (*fk)(const float *q, float *T);
+    void (*jacobian)(const float *q, float *J);
+    void (*solve)(const float *T, const float *free_joints, const float *seed, float moved,
+        float *q, unsigned char *status);
+    void (*complete)(const struct dhgen_arm *arm, const float *T, const float *free_joints,
+        const float *seed, int begun, float *q, unsigned char *status);
+    int (*regular)(const float *T, const float *free_joints, float *q, unsigned char *status);
+};
+
+/* Copies the joint values of a row. */
+DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const float *from, float *to)
+{
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        to[i] = from[i];
+}
+
+/* Whether joint values move a joint in refining: whether none of the caller's. */
+DHGEN_FN int dhgen_moves(const struct dhgen_arm *arm, int joint)
+{
+    return arm->joints[joint].pace > 0.0f;
+}
+/* What robots' public functions do: all solutions of a pose, the one nearest to a seed, and all of
+ * many poses. */
+
+
+/* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
+ * are inside limits, or -DHGEN_INVALID_POSE. */
+DHGEN_API int dhgen_careful_ik(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *q_seed, float *q, unsigned char *status);
+
+/* Of all solutions of a pose, of which there were `count`, that nearest to a seed, with angles
+ * moved by whole turns. Returns its status, or minus what is wrong. */
+DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *q_seed, int count, float *rows, unsigned char *status,
+    float *q);
+
+/* All solutions: regular poses take no other way. */
+DHGEN_INLINE int dhgen_ik(const struct dhgen_arm *arm, const float *T, const float *free_joints,
+    const float *q_seed, float *q, unsigned char *status)
+{
+    const int count = arm->regular ? arm->regular(T, free_joints, q, status) : -1;
+    return count < 0 ? dhgen_careful_ik(arm, T, free_joints, q_seed, q, status) : count;
+}
+
+/* The solution nearest to a seed. */
+DHGEN_INLINE int dhgen_ik_nearest(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *q_seed, float *q)
+{
+    float rows[DHGEN_BRANCHES * DHGEN_JOINTS];
+    unsigned char status[DHGEN_BRANCHES];
+    const int count = dhgen_ik(arm, T, free_joints, q_seed, rows, status);
+    return dhgen_nearest_row(arm, T, free_joints, q_seed, count, rows, status, q);
+}
+
+/* All solutions of poses of a batch, from number k on, one after another. */
+DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n, const float *T,
+    const float *free_joints, float *q, unsigned char *status)
+{
+    const size_t rows = (size_t)dhgen_rows(arm), size = rows * (size_t)dhgen_dof(arm);
+    for (; k < n; k++) {
+        const float *const given = free_joints ? free_joints + (size_t)arm->given * k : NULL;
+        (void)dhgen_ik(arm, T + 16 * k, given, NULL, q + size * k, status + rows * k);
+    }
+}
+
+#ifndef DHGEN_SHARED
+
+/* Rows whose joints are beyond their limits, onto them. Beside a singular pose a joint is known
+ * from the pose to rounding over what is left of the least singular value: if it is beyond a limit
+ * by no more than that, it may as well be on it. */
+
+/* Damped least-squares steps that take joint values to a solution next to them. */
+
+/* Joint values and their limits. */
+
+/* What the runtime takes for rounding. dhgen/tolerances.py has the same numbers, which the
+ * compiler decides by, and the reasons at length. Lengths are relative to the size of the arm; a
+ * pose is rounded to a few 1e-16 of it, in single precision to a few 1e-8. */
+
+#ifndef DHGEN_SINGLE_PRECISION
+
+/* The last row of a pose may differ from 0 0 0 1 by this. */
+#define DHGEN_LAST_ROW 1e-09f
+/* Sums of squares by which a rotation misses orthonormality: it is taken as it is up to the first,
+ * which is rounding; replaced by the nearest rotation up to the second, as poses in single
+ * precision or of six digits miss it by that. */
+#define DHGEN_ORTHONORMAL 1e-24f
+#define DHGEN_ROUNDED 1e-09f
+/* A joint value may miss its limit by this [rad]: rounding of the angle itself. Searches end where
+ * branches that meet are as near. */
+#define DHGEN_LIMIT 1e-09f
+/* Fast code may be wrong by twice this [rad, arm sizes] where an arm is nearly singular twice over:
+ * what is as far from this at most may be beyond a limit by rounding. */
+#define DHGEN_NEAR_LIMIT 5e-07f
+/* A row that misses its pose by no more is exact [arm sizes, rad]. */
+#define DHGEN_EXACT 1e-12f
+/* A row misses its pose by no more wherever it has a solution: a reason to refine it. */
+#define DHGEN_PROMISED 1e-11f
+/* A vector that should fix an angle is no longer than this: the joint is free, and a row meets its
+ * pose as exactly as this. */
+#define DHGEN_FREE 1e-12f
+/* Half way between two rows that are one solution the pose is missed by no more. */
+#define DHGEN_MERGE 1e-14f
+/* Joint values may be beyond limits by this before they are clamped to them [rad, arm sizes]: an
+ * angle taken from a vector just longer than DHGEN_FREE is good to a tenth of it. */
+#define DHGEN_DOUBTFUL 0.01f
+/* A joint is clamped to a limit if the pose is missed by so much more at most. Not above
+ * DHGEN_MERGE: of two branches that differ the one beyond the limit must not become the other. */
+#define DHGEN_CLAMPED 1e-14f
+/* About the square root of DHGEN_MERGE, because branches that meet separate like a square root:
+ * joint values that differ by less are one solution [rad or length]. */
+#define DHGEN_APART_BY 1e-06f
+/* An angle of the seed that is not below this has no copy of another near it that keeps digits. */
+#define DHGEN_FAR_ANGLE 100000.0f
+/* Always added to the damping of steps, a square: its root is so far above rounding of the miss
+ * that this moves joints by 1e-3 rad at most. */
+#define DHGEN_FINE 1e-26f
+/* Joint values that differ by less are next to one solution [rad, arm sizes]. */
+#define DHGEN_TOGETHER 0.001f
+/* Solutions are of one family if half way between them the pose is missed by less. */
+#define DHGEN_FAMILY 1e-06f
+
+#else
+
+#define DHGEN_LAST_ROW 1e-06f
+#define DHGEN_ORTHONORMAL 1e-12f
+#define DHGEN_ROUNDED 1e-09f
+#define DHGEN_LIMIT 2e-06f
+#define DHGEN_NEAR_LIMIT 0.005f
+#define DHGEN_EXACT 5e-05f
+#define DHGEN_PROMISED 5e-05f
+#define DHGEN_FREE 2e-05f
+#define DHGEN_MERGE 1e-07f
+#define DHGEN_DOUBTFUL 0.01f
+#define DHGEN_CLAMPED 1e-06f
+#define DHGEN_APART_BY 0.003f
+#define DHGEN_FAR_ANGLE 100.0f
+#define DHGEN_FINE 1e-10f
+#define DHGEN_TOGETHER 0.03f
+#define DHGEN_FAMILY 0.0005f
+
 #endif
 
-#define LANES 1
-typedef float wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0f)
-#define copysign_wide copysignf
-#define signed_wide copysignf
-#define negated_wide(x, where) ((x) * copysignf(1.0f, where))
-#define abs_wide fabsf
-#define sqrt_wide sqrtf
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#ifdef UR5_F32_LIBM /* half the time of atan2 */
-HELPER float atan2_wide(float y, float x)
+/* Ranges at least this wide leave next to no gap [rad]: beside a singular pose rounding leads
+ * across it. */
+#define DHGEN_NEARLY_A_TURN 6.183185f
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below [rad or length]. */
+DHGEN_FN float dhgen_overshoot(const struct dhgen_arm *arm, int joint, float value)
+{
+    const struct dhgen_joint *const of = arm->joints + joint;
+    const float low = of->lowest, high = of->highest;
+    if (low <= value && value <= high)
+        return 0.0f;
+    float off = value > high ? value - high : value - low;
+    if (of->revolute) {
+        const float gap = DHGEN_TURN - (high - low), over = value - high;
+        const float rest = over - DHGEN_TURN * floorf(over / DHGEN_TURN);
+        off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
+    }
+    return fabsf(off) <= 0.5f * of->slack ? 0.0f : off;
+}
+
+/* How far the joint values of a row are beyond their limits, whole turns aside [rad, arm sizes]. */
+DHGEN_FN float dhgen_beyond_limits(const struct dhgen_arm *arm, const float *q)
+{
+    float sum = 0.0f;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        sum += fabsf(dhgen_overshoot(arm, i, q[i])) * sqrtf(arm->joints[i].weight);
+    return sum;
+}
+
+/* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
+ * stands, as turning it would lead across the gap. */
+DHGEN_FN float dhgen_past_an_end(const struct dhgen_arm *arm, int joint, float value)
+{
+    const struct dhgen_joint *const of = arm->joints + joint;
+    const float low = of->lowest, high = of->highest;
+    if (!arm->winds || high - low < DHGEN_NEARLY_A_TURN)
+        return dhgen_overshoot(arm, joint, value);
+    const float off = value - fminf(fmaxf(value, low), high);
+    return fabsf(off) <= 0.5f * of->slack ? 0.0f : off;
+}
+
+/* How far the joint values of a row are past the ends of their ranges [rad, arm sizes]. */
+DHGEN_FN float dhgen_past_ends(const struct dhgen_arm *arm, const float *q)
+{
+    float sum = 0.0f;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        sum += fabsf(dhgen_past_an_end(arm, i, q[i])) * sqrtf(arm->joints[i].weight);
+    return sum;
+}
+
+/* A joint value moved by whole turns near to another, but inside its limits if it can be. */
+DHGEN_FN float dhgen_turned(const struct dhgen_arm *arm, int joint, float given, float towards)
+{
+    const struct dhgen_joint *const of = arm->joints + joint;
+    const float low = of->lowest - DHGEN_LIMIT, high = of->highest + DHGEN_LIMIT;
+    if (!of->revolute)
+        return given;
+    float value = given;
+    if (fabsf(towards) < DHGEN_FAR_ANGLE)
+        value += DHGEN_TURN * floorf((towards - given) / DHGEN_TURN + 0.5f);
+    value -= DHGEN_TURN * ceilf(fmaxf(value - high, 0.0f) / DHGEN_TURN);
+    value += DHGEN_TURN * ceilf(fmaxf(low - value, 0.0f) / DHGEN_TURN);
+    return value <= high ? value : given;
+}
+
+/* Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
+ * whole way. */
+#define DHGEN_BESIDE_SEED 0.15f
+
+/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
+DHGEN_FN float dhgen_at_an_end(const struct dhgen_arm *arm, int joint, float value, float seed)
+{
+    const struct dhgen_joint *const of = arm->joints + joint;
+    const float near = value + DHGEN_TURN * floorf((seed - value) / DHGEN_TURN + 0.5f);
+    const float past = fabsf(dhgen_past_an_end(arm, joint, near));
+    if (!of->revolute)
+        return value;
+    if (0.0f < past && past < DHGEN_DOUBTFUL && fabsf(near - seed) < DHGEN_BESIDE_SEED)
+        return near;
+    const float off = dhgen_overshoot(arm, joint, value);
+    if (off == 0.0f || fabsf(off) > DHGEN_DOUBTFUL)
+        return dhgen_turned(arm, joint, value, value);
+    return off + (off > 0.0f ? of->highest : of->lowest);
+}
+
+/* Whether a joint value is inside its limits, but for rounding. */
+DHGEN_FN int dhgen_inside(const struct dhgen_arm *arm, int joint, float value)
+{
+    const struct dhgen_joint *const of = arm->joints + joint;
+    return of->lowest - of->slack <= value && value <= of->highest + of->slack;
+}
+
+/* Where two things are singular the Jacobian has rows as small as the joints are near. Damped by
+ * the square of the miss a step is then longer than the way; damped by the miss it is not, and
+ * gains where roots meet, because the miss is as small as the square of such rows. */
+#define DHGEN_CAUTIOUS 0.003f
+#define DHGEN_DAMPING 0.1f
+/* Steps: what is right ends after two or three, where roots meet after twelve. */
+#define DHGEN_STEPS 20
+/* A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
+ * places where two things are singular some make it worse before it gets better: so many lead
+ * nowhere. */
+#define DHGEN_SLOW 0.7f
+#define DHGEN_IN_VAIN 4
+/* Nearer than so many times what is enough rounding decides what a step leaves. */
+#define DHGEN_NEAR_ENOUGH 100.0f
+/* Two joints that are past the ends of their ranges can be led inside, though perhaps not onto the
+ * ends: they are put inside as far as they are past, times this, then twice as far, up to that. */
+#define DHGEN_NEXT_INSIDE 2.0f
+#define DHGEN_FARTHEST_INSIDE 16.0f
+
+/* How far joint values are from others, whole turns aside [rad, arm sizes]; `half` is the middle.
+ */
+DHGEN_FN float dhgen_half_way(
+    const struct dhgen_arm *arm, const float *x, const float *q, float *half)
+{
+    float most = 0.0f;
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        float off = q[i] - x[i];
+        off -= arm->joints[i].revolute ? DHGEN_TURN * floorf(off / DHGEN_TURN + 0.5f) : 0.0f;
+        most = fmaxf(most, fabsf(off) * sqrtf(arm->joints[i].weight));
+        half[i] = x[i] + 0.5f * off;
+    }
+    return most;
+}
+
+/* By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too. Returns
+ * the length of the miss, which tells the two apart [arm sizes, rad]. */
+DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const float *x, float *e)
+{
+    const float *const weights = arm->miss_weights;
+    float P[16], square = 0.0f;
+    arm->fk(x, P);
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0f ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0f;
+        e[3 + i] = 0.0f;
+        square += e[i] * e[i];
+    }
+    if (arm->task == DHGEN_POINTING) {
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
+            e[3 + i] = P[j] * T[k] - P[k] * T[j];
+            square += (P[j] - T[j]) * (P[j] - T[j]);
+        }
+    } else if (arm->task != DHGEN_COORDINATES) {
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]);
+        }
+    }
+    return sqrtf(square);
+}
+
+/* Takes the part that turns the tool about its z axis out of the Jacobian J. */
+DHGEN_FN void dhgen_ignore_spin(const struct dhgen_arm *arm, const float *x, float *J)
+{
+    const int dof = dhgen_dof(arm);
+    float P[16];
+    arm->fk(x, P);
+    for (int j = 0; j < dof; j++) {
+        float *spin = J + 3 * dof + j;
+        const float along = P[2] * spin[0] + P[6] * spin[dof] + P[10] * spin[2 * dof];
+        for (int i = 0; i < 3; i++)
+            spin[dof * i] -= along * P[4 * i + 2];
+    }
+}
+
+/* Adds the damped least-squares step for the miss e, which it uses up, to joint values of which
+ * some are held. The rows of the Jacobian, each with its share of the damping's root behind it, are
+ * made orthogonal one after another (modified Gram-Schmidt), twice where they are singular. */
+DHGEN_FN void dhgen_add_step(
+    const struct dhgen_arm *arm, const int *held, float damping, float *e, float *x)
+{
+    const int dof = dhgen_dof(arm), width = 6 + dof;
+    float A[6][6 + DHGEN_JOINTS] = { { 0.0f } }, square[6] = { 0.0f }, J[6 * DHGEN_JOINTS];
+    arm->jacobian(x, J);
+    if (arm->task == DHGEN_POINTING)
+        dhgen_ignore_spin(arm, x, J);
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < dof; j++)
+            A[i][j] = held[j] ? 0.0f : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];
+        A[i][dof + i] = sqrtf(damping + DHGEN_FINE);
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
+            float along = 0.0f;
+            for (int j = 0; j < width; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < width; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < width; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < dof; j++)
+            x[j] += e[i] / square[i] * A[i][j] * arm->joints[j].pace;
+    }
+}
+
+/* Where the joint that is farthest past an end of its range is, or -1; `past` is how far. */
+DHGEN_FN int dhgen_farthest_past(const struct dhgen_arm *arm, const float *x, float *past)
+{
+    int worst = -1;
+    *past = 0.0f;
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        const float off = dhgen_moves(arm, i) ? dhgen_past_an_end(arm, i, x[i]) : 0.0f;
+        if (fabsf(off) > fabsf(*past)) {
+            worst = i;
+            *past = off;
+        }
+    }
+    return worst;
+}
+
+/* Takes joint values to some not farther than `most` that miss the pose by less than `enough`; if
+ * that is NaN, to some inside their limits that miss it hardly more. Returns whether it can. Goes
+ * on while that gains, first by short steps. */
+DHGEN_FN int dhgen_refine(
+    const struct dhgen_arm *arm, const float *T, float enough, float most, float *q)
+{
+    float x[DHGEN_JOINTS], half[DHGEN_JOINTS], e[6], last = HUGE_VALF;
+    const int clamps = isnan(enough) != 0;
+    int moves = 0, refined = 0, lost = 0, held[DHGEN_JOINTS] = { 0 };
+    dhgen_copy_row(arm, q, x);
+    for (int k = 0; k < DHGEN_STEPS; k++) {
+        float miss = dhgen_miss(arm, T, x, e), past = 0.0f;
+        if (isnan(enough))
+            enough = miss + DHGEN_CLAMPED;
+        const int worst = clamps && miss < enough ? dhgen_farthest_past(arm, x, &past) : -1;
+        if (worst >= 0) { /* one by one: others may follow it inside, or the first the second */
+            moves++;
+            for (int i = 0; i < dhgen_dof(arm); i++)
+                held[i] = i == worst || (held[i] && moves != 2);
+            last = HUGE_VALF;
+            x[worst] -= past;
+            miss = dhgen_miss(arm, T, x, e);
+        }
+        if (miss < enough) {
+            dhgen_copy_row(arm, x, q);
+            refined = 1;
+            enough = 0.5f * miss;
+        } else if (refined
+            || (miss > fmaxf(DHGEN_SLOW * last, DHGEN_NEAR_ENOUGH * enough)
+                && ++lost == DHGEN_IN_VAIN)) {
+            break;
+        }
+        last = miss;
+        const int cautious = lost == 0 && miss > DHGEN_NEAR_ENOUGH * enough;
+        dhgen_add_step(arm, held, (cautious ? DHGEN_CAUTIOUS : DHGEN_DAMPING * miss) * miss, e, x);
+        if (!(dhgen_half_way(arm, x, q, half) <= most))
+            break; /* another solution */
+    }
+    return refined;
+}
+
+/* Clamps joint values to the ends of ranges that they are past or, as two may not be there at once,
+ * takes them inside. Returns whether it can. */
+DHGEN_FN int dhgen_refine_inside(
+    const struct dhgen_arm *arm, const float *T, float most, float *q)
+{
+    float x[DHGEN_JOINTS], e[6];
+    if (dhgen_refine(arm, T, DHGEN_NAN, most, q))
+        return 1;
+    if (!arm->winds)
+        return 0;
+    int past = 0;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        past += dhgen_moves(arm, i) && fabsf(dhgen_past_an_end(arm, i, q[i])) > 0.0f;
+    const float enough = dhgen_miss(arm, T, q, e) + DHGEN_CLAMPED;
+    for (float farther = DHGEN_NEXT_INSIDE; past > 1 && farther <= DHGEN_FARTHEST_INSIDE;
+         farther *= 2.0f) {
+        for (int i = 0; i < dhgen_dof(arm); i++)
+            x[i] = q[i] - (dhgen_moves(arm, i) ? farther : 0.0f) * dhgen_past_an_end(arm, i, q[i]);
+        if (!dhgen_refine(arm, T, enough, most, x) || dhgen_past_ends(arm, x) > 0.0f)
+            continue;
+        dhgen_copy_row(arm, x, q);
+        return 1;
+    }
+    return 0;
+}
+
+/* Joints that move by more on their way to a limit lead to another solution [rad, arm sizes]: a
+ * nearly straight wrist turns far for next to nothing. */
+#define DHGEN_MOST_CLAMPED 1.5f
+/* From half way to one solution steps lead no farther than so many times the whole way. */
+#define DHGEN_HALF_WAY_ASIDE 0.25f
+
+/* Clamps the joints of a row that exceed their limits, by little or `far`. Returns whether it can:
+ * the result must be the same solution, so the middle must also solve the pose, and no row with a
+ * smaller violation may lie closer. */
+DHGEN_FN int dhgen_clamp_to_limits(const struct dhgen_arm *arm, const float *T, int row, int far,
+    float *rows, const unsigned char *status)
+{
+    float x[DHGEN_JOINTS], half[DHGEN_JOINTS], to[DHGEN_JOINTS];
+    float *const q = rows + dhgen_dof(arm) * row;
+    const float beyond = dhgen_past_ends(arm, q);
+    if (!(0.0f < beyond && (far || beyond < DHGEN_DOUBTFUL)))
+        return 0;
+    dhgen_copy_row(arm, q, x);
+    if (!dhgen_refine_inside(arm, T, far ? HUGE_VALF : DHGEN_MOST_CLAMPED, x))
+        return 0;
+    const float off = dhgen_half_way(arm, q, x, half);
+    for (int k = 0; k < dhgen_rows(arm); k++) {
+        const float *const other = rows + dhgen_dof(arm) * k;
+        if (status[k] != DHGEN_UNREACHABLE && dhgen_past_ends(arm, other) < beyond
+            && dhgen_half_way(arm, other, x, to) < off)
+            return 0;
+    }
+    if (off >= DHGEN_TOGETHER
+        && !dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_HALF_WAY_ASIDE * off, half))
+        return 0;
+    dhgen_copy_row(arm, x, q);
+    return 1;
+}
+/* Rows that are one solution: branches that meet come out apart by rounding where one root follows
+ * another. */
+
+
+/* The damping of steps that leave singular directions alone, and how many are made. */
+#define DHGEN_SINGULAR 1e-13f
+#define DHGEN_STEPS_TO_DOUBLE 3
+
+/* Whether two rows are one solution: half way between them the arm is singular, and solves the
+ * pose. */
+DHGEN_FN int dhgen_are_duplicates(
+    const struct dhgen_arm *arm, const float *T, const float *q, const float *other)
+{
+    const int held[DHGEN_JOINTS] = { 0 };
+    float half[DHGEN_JOINTS], e[6];
+    if (!(dhgen_half_way(arm, q, other, half) < DHGEN_TOGETHER) || isnan(half[0]))
+        return 0;
+    for (int i = 0; i < DHGEN_STEPS_TO_DOUBLE; i++) {
+        dhgen_miss(arm, T, half, e);
+        dhgen_add_step(arm, held, DHGEN_SINGULAR, e, half);
+    }
+    return dhgen_miss(arm, T, half, e) <= DHGEN_MERGE;
+}
+
+/* Empties rows that rounding alone tells from earlier ones. Where roots follow roots each row is
+ * refined first, and emptied if that leads to no solution. */
+DHGEN_FN void dhgen_remove_duplicates(
+    const struct dhgen_arm *arm, const float *T, float *q, unsigned char *status)
+{
+    const int dof = dhgen_dof(arm);
+    for (int row = 0; row < dhgen_rows(arm); row++) {
+        float *const values = q + dof * row, e[6];
+        int ends = arm->refines && dhgen_miss(arm, T, values, e) > DHGEN_PROMISED
+            && !dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_BESIDE_SEED, values);
+        for (int k = 0; k <= row; k++) {
+            if (k > 0)
+                ends = dhgen_are_duplicates(arm, T, q + dof * (k - 1), values);
+            for (int i = 0; i < dof && ends; i++) {
+                status[row] = DHGEN_UNREACHABLE;
+                values[i] = DHGEN_NAN;
+            }
+        }
+    }
+}
+/* Where the seed solves the pose with other joint values than the rows, and rounding can't tell the
+ * solutions apart, the arm may as well go on with the seed's. */
+
+
+/* Half way to two rows as much is missed if by no more than so many times: then rounding says which
+ * is least, and not alike in all languages. The first row is taken. */
+#define DHGEN_ALIKE 2.0f
+
+/* Takes joint values to the solution next to the seed that keeps the caller's values and, where
+ * joints are clamped, limits. Returns whether there is one. */
+DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *seed, float *x)
+{
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        float here = seed[i];
+        if (arm->winds && !(fabsf(dhgen_past_an_end(arm, i, here)) <= DHGEN_BESIDE_SEED))
+            here = dhgen_turned(arm, i, here, here);
+        x[i] = arm->clamps ? here - dhgen_past_an_end(arm, i, here) : here;
+    }
+    for (int k = 0; k < arm->given_joint_count; k++)
+        x[arm->given_joints[k]] = free_joints[k];
+    if (!dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_BESIDE_SEED, x))
+        return 0;
+    return !(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
+        || dhgen_refine_inside(arm, T, DHGEN_BESIDE_SEED, x);
+}
+
+/* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one
+ * as good, one left, or any. */
+DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *seed, float *q, unsigned char *status)
+{
+    const int dof = dhgen_dof(arm);
+    float x[DHGEN_JOINTS], half[DHGEN_JOINTS], e[6], least = HUGE_VALF, nearest = DHGEN_TOGETHER;
+    int place = 0;
+    if (!dhgen_beside_seed(arm, T, free_joints, seed, x))
+        return;
+    for (int row = dhgen_rows(arm) - 1; row >= 0; row--) {
+        float between = DHGEN_FAMILY;
+        if (status[row] != DHGEN_UNREACHABLE) {
+            const float off = dhgen_half_way(arm, x, q + dof * row, half);
+            between = 0.0f;
+            if (!(arm->clamps && off < DHGEN_TOGETHER))
+                between = fmaxf(dhgen_miss(arm, T, half, e), DHGEN_EXACT);
+            if (off < nearest) {
+                nearest = off;
+                place = row;
+                least = -1.0f; /* its own */
+            }
+        }
+        if (between <= DHGEN_ALIKE * least)
+            place = row;
+        least = fminf(least, between);
+    }
+    if (least >= 0.0f)
+        status[place] = DHGEN_FREE_JOINT;
+    if (nearest > DHGEN_APART_BY || (arm->clamps && dhgen_past_ends(arm, q + dof * place) > 0.0f))
+        dhgen_copy_row(arm, x, q + dof * place);
+}
+/* Reading poses: what is none is told, and a rotation that is only rounded becomes the nearest. */
+
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+DHGEN_FN float dhgen_misfit(const float *T)
+{
+    const float x0 = T[0], x1 = T[1], x2 = T[2];
+    const float y0 = T[4], y1 = T[5], y2 = T[6];
+    const float xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const float yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const float xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const float zx = x1 * y2 - x2 * y1 - T[8];
+    const float zy = x2 * y0 - x0 * y2 - T[9];
+    const float zz = x0 * y1 - x1 * y0 - T[10];
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz;
+}
+
+/* Takes one step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, N. J.
+ * Higham, Computing the polar decomposition, 1986). */
+DHGEN_FN void dhgen_straighten(float *T)
+{
+    float G[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[i][j] = (i == j ? 1.5f : 0.0f)
+                - 0.5f * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (float *row = T; row < T + 12; row += 4) {
+        const float x = row[0], y = row[1], z = row[2];
+        for (int j = 0; j < 3; j++)
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
+}
+
+/* Whether a number may be used: it is finite, and where a joint slides so are its square and sums
+ * of those, as its cube is. */
+DHGEN_FN int dhgen_usable(const struct dhgen_arm *arm, float number)
+{
+    return isfinite(arm->slides ? number * number * number : number) != 0;
+}
+
+/* Makes the tool's z axis one long. Returns 0 where it is none, 1 where it was, 2 where it is now.
+ */
+DHGEN_FN int dhgen_read_approach(float *T)
+{
+    const float square = T[2] * T[2] + T[6] * T[6] + T[10] * T[10];
+    const float miss = (square - 1.0f) * (square - 1.0f);
+    if (!(miss <= DHGEN_ROUNDED))
+        return 0;
+    if (miss <= DHGEN_ORTHONORMAL)
+        return 1;
+    const float length = sqrtf(square);
+    T[2] /= length;
+    T[6] /= length;
+    T[10] /= length;
+    return 2;
+}
+
+/* Makes the rotation one. Returns 0 where it is none, 1 where it was, 2 where it is now. */
+DHGEN_FN int dhgen_read_rotation(float *T)
+{
+    const float miss = dhgen_misfit(T);
+    if (!(miss <= DHGEN_ROUNDED))
+        return 0;
+    if (miss <= DHGEN_ORTHONORMAL)
+        return 1;
+    dhgen_straighten(T);
+    dhgen_straighten(T);
+    return 2;
+}
+
+/* Copies a pose; directions that are only rounded are put right. Returns 0 for what is no pose, 1
+ * for what was one, 2 for what was rounded. */
+DHGEN_FN int dhgen_read_pose(const struct dhgen_arm *arm, const float *given, float *T)
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    for (int i = 0; i < 3; i++)
+        if (arm->miss_weights[i] > 0.0f && !dhgen_usable(arm, T[4 * i + 3]))
+            return 0;
+    if (arm->task == DHGEN_POSE
+        && !(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= DHGEN_LAST_ROW))
+        return 0;
+    if (arm->task == DHGEN_POINTING)
+        return dhgen_read_approach(T);
+    return arm->task == DHGEN_COORDINATES ? 1 : dhgen_read_rotation(T);
+}
+/* Other values of free joints: the solver took the seed's, and they lead to no solution, or beyond
+ * limits. */
+
+
+/* Values of a free joint that are tried to each side of the first. */
+#define DHGEN_HALF_FAN 32
+/* How far a joint is moved whose angle has few digits [rad]: from rounding, doubled again and
+ * again. */
+#define DHGEN_LEAST_MOVE 1e-15f
+#define DHGEN_MOST_MOVE 0.1f
+/* Halvings until an interval of a turn is as small as rounding. */
+#define DHGEN_HALVINGS 52
+/* Where golden section cuts an interval: (3 - root of 5) / 2. */
+#define DHGEN_GOLDEN 0.38196602f
+/* Turns of joints that may have to be chosen together. */
+#define DHGEN_TURNS_TOGETHER 12
+/* How far a joint is moved to see which others move with it [rad or length]. */
+#define DHGEN_ELSEWHERE 0.1f
+
+/* A row that another value of a free joint may solve, and what solving again needs. */
+struct dhgen_search {
+    const struct dhgen_arm *arm;
+    const float *T, *free_joints;
+    float seed[DHGEN_JOINTS], start, q[DHGEN_BRANCHES * DHGEN_JOINTS];
+    unsigned char status[DHGEN_BRANCHES];
+    int joint, row;
+    int within;      /* whether limits count */
+    float best, at; /* where the arm came nearest */
+    float by;       /* how far roots are moved */
+};
+
+/* Makes a search ready for a row. */
+DHGEN_FN void dhgen_start_search(struct dhgen_search *s, const struct dhgen_arm *arm,
+    const float *T, const float *free_joints, int row)
+{
+    s->arm = arm;
+    s->T = T;
+    s->free_joints = free_joints;
+    s->joint = 0;
+    s->row = row;
+    s->within = 0;
+    s->start = s->at = s->by = 0.0f;
+    s->best = -HUGE_VALF;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        s->seed[i] = 0.0f;
+    for (int i = 0; i < dhgen_dof(arm) * dhgen_rows(arm); i++)
+        s->q[i] = 0.0f;
+}
+
+/* The joint values of the row that is searched. */
+DHGEN_FN float *dhgen_found_row(struct dhgen_search *s)
+{
+    return s->q + dhgen_dof(s->arm) * s->row;
+}
+
+/* By how much joint values miss the entries of a pose that count: the root of the sum of squares.
+ */
+DHGEN_FN float dhgen_missed_by(const struct dhgen_arm *arm, const float *T, const float *q)
+{
+    float reached[16], sum = 0.0f;
+    arm->fk(q, reached);
+    for (int k = 0; k < arm->entry_count; k++) {
+        const int i = arm->entries[k];
+        const float off = (reached[i] - T[i]) * (i % 4 == 3 ? arm->per_length : 1.0f);
+        sum += off * off;
+    }
+    return sqrtf(sum);
+}
+
+/* How far the row is from a solution: 0 if it is solved, else less. One that misses the pose, be it
+ * by less than is allowed, is nearer than any out of reach. */
+DHGEN_FN float dhgen_shortfall(struct dhgen_search *s)
+{
+    const float *const q = dhgen_found_row(s);
+    const int status = s->status[s->row], ended = status >= DHGEN_LOST;
+    if (status == DHGEN_UNREACHABLE)
+        return -HUGE_VALF;
+    if (!s->arm->checks)
+        return ended ? q[0] : 0.0f;
+    if (ended && q[0] < 0.0f)
+        return q[0] - 1.0f;
+    const float miss = ended ? q[0] : dhgen_missed_by(s->arm, s->T, q);
+    return miss <= DHGEN_FREE ? 0.0f : -miss / (1.0f + miss);
+}
+
+/* Solves with the joint moved. Returns 0 if that solves the row, else less. */
+DHGEN_FN float dhgen_attempt(struct dhgen_search *s, float moved)
+{
+    s->seed[s->joint] = s->start + moved;
+    for (int i = 0; i < dhgen_rows(s->arm); i++)
+        s->status[i] = DHGEN_UNREACHABLE;
+    s->arm->solve(s->T, s->free_joints, s->seed, s->by, s->q, s->status);
+    const float result = dhgen_shortfall(s);
+    if (result > s->best) {
+        s->best = result;
+        s->at = s->seed[s->joint];
+    }
+    if (result == 0.0f && s->within)
+        return -dhgen_beyond_limits(s->arm, dhgen_found_row(s));
+    return result;
+}
+
+/* Whether the row was solved, as exactly as poses may be rounded. */
+DHGEN_FN int dhgen_works(struct dhgen_search *s)
+{
+    const int status = s->status[s->row];
+    if (s->within && dhgen_beyond_limits(s->arm, dhgen_found_row(s)) > 0.0f)
+        return 0;
+    return status != DHGEN_UNREACHABLE && status < DHGEN_LOST;
+}
+
+/* A move between two that works, by golden section, or NaN. */
+DHGEN_FN float dhgen_summit(struct dhgen_search *s, float low, float high)
+{
+    for (int k = 0; k < s->arm->cuts; k++) {
+        const float third = DHGEN_GOLDEN * (high - low);
+        const float left = dhgen_attempt(s, low + third), right = dhgen_attempt(s, high - third);
+        if (left == 0.0f || right == 0.0f)
+            return left == 0.0f ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    /* where branches meet this one has no solution of its own */
+    if (!s->arm->retries || isinf(dhgen_attempt(s, low - DHGEN_LIMIT))
+        || isinf(dhgen_attempt(s, high + DHGEN_LIMIT)))
+        return DHGEN_NAN;
+    dhgen_attempt(s, low);
+    return dhgen_works(s) ? low : DHGEN_NAN;
+}
+
+/* The end of the values that work, between a move that may not and one that does, by bisection. */
+DHGEN_FN float dhgen_nearest_end(struct dhgen_search *s, float inner, float outer)
+{
+    for (int i = 0; i < DHGEN_HALVINGS; i++) {
+        const float middle = 0.5f * (inner + outer);
+        if (dhgen_attempt(s, middle) == 0.0f)
+            outer = middle;
+        else
+            inner = middle;
+    }
+    return outer;
+}
+
+/* How far a free joint has to be moved from the seed's value until it works, or NaN: a fan of
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. One that
+ * is exact comes before all others. */
+DHGEN_FN float dhgen_working_value(struct dhgen_search *s)
+{
+    const float step = s->arm->joints[s->joint].fan_step;
+    if (dhgen_attempt(s, 0.0f) == 0.0f)
+        return 0.0f;
+    float nearest = DHGEN_NAN, before, here = -HUGE_VALF;
+    float after = dhgen_attempt(s, -(float)DHGEN_HALF_FAN * step);
+    int exactly = 0;
+    for (int k = -DHGEN_HALF_FAN; k <= DHGEN_HALF_FAN; k++) {
+        before = here;
+        here = after;
+        after = dhgen_attempt(s, (float)(k + 1) * step);
+        float outer = (float)k * step, inner = 0.0f;
+        if (k != 0)
+            inner = k > 0 ? outer - step : outer + step;
+        if (here < 0.0f && here >= before && here > after)
+            outer = dhgen_summit(s, outer - step, outer + step);
+        else if (here < 0.0f || (k > 0 ? before : after) == 0.0f)
+            continue;
+        if (isnan(outer))
+            continue;
+        if (s->arm->checks) {
+            const int exact = !(dhgen_attempt(s, outer) < 0.0f);
+            if (exact < exactly)
+                continue;
+            if (exact > exactly)
+                nearest = DHGEN_NAN;
+            exactly = exact;
+        }
+        outer = dhgen_nearest_end(s, inner, outer);
+        if (!(fabsf(outer) >= fabsf(nearest) - DHGEN_LIMIT))
+            nearest = outer;
+    }
+    return nearest;
+}
+
+/* How far a joint has to be moved whose angle had few digits, so that the arm could not reach, or
+ * NaN: the nearest that works, also where the arm just reaches (an elbow is stretched). While it is
+ * right up to rounding of what it was taken from, `solve` takes it as its own. */
+DHGEN_FN float dhgen_working_digits(struct dhgen_search *s)
+{
+    float before[2] = { -HUGE_VALF, -HUGE_VALF };
+    int past[2] = { 0, 0 };
+    for (float moved = DHGEN_LEAST_MOVE; moved < DHGEN_MOST_MOVE; moved *= 2.0f)
+        for (int way = 0; way < 2; way++) {
+            const float there = way ? -moved : moved, here = dhgen_attempt(s, there);
+            if (here == 0.0f)
+                return there;
+            if (here < 2.0f * before[way] && !past[way]++) {
+                const float top = dhgen_summit(s, 0.25f * there, there);
+                if (!isnan(top))
+                    return top;
+            }
+            before[way] = here;
+        }
+    return DHGEN_NAN;
+}
+
+/* How far the last of several free joints has to be moved where none works alone, or NaN: in turn
+ * each goes to where the arm came nearest. */
+DHGEN_FN float dhgen_working_together(struct dhgen_search *s)
+{
+    const struct dhgen_arm *const arm = s->arm;
+    float working = DHGEN_NAN, before = -HUGE_VALF;
+    for (int k = 0; k < DHGEN_TURNS_TOGETHER && isnan(working) && s->best > before; k++) {
+        before = s->best;
+        s->seed[s->joint] = s->at;
+        s->joint = arm->together[k % arm->together_count];
+        s->start = s->at = s->seed[s->joint];
+        working = dhgen_working_value(s);
+    }
+    return working;
+}
+
+/* Where the values of a joint begin that are tried: angles in the first turn, slides inside their
+ * strokes, as they are tried as far as these. */
+DHGEN_FN float dhgen_first_value(const struct dhgen_arm *arm, int joint, float value)
+{
+    if (arm->joints[joint].revolute)
+        return fmodf(value, DHGEN_TURN);
+    return arm->keeps_limits ? value - dhgen_overshoot(arm, joint, value) : value;
+}
+
+/* Retries a row that was lost after a joint had been chosen: another value of this joint, if one
+ * works. */
+DHGEN_FN void dhgen_retry_free_joint(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *seed, int row, float *q, unsigned char *status)
+{
+    const int nearly = status[row] > DHGEN_NEARLY;
+    float *const values = q + dhgen_dof(arm) * row;
+    struct dhgen_search lost;
+    dhgen_start_search(&lost, arm, T, free_joints, row);
+    lost.joint = status[row] - (nearly ? DHGEN_NEARLY : DHGEN_LOST) - 1;
+    dhgen_copy_row(arm, seed, lost.seed);
+    lost.start = dhgen_first_value(arm, lost.joint, nearly ? values[1] : seed[lost.joint]);
+    float nearest = nearly ? dhgen_working_digits(&lost) : dhgen_working_value(&lost);
+    if (isnan(nearest) && !nearly && arm->together_count > 0)
+        nearest = dhgen_working_together(&lost);
+    dhgen_attempt(&lost, isnan(nearest) ? 0.0f : nearest);
+    const int works = !isnan(nearest) && dhgen_works(&lost);
+    status[row] = DHGEN_UNREACHABLE;
+    if (works)
+        status[row] = lost.status[row];
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        values[i] = works ? dhgen_found_row(&lost)[i] : DHGEN_NAN;
+}
+
+/* Whether a joint beyond its limits does not move with the one that is searched. */
+DHGEN_FN int dhgen_is_hopeless(struct dhgen_search *s)
+{
+    struct dhgen_search other = *s;
+    dhgen_attempt(s, 0.0f);
+    dhgen_attempt(&other, DHGEN_ELSEWHERE);
+    if (dhgen_shortfall(s) < 0.0f || dhgen_shortfall(&other) < 0.0f)
+        return 0;
+    for (int i = 0; i < dhgen_dof(s->arm); i++) {
+        const float value = dhgen_found_row(s)[i];
+        const float moved = fabsf(value - dhgen_found_row(&other)[i]);
+        if (moved < DHGEN_LIMIT && fabsf(dhgen_overshoot(s->arm, i, value)) > 0.0f)
+            return 1;
+    }
+    return 0;
+}
+
+/* Retries a row where a free joint took the seed's value, and that puts one beyond its limits: the
+ * nearest value that keeps all limits, if there is one. Other free joints take the seed's value as
+ * far as their limits allow. */
+DHGEN_FN void dhgen_keep_limits(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *seed, int row, float *q, unsigned char *status)
+{
+    struct dhgen_search search;
+    dhgen_start_search(&search, arm, T, free_joints, row);
+    search.within = 1;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        search.seed[i] = seed[i] - dhgen_overshoot(arm, i, seed[i]);
+    for (int k = 0; k < arm->choosable_count; k++) {
+        const int joint = search.joint = arm->choosable[k];
+        const float inside = search.seed[joint];
+        search.start = arm->joints[joint].revolute ? fmodf(seed[joint], DHGEN_TURN) : inside;
+        const float nearest =
+            dhgen_is_hopeless(&search) ? DHGEN_NAN : dhgen_working_value(&search);
+        /* beside the solution of another row this one has none */
+        if (!isnan(nearest)
+            && (fabsf(nearest) >= DHGEN_APART_BY || !isinf(dhgen_attempt(&search, 0.0f)))) {
+            dhgen_attempt(&search, nearest);
+            status[row] = search.status[row];
+            dhgen_copy_row(arm, dhgen_found_row(&search), q + dhgen_dof(arm) * row);
+            return;
+        }
+        search.seed[joint] = inside;
+    }
+}
+
+/* Whether a pose and what else the caller gives can be used: 0 if not, 2 if the pose was rounded.
+ */
+DHGEN_FN int dhgen_read_input(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *seed, float *pose)
+{
+    for (int k = 0; k < arm->given; k++)
+        if (!dhgen_usable(arm, free_joints[k]))
+            return 0;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        if (!isfinite(seed[i]))
+            return 0;
+    return dhgen_read_pose(arm, T, pose);
+}
+
+/* The rows of a pose, before any of them is clamped to limits. */
+DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *seed, float *q, unsigned char *status)
+{
+    arm->solve(T, free_joints, seed, 0.0f, q, status);
+    int begun = arm->regular ? 0 : -1; /* regular poses left: equations may have ended all rows */
+    for (int row = dhgen_rows(arm) - 1; row >= 0; row--)
+        begun = status[row] == DHGEN_UNREACHABLE ? begun : row;
+    for (int row = 0; row < dhgen_rows(arm) && arm->retries; row++)
+        if (status[row] >= DHGEN_LOST)
+            dhgen_retry_free_joint(arm, T, free_joints, seed, row, q, status);
+    for (int row = 0; row < dhgen_rows(arm) && arm->keeps_limits; row++)
+        if (status[row] == DHGEN_FREE_JOINT
+            && dhgen_beyond_limits(arm, q + dhgen_dof(arm) * row) > 0.0f)
+            dhgen_keep_limits(arm, T, free_joints, seed, row, q, status);
+    if (arm->complete)
+        arm->complete(arm, T, free_joints, seed, begun, q, status);
+    if (arm->merges)
+        dhgen_remove_duplicates(arm, T, q, status);
+    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
+        for (int i = 0; i < dhgen_dof(arm); i++) {
+            float *const value = q + dhgen_dof(arm) * row + i;
+            *value = dhgen_at_an_end(arm, i, *value, seed[i]);
+        }
+    if (arm->follows_seed)
+        dhgen_follow_seed(arm, T, free_joints, seed, q, status);
+}
+
+/* Turns the joints of a row inside their limits. Returns whether all are. */
+DHGEN_FN int dhgen_turn_inside(const struct dhgen_arm *arm, float *q)
+{
+    int inside = 1;
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        const struct dhgen_joint *const of = arm->joints + i;
+        if (arm->clamps || arm->follows_seed)
+            q[i] = dhgen_turned(arm, i, q[i], dhgen_moves(arm, i) ? 0.0f : q[i]);
+        else if (!(of->lowest <= q[i] && q[i] <= of->highest))
+            q[i] = dhgen_turned(arm, i, q[i], q[i]);
+        inside &= dhgen_inside(arm, i, q[i]);
+    }
+    return inside;
+}
+
+/* Clamps rows to limits, from far away only where none is inside, and tells those that are not
+ * inside. Returns how many are. */
+DHGEN_FN int dhgen_end_rows(
+    const struct dhgen_arm *arm, const float *T, float *q, unsigned char *status)
+{
+    const int rows = dhgen_rows(arm);
+    int count = 0;
+    for (int n = 0; n < rows || (arm->clamps_far && n < 2 * rows && count == 0); n++) {
+        const int row = n % rows, far = n >= rows;
+        if (status[row] == DHGEN_UNREACHABLE)
+            continue;
+        if (arm->clamps && dhgen_clamp_to_limits(arm, T, row, far, q, status) && far)
+            status[row] = DHGEN_FREE_JOINT;
+        if (!dhgen_turn_inside(arm, q + dhgen_dof(arm) * row))
+            status[row] = DHGEN_OUT_OF_LIMITS;
+        count += status[row] != DHGEN_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+DHGEN_API int dhgen_careful_ik(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *q_seed, float *q, unsigned char *status)
+{
+    const float zeros[DHGEN_JOINTS] = { 0.0f }, *const seed = q_seed ? q_seed : zeros;
+    float pose[16];
+    const int valid = dhgen_read_input(arm, T, free_joints, seed, pose);
+    if (valid == 2 && arm->regular) {
+        const int count = arm->regular(pose, free_joints, q, status);
+        if (count >= 0)
+            return count;
+    }
+    for (int row = 0; row < dhgen_rows(arm); row++) {
+        status[row] = valid ? DHGEN_UNREACHABLE : DHGEN_INVALID_POSE;
+        for (int i = 0; i < dhgen_dof(arm); i++)
+            q[dhgen_dof(arm) * row + i] = DHGEN_NAN;
+    }
+    if (!valid)
+        return -DHGEN_INVALID_POSE;
+    dhgen_solve_rows(arm, pose, free_joints, seed, q, status);
+    return dhgen_end_rows(arm, pose, q, status);
+}
+
+/* Whether a row of a regular pose has a joint past an end of its range that was turned although the
+ * seed is at that end. */
+DHGEN_FN int dhgen_turned_away(const struct dhgen_arm *arm, const float *q_seed,
+    const float *rows, const unsigned char *status)
+{
+    int past = 0;
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        const struct dhgen_joint *const of = arm->joints + i;
+        if (!(fminf(of->highest - q_seed[i], q_seed[i] - of->lowest) < DHGEN_BESIDE_SEED))
+            continue;
+        for (int row = 0; row < dhgen_rows(arm); row++)
+            if (status[row] == DHGEN_OK) {
+                const float value = rows[dhgen_dof(arm) * row + i];
+                const float there = dhgen_at_an_end(arm, i, value, q_seed[i]);
+                past += dhgen_past_an_end(arm, i, there) != 0.0f;
+            }
+    }
+    return past > 0;
+}
+
+/* How far a row is from a seed, squared, after its angles have been turned near to it [rad, arm
+ * sizes]. */
+DHGEN_FN float dhgen_distance(const struct dhgen_arm *arm, const float *q_seed, float *q)
+{
+    float distance = 0.0f;
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        q[i] = dhgen_turned(arm, i, q[i], q_seed[i]);
+        const float moved = q[i] - q_seed[i];
+        distance += arm->joints[i].weight * moved * moved;
+    }
+    return distance;
+}
+
+DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const float *T,
+    const float *free_joints, const float *q_seed, int count, float *rows, unsigned char *status,
+    float *q)
+{
+    float found[DHGEN_JOINTS], least = HUGE_VALF;
+    int result = -DHGEN_UNREACHABLE, valid = count >= 0;
+    for (int i = 0; i < dhgen_dof(arm); i++) {
+        found[i] = DHGEN_NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    if (valid && arm->winds && arm->regular && dhgen_turned_away(arm, q_seed, rows, status))
+        (void)dhgen_careful_ik(arm, T, free_joints, q_seed, rows, status);
+    for (int row = 0; row < dhgen_rows(arm) && valid; row++) {
+        float *const values = rows + dhgen_dof(arm) * row;
+        if (status[row] == DHGEN_OUT_OF_LIMITS && result < 0)
+            result = -DHGEN_OUT_OF_LIMITS;
+        if (status[row] != DHGEN_OK && status[row] != DHGEN_FREE_JOINT)
+            continue;
+        const float distance = dhgen_distance(arm, q_seed, values);
+        if (distance < least || result < 0) {
+            least = distance;
+            result = status[row];
+            dhgen_copy_row(arm, values, found);
+        }
+    }
+    dhgen_copy_row(arm, found, q);
+    return valid ? result : -DHGEN_INVALID_POSE;
+}
+
+#endif
+/* Lanes: what the fast path computes with. `dhgen_wide` holds one number of each of DHGEN_LANES
+ * poses, `dhgen_four` one of each of four branches of one pose. They are GNU vectors where compiler
+ * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
+ * no `dhgen_four`. With -DDHGEN_LIBM the arctangents are those of <math.h>, too. */
+
+
+#if defined(__clang__)
+#define DHGEN_UNROLLED _Pragma("unroll")
+#elif defined(__GNUC__) && __GNUC__ >= 8
+#define DHGEN_UNROLLED _Pragma("GCC unroll 2")
+#else
+#define DHGEN_UNROLLED
+#endif
+
+#ifndef DHGEN_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+DHGEN_TABLE float dhgen_odd[11] = {
+    -0.33333334f,
+    0.2f,
+    -0.14285715f,
+    0.11111111f,
+    -0.09090905f,
+    0.07692183f,
+    -0.0666451f,
+    0.058581363f,
+    -0.050853834f,
+    0.039229743f,
+    -0.019174544f,
+};
+#endif
+
+/* The ends of a joint's range, with the slack of its limits. */
+DHGEN_INLINE float dhgen_low(const struct dhgen_joint *joint)
+{
+    return joint->lowest - joint->slack;
+}
+
+DHGEN_INLINE float dhgen_high(const struct dhgen_joint *joint)
+{
+    return joint->highest + joint->slack;
+}
+
+/* Numbers among lanes, by the names that those of lanes have. */
+typedef float dhgen_double;
+#define dhgen_sqrt_double sqrtf
+#define dhgen_abs_double fabsf
+#define dhgen_sin_double sinf
+#define dhgen_cos_double cosf
+
+DHGEN_INLINE float dhgen_maximum_double(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12)               \
+    && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM)
+#else
+/* Lanes that are single numbers. */
+
+#define DHGEN_LANES 1
+typedef float dhgen_wide;
+typedef int dhgen_wide_mask;
+
+/* Only what is chosen is computed: a function's arguments all would be. */
+#define dhgen_pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define dhgen_only_wide(m, x) ((m) ? (x) : 0.0f)
+
+#define dhgen_copysign_wide copysignf
+#define dhgen_signed_wide copysignf
+#define dhgen_abs_wide fabsf
+#define dhgen_sqrt_wide sqrtf
+#define dhgen_sin_wide sinf
+#define dhgen_cos_wide cosf
+#define dhgen_wrap_wide dhgen_wrap
+#define dhgen_maximum_wide dhgen_maximum_double
+
+DHGEN_INLINE float dhgen_all_wide(float x)
+{
+    return x;
+}
+
+DHGEN_INLINE int dhgen_where_wide(int truth)
+{
+    return truth;
+}
+
+DHGEN_INLINE float dhgen_minimum_wide(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+DHGEN_INLINE float dhgen_negated_wide(float x, float where)
+{
+    return x * copysignf(1.0f, where);
+}
+
+/* The status of a row: whether it has no solution, or one beyond limits. */
+DHGEN_INLINE int dhgen_kind_wide(float x)
+{
+    return -(x != x) & DHGEN_UNREACHABLE;
+}
+
+DHGEN_INLINE int dhgen_kind_within_wide(float x, int outside)
+{
+    return (-(x != x) & DHGEN_UNREACHABLE) | (-((x == x) & outside) & DHGEN_OUT_OF_LIMITS);
+}
+
+#define DHGEN_OF(name) dhgen_##name##_wide
+#define DHGEN_VECTOR dhgen_wide
+#define DHGEN_MASK dhgen_wide_mask
+#define DHGEN_ADDED(x, m, y) ((x) + dhgen_only_wide(m, 1.0f) * (y))
+/* Angles of lanes moved by a whole turn, and joint values and their limits, written once for all
+ * types: included for each of them, by files that say which (DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for
+ * names). */
+
+/* An angle moved to (-pi, pi] that may be below. */
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(raised)(DHGEN_VECTOR x)
+{
+    return x + DHGEN_OF(only)(x <= -DHGEN_HALF_TURN, DHGEN_TURN);
+}
+
+/* An angle moved to (-pi, pi] that may be above. */
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(lowered)(DHGEN_VECTOR x)
+{
+    return x - DHGEN_OF(only)(DHGEN_HALF_TURN < x, DHGEN_TURN);
+}
+
+/* An angle moved to (-pi, pi] that may be either. */
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(centred)(DHGEN_VECTOR x)
+{
+    return x
+        + DHGEN_OF(pick)(x <= -DHGEN_HALF_TURN, DHGEN_OF(all)(DHGEN_TURN),
+            DHGEN_OF(only)(DHGEN_HALF_TURN < x, -DHGEN_TURN));
+}
+
+/* How far a joint is beyond its limits; negative inside. */
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(beyond)(DHGEN_VECTOR x, const struct dhgen_joint *joint)
+{
+    return DHGEN_OF(maximum)(dhgen_low(joint) - x, x - dhgen_high(joint));
+}
+
+/* How far a joint is beyond its limits where these are alike on both sides. */
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(exceeds)(DHGEN_VECTOR x, const struct dhgen_joint *joint)
+{
+    return DHGEN_OF(abs)(x) - dhgen_high(joint);
+}
+
+/* Whether a joint that is so far beyond its limits may be so by rounding. */
+DHGEN_INLINE DHGEN_MASK DHGEN_OF(grazes)(DHGEN_VECTOR x)
+{
+    return DHGEN_OF(abs)(x - DHGEN_NEAR_LIMIT) <= DHGEN_NEAR_LIMIT;
+}
+#ifdef DHGEN_LIBM /* half the time of atan2 */
+DHGEN_INLINE float dhgen_atan2_wide(float y, float x)
 {
     return atanf(y / x) + copysignf(1.5707964f - copysignf(1.5707964f, x), y);
 }
 #else
-ARCTANGENT(wide)
+/* The arctangent of lanes, written once for all types: included for each of them, by files that say
+ * which (DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for names, DHGEN_ADDED(x, m, y) for x + y where m
+ * holds, else x).
+ *
+ * The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
+
+typedef struct {
+    DHGEN_VECTOR r, known, y;
+} DHGEN_OF(direction);
+
+DHGEN_INLINE DHGEN_OF(direction) DHGEN_OF(ratio)(DHGEN_VECTOR y, DHGEN_VECTOR x)
+{
+    const DHGEN_VECTOR ax = DHGEN_OF(abs)(x), ay = DHGEN_OF(abs)(y);
+    const DHGEN_MASK steep = ay > ax;
+    const DHGEN_VECTOR most = DHGEN_OF(maximum)(ay, ax), least = DHGEN_OF(minimum)(ax, ay);
+    const DHGEN_MASK turned = least > most * 0.41421357f;
+    const DHGEN_VECTOR ahead = DHGEN_OF(all)(0.7853982f);
+    const DHGEN_VECTOR half = DHGEN_OF(all)(1.5707964f);
+    const DHGEN_VECTOR part = DHGEN_OF(negated)(DHGEN_OF(pick)(steep, -ahead, ahead), x);
+    const DHGEN_VECTOR whole = DHGEN_OF(pick)(steep, half, half - 2.0f * part);
+    const DHGEN_VECTOR up = DHGEN_ADDED(least, turned, -most);
+    const DHGEN_VECTOR down = DHGEN_ADDED(most, turned, least);
+    DHGEN_OF(direction) of;
+    of.r = DHGEN_OF(negated)(up, part) / down;
+    of.known = DHGEN_ADDED(whole, turned, part);
+    of.y = y;
+    return of;
+}
+
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(angle)(DHGEN_OF(direction) of)
+{
+    const float *const odd = dhgen_odd;
+    const DHGEN_VECTOR r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const DHGEN_VECTOR p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const DHGEN_VECTOR p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const DHGEN_VECTOR p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const DHGEN_VECTOR p = p0 + (p4 + p8 * u4) * u4;
+    return DHGEN_OF(negated)((of.known + r) + r * u * p, of.y);
+}
+
+DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(atan2)(DHGEN_VECTOR y, DHGEN_VECTOR x)
+{
+    return DHGEN_OF(angle)(DHGEN_OF(ratio)(y, x));
+}
+#endif
+#undef DHGEN_OF
+#undef DHGEN_VECTOR
+#undef DHGEN_MASK
+#undef DHGEN_ADDED
 #endif
 
-MISFIT(wide, wide)
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+DHGEN_INLINE dhgen_wide dhgen_misfit_wide(const dhgen_wide *T)
 {
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+    const dhgen_wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const dhgen_wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const dhgen_wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const dhgen_wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const dhgen_wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const dhgen_wide zx = x1 * y2 - x2 * y1 - T[8];
+    const dhgen_wide zy = x2 * y0 - x0 * y2 - T[9];
+    const dhgen_wide zz = x0 * y1 - x1 * y0 - T[10];
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz;
 }
 
-/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
-#define TURNS(v) \
-HELPER v centred_##v(v x) \
-{ \
-    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
+/* How far the whole of a pose is from one, as a sum of squares; NaN if it is not finite. */
+DHGEN_INLINE dhgen_wide dhgen_pose_misfit_wide(const dhgen_wide *T)
+{
+    const dhgen_wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
+    return dhgen_misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3;
 }
 
-TURNS(wide)
+/* How far the tool's z axis is from one long. */
+DHGEN_INLINE dhgen_wide dhgen_approach_misfit_wide(const dhgen_wide *T)
+{
+    const dhgen_wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0f;
+    return zz * zz;
+}
+/* A robot's function for DHGEN_LANES poses, at work: on one pose where lanes are single numbers,
+ * and on the poses of a batch side by side. */
 
 
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
+/* Joint values, NaN without a solution, statuses, and whether a pose needs care. */
+typedef dhgen_wide_mask dhgen_solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind);
+
+#if DHGEN_LANES > 1
+
+/* Writes the statuses of a tile: those of a pose, in words of up to eight. */
+DHGEN_INLINE void dhgen_store_kinds(dhgen_wide_mask *kind, unsigned char *status)
+{
+    for (int first = 0; first < DHGEN_ROWS; first += 8) {
+        const int size = DHGEN_ROWS - first < 8 ? DHGEN_ROWS - first : 8;
+        for (int i = 1; i < size; i++)
+            kind[first] |= kind[first + i] << 8 * i;
+        for (int k = 0; k < DHGEN_LANES; k++) {
+            const long long word = kind[first][k];
+            __builtin_memcpy(status + DHGEN_ROWS * k + first, &word, (size_t)size);
+        }
+    }
+}
+
+/* Solves DHGEN_LANES poses of a batch. Returns a bit for each that needs care. */
+DHGEN_ALWAYS
+DHGEN_INLINE unsigned dhgen_solve_tile(dhgen_solve_wide *solve_wide, int given, const float *T,
+    const float *free_joints, float *q, unsigned char *status)
+{
+    enum { SIZE = DHGEN_ROWS * DHGEN_DOF };
+    dhgen_wide pose[16], found[SIZE], x[DHGEN_LANES], held[DHGEN_DOF];
+    dhgen_wide_mask kind[DHGEN_ROWS];
+    for (int i = 0; i < given; i++)
+        for (int k = 0; k < DHGEN_LANES; k++)
+            held[i][k] = free_joints[given * k + i];
+    for (int i = 0; i < 16; i += DHGEN_LANES) {
+        for (int k = 0; k < DHGEN_LANES; k++)
+            x[k] = *(const dhgen_wide_at *)(T + 16 * k + i);
+        dhgen_transpose(x);
+        for (int k = 0; k < DHGEN_LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const dhgen_wide_mask left = solve_wide(pose, given ? held : NULL, found, kind);
+#if DHGEN_ROWS * DHGEN_DOF >= DHGEN_LANES
+    for (int i = 0; i < SIZE; i += DHGEN_LANES) {
+        const int from = i + DHGEN_LANES <= SIZE ? i : SIZE - DHGEN_LANES;
+        for (int k = 0; k < DHGEN_LANES; k++)
+            x[k] = found[from + k];
+        dhgen_transpose(x);
+        for (int k = 0; k < DHGEN_LANES; k++)
+            *(dhgen_wide_at *)(q + SIZE * k + from) = x[k];
+    }
+#else
+    for (int i = 0; i < SIZE; i++)
+        for (int k = 0; k < DHGEN_LANES; k++)
+            q[SIZE * k + i] = found[i][k];
+#endif
+    dhgen_store_kinds(kind, status);
+    return dhgen_bits_wide(left);
+}
+
+/* All solutions of the poses of a batch. */
+DHGEN_ALWAYS
+DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *solve_wide,
+    int given, size_t n, const float *T, const float *free_joints, float *q,
+    unsigned char *status)
+{
+    enum { SIZE = DHGEN_ROWS * DHGEN_DOF };
+    const size_t count = (size_t)given;
+    size_t k = 0;
+    for (; k + DHGEN_LANES <= n; k += DHGEN_LANES) {
+        const float *const held = given ? free_joints + count * k : NULL;
+        unsigned left = dhgen_solve_tile(
+            solve_wide, given, T + 16 * k, held, q + SIZE * k, status + DHGEN_ROWS * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                dhgen_ik_each(arm, i, i + 1, T, free_joints, q, status);
+    }
+    dhgen_ik_each(arm, k, n, T, free_joints, q, status);
+}
+
+#else
+
+/* One regular pose. Returns how many rows are OK, or -1 if it needs care. */
+DHGEN_ALWAYS
+DHGEN_INLINE int dhgen_solve_one(dhgen_solve_wide *solve_wide, const float *T,
+    const float *free_joints, float *q, unsigned char *status)
+{
+    dhgen_wide_mask kind[DHGEN_ROWS];
+    int count = 0;
+    if (solve_wide(T, free_joints, q, kind))
+        return -1;
+    for (int row = 0; row < DHGEN_ROWS; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == DHGEN_OK;
+    }
+    return count;
+}
+
+/* All solutions of the poses of a batch. */
+DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *solve_wide,
+    int given, size_t n, const float *T, const float *free_joints, float *q,
+    unsigned char *status)
+{
+    (void)solve_wide;
+    (void)given;
+    dhgen_ik_each(arm, 0, n, T, free_joints, q, status);
+}
+
+#endif
+
+#if DHGEN_INTERFACE != 1
+#error "ur5_f32.c and the folder dhgen/ are of different versions: run dhgen robots/ur5.yaml"
+#endif
+
 static const float
     d1 = 0.089159f, /* joint offset 1 [m] */
     a2 = -0.425f, /* link length 2 [m] */
@@ -177,15 +1677,15 @@ const char *const ur5_f32_branches[8] = {
     "right-noflip-up", "right-flip-down", "right-flip-up",
 };
 
-static const float lowest[6] = {
-    -6.2831855f, -6.2831855f, -6.2831855f, -6.2831855f,
-    -6.2831855f, -6.2831855f,
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
+    { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
+    { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
+    { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
+    { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
+    { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
 };
-static const float highest[6] = {
-    6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f,
-    6.2831855f,
-};
-#define slack(joint) 2e-06f /* of limits */
 
 void ur5_f32_fk(const float q[6], float T[16])
 {
@@ -242,196 +1742,14 @@ void ur5_f32_jacobian(const float q[6], float J[36])
     J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = 0.0f; J[34] = z4_z; J[35] = -v6;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(float T[16])
-{
-    float G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5f : 0.0f)
-                - 0.5f * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (float *row = T; row < T + 12; row += 4) {
-        const float x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const float given[16], float T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
-        return 0;
-    const float miss = misfit_one(T);
-    if (!(miss <= 1e-09f))
-        return 0;
-    if (miss <= 1e-12f)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static float overshoot(int joint, float value)
-{
-    const float low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0f;
-    const float gap = turn - (high - low), over = value - high;
-    const float rest = over - turn * floorf(over / turn);
-    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
-}
-
-/* The same of a row. */
-static float beyond_limits(const float values[6])
-{
-    float sum = 0.0f;
-    for (int i = 0; i < 6; i++)
-        sum += fabsf(overshoot(i, values[i]));
-    return sum;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0f / N1, v2 = inverse1 * (d4 * wy),
-        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d4 * X1),
-        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5,
-        angle1 = atan2_wide(s1_p, -v3), angle2 = atan2_wide(s1_m, -v4);
-
-    /* theta6 */
-    const wide v6 = v3 * T21 + s1_p * T11, v7 = v4 * T21 + s1_m * T11, v8 = v3 * T22 + s1_p * T12,
-        v9 = v4 * T22 + s1_m * T12, v10 = v6 * v6 + v8 * v8, v11 = v7 * v7 + v9 * v9,
-        w6_p = sqrt_wide(v10), w6_m = sqrt_wide(v11), v12 = 1.0f / v10, v13 = 1.0f / v11,
-        angle3 = atan2_wide(-v8, v6), angle4 = atan2_wide(-v9, v7);
-
-    /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v3, c5_m = T13 * s1_m + T23 * v4,
-        angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
-
-    /* theta234 */
-    const wide v14 = v12 * (v6 * T32 - v8 * T31), v15 = v13 * (v7 * T32 - v9 * T31),
-        c234_p = w6_p * v14, c234_m = w6_m * v15, v16 = v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33,
-        v17 = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33, s234_p = w6_p * v16, s234_m = w6_m * v17,
-        angle7 = atan2_wide(v16, v14), angle8 = atan2_wide(v17, v15),
-        theta234_pm = angle7 - signed_wide(half_turn, v16),
-        theta234_mm = angle8 - signed_wide(half_turn, v17);
-
-    /* theta3 */
-    const wide v18 = d6 * w6_p, v19 = d6 * w6_m, v20 = T34 - d1, v21 = d5 * c234_p,
-        v22 = d5 * c234_m, v23 = s234_p * v18, v24 = s234_m * v19, Z1_3_pp = v20 + (v21 + v23),
-        Z1_3_pm = v20 + (v23 - v21), Z1_3_mp = v20 + (v22 + v24), Z1_3_mm = v20 + (v24 - v22),
-        v25 = T24 * s1_p - T14 * v3, v26 = T24 * s1_m - T14 * v4, v27 = c234_p * v18,
-        v28 = c234_m * v19, v29 = d5 * s234_p, v30 = d5 * s234_m, Z2_3_pp = v25 + (v27 - v29),
-        Z2_3_pm = v25 + (v27 + v29), Z2_3_mp = v26 + (v28 - v30), Z2_3_mm = v26 + (v28 + v30),
-        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
-        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
-        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
-        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
-        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
-        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
-        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = sqrt_wide(D3_pp),
-        w3_pm = sqrt_wide(D3_pm), w3_mp = sqrt_wide(D3_mp), w3_mm = sqrt_wide(D3_mm),
-        v31 = w3_pp - w3_pp, v32 = w3_pm - w3_pm, v33 = w3_mp - w3_mp, v34 = w3_mm - w3_mm,
-        angle9 = atan2_wide(w3_pp, N3_pp - k5), angle10 = atan2_wide(w3_pm, N3_pm - k5),
-        angle11 = atan2_wide(w3_mp, N3_mp - k5), angle12 = atan2_wide(w3_mm, N3_mm - k5);
-
-    /* theta2 */
-    const wide v35 = m5 + m4 * N3_pp, v36 = m5 + m4 * N3_pm, v37 = m5 + m4 * N3_mp,
-        v38 = m5 + m4 * N3_mm, v39 = Z1_3_pp * v35, v40 = Z1_3_pm * v36, v41 = Z1_3_mp * v37,
-        v42 = Z1_3_mm * v38, v43 = Z2_3_pp * v35, v44 = Z2_3_pm * v36, v45 = Z2_3_mp * v37,
-        v46 = Z2_3_mm * v38, v47 = w3_pp * (m4 * Z2_3_pp), v48 = w3_pp * (m4 * Z1_3_pp),
-        angle13 = atan2_wide(v47 - v39, -(v43 + v48)),
-        angle14 = atan2_wide(-(v39 + v47), v48 - v43), v49 = w3_pm * (m4 * Z2_3_pm),
-        v50 = w3_pm * (m4 * Z1_3_pm), angle15 = atan2_wide(v49 - v40, -(v44 + v50)),
-        angle16 = atan2_wide(-(v40 + v49), v50 - v44), v51 = w3_mp * (m4 * Z2_3_mp),
-        v52 = w3_mp * (m4 * Z1_3_mp), angle17 = atan2_wide(v51 - v41, -(v45 + v52)),
-        angle18 = atan2_wide(-(v41 + v51), v52 - v45), v53 = w3_mm * (m4 * Z2_3_mm),
-        v54 = w3_mm * (m4 * Z1_3_mm), angle19 = atan2_wide(v53 - v42, -(v46 + v54)),
-        angle20 = atan2_wide(-(v42 + v53), v54 - v46);
-
-    /* joint values */
-    const wide v55 = angle7 - (angle9 + angle13), v56 = angle7 - (angle14 - angle9),
-        v57 = theta234_pm - (angle10 + angle15), v58 = theta234_pm - (angle16 - angle10),
-        v59 = angle8 - (angle11 + angle17), v60 = angle8 - (angle18 - angle11),
-        v61 = theta234_mm - (angle12 + angle19), v62 = theta234_mm - (angle20 - angle12),
-        q1_ppp = angle1 + v31, q1_pmp = angle1 + v32, q1_mpp = angle2 + v33, q1_mmp = angle2 + v34,
-        q5_ppp = angle5 + v31, q5_pmp = v32 - angle5, q5_mpp = angle6 + v33, q5_mmp = v34 - angle6,
-        q6_ppp = angle3 + v31, q6_pmp = v32 + (angle3 - signed_wide(half_turn, -v8)),
-        q6_mpp = angle4 + v33, q6_mmp = v34 + (angle4 - signed_wide(half_turn, -v9));
-
-    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = centred_wide(v55); q[4] = q5_ppp;
-    q[5] = q6_ppp;
-    kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = centred_wide(v56); q[10] = q5_ppp;
-    q[11] = q6_ppp;
-    kind[1] = kind_of(q[6], 0);
-    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = centred_wide(v57); q[16] = q5_pmp;
-    q[17] = q6_pmp;
-    kind[2] = kind_of(q[12], 0);
-    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = centred_wide(v58); q[22] = q5_pmp;
-    q[23] = q6_pmp;
-    kind[3] = kind_of(q[18], 0);
-    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = centred_wide(v59); q[28] = q5_mpp;
-    q[29] = q6_mpp;
-    kind[4] = kind_of(q[24], 0);
-    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = centred_wide(v60); q[34] = q5_mpp;
-    q[35] = q6_mpp;
-    kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = centred_wide(v61); q[40] = q5_mmp;
-    q[41] = q6_mmp;
-    kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = centred_wide(v62); q[46] = q5_mmp;
-    q[47] = q6_mmp;
-    kind[7] = kind_of(q[42], 0);
-    const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | ((abs_wide(v1 * D3_mm) <= m3) | (abs_wide(v1 * D3_mp) <= m3) |
-        (abs_wide(v1 * D3_pm) <= m3) | (abs_wide(v1 * D3_pp) <= m3) | (v11 <= m1) | (abs_wide(D1) <=
-        k2) | (v10 <= m1));
-}
-
-HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[8])
-{
-    wide_mask kind[8];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 8; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-
-/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
- * free, and the row's second value is its angle. */
-enum { LOST = 128, NEARLY = 192 };
-
-/* Notes why a row is lost, and how far it is from a solution. */
-static void lose(int why, float off, float q[6], unsigned char *status)
-{
-    *status = (unsigned char)why;
-    q[0] = off;
-}
-
-/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
- * is LOST says how far it is from a solution (negative). */
+/* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const float T[16], const float seed[6], float q[8][6], unsigned char status[8])
+    const float *T, const float *free_joints, const float *seed, float moved, float *rows,
+    unsigned char *status)
 {
+    float (*const q)[6] = (float (*)[6])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(float);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -503,10 +1821,13 @@ static void solve(
             const float D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(-boundary3 <= D3 * v9)) {
-                if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
+                    i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2f(v5, -v4);
-                if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
-                if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
+                    i2]);
+                if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
+                    i2]);
                 continue; /* out of reach */
             }
             const float w3 = sqrtf(apart3 ? D3 : 0.0f);
@@ -537,561 +1858,160 @@ static void solve(
                 const float q2 = atan2f(s2, c2);
 
                 /* joint values */
-                const float q4 = wrap(theta234 - (q3 + q2));
+                const float q4 = dhgen_wrap(theta234 - (q3 + q2));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free6) ? FREE : OK;
+                status[row] = (free1 || free2 || free6) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
 }
 
-static void take(const float from[6], float to[6])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 6; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0f / N1, v2 = inverse1 * (d4 * wy),
+        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d4 * X1),
+        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5,
+        angle1 = dhgen_atan2_wide(s1_p, -v3), angle2 = dhgen_atan2_wide(s1_m, -v4);
+
+    /* theta6 */
+    const dhgen_wide v6 = v3 * T21 + s1_p * T11, v7 = v4 * T21 + s1_m * T11,
+        v8 = v3 * T22 + s1_p * T12, v9 = v4 * T22 + s1_m * T12, v10 = v6 * v6 + v8 * v8,
+        v11 = v7 * v7 + v9 * v9, w6_p = dhgen_sqrt_wide(v10), w6_m = dhgen_sqrt_wide(v11),
+        v12 = 1.0f / v10, v13 = 1.0f / v11, angle3 = dhgen_atan2_wide(-v8, v6),
+        angle4 = dhgen_atan2_wide(-v9, v7);
+
+    /* theta5 */
+    const dhgen_wide c5_p = T13 * s1_p + T23 * v3, c5_m = T13 * s1_m + T23 * v4,
+        angle5 = dhgen_atan2_wide(w6_p, c5_p), angle6 = dhgen_atan2_wide(w6_m, c5_m);
+
+    /* theta234 */
+    const dhgen_wide v14 = v12 * (v6 * T32 - v8 * T31), v15 = v13 * (v7 * T32 - v9 * T31),
+        c234_p = w6_p * v14, c234_m = w6_m * v15, v16 = v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33,
+        v17 = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33, s234_p = w6_p * v16, s234_m = w6_m * v17,
+        angle7 = dhgen_atan2_wide(v16, v14), angle8 = dhgen_atan2_wide(v17, v15),
+        theta234_pm = angle7 - dhgen_signed_wide(DHGEN_HALF_TURN, v16),
+        theta234_mm = angle8 - dhgen_signed_wide(DHGEN_HALF_TURN, v17);
+
+    /* theta3 */
+    const dhgen_wide v18 = d6 * w6_p, v19 = d6 * w6_m, v20 = T34 - d1, v21 = d5 * c234_p,
+        v22 = d5 * c234_m, v23 = s234_p * v18, v24 = s234_m * v19, Z1_3_pp = v20 + (v21 + v23),
+        Z1_3_pm = v20 + (v23 - v21), Z1_3_mp = v20 + (v22 + v24), Z1_3_mm = v20 + (v24 - v22),
+        v25 = T24 * s1_p - T14 * v3, v26 = T24 * s1_m - T14 * v4, v27 = c234_p * v18,
+        v28 = c234_m * v19, v29 = d5 * s234_p, v30 = d5 * s234_m, Z2_3_pp = v25 + (v27 - v29),
+        Z2_3_pm = v25 + (v27 + v29), Z2_3_mp = v26 + (v28 - v30), Z2_3_mm = v26 + (v28 + v30),
+        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
+        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
+        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
+        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
+        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = dhgen_sqrt_wide(D3_pp),
+        w3_pm = dhgen_sqrt_wide(D3_pm), w3_mp = dhgen_sqrt_wide(D3_mp),
+        w3_mm = dhgen_sqrt_wide(D3_mm), v31 = w3_pp - w3_pp, v32 = w3_pm - w3_pm,
+        v33 = w3_mp - w3_mp, v34 = w3_mm - w3_mm, angle9 = dhgen_atan2_wide(w3_pp, N3_pp - k5),
+        angle10 = dhgen_atan2_wide(w3_pm, N3_pm - k5),
+        angle11 = dhgen_atan2_wide(w3_mp, N3_mp - k5),
+        angle12 = dhgen_atan2_wide(w3_mm, N3_mm - k5);
+
+    /* theta2 */
+    const dhgen_wide v35 = m5 + m4 * N3_pp, v36 = m5 + m4 * N3_pm, v37 = m5 + m4 * N3_mp,
+        v38 = m5 + m4 * N3_mm, v39 = Z1_3_pp * v35, v40 = Z1_3_pm * v36, v41 = Z1_3_mp * v37,
+        v42 = Z1_3_mm * v38, v43 = Z2_3_pp * v35, v44 = Z2_3_pm * v36, v45 = Z2_3_mp * v37,
+        v46 = Z2_3_mm * v38, v47 = w3_pp * (m4 * Z2_3_pp), v48 = w3_pp * (m4 * Z1_3_pp),
+        angle13 = dhgen_atan2_wide(v47 - v39, -(v43 + v48)),
+        angle14 = dhgen_atan2_wide(-(v39 + v47), v48 - v43), v49 = w3_pm * (m4 * Z2_3_pm),
+        v50 = w3_pm * (m4 * Z1_3_pm), angle15 = dhgen_atan2_wide(v49 - v40, -(v44 + v50)),
+        angle16 = dhgen_atan2_wide(-(v40 + v49), v50 - v44), v51 = w3_mp * (m4 * Z2_3_mp),
+        v52 = w3_mp * (m4 * Z1_3_mp), angle17 = dhgen_atan2_wide(v51 - v41, -(v45 + v52)),
+        angle18 = dhgen_atan2_wide(-(v41 + v51), v52 - v45), v53 = w3_mm * (m4 * Z2_3_mm),
+        v54 = w3_mm * (m4 * Z1_3_mm), angle19 = dhgen_atan2_wide(v53 - v42, -(v46 + v54)),
+        angle20 = dhgen_atan2_wide(-(v42 + v53), v54 - v46);
+
+    /* joint values */
+    const dhgen_wide v55 = angle7 - (angle9 + angle13), v56 = angle7 - (angle14 - angle9),
+        v57 = theta234_pm - (angle10 + angle15), v58 = theta234_pm - (angle16 - angle10),
+        v59 = angle8 - (angle11 + angle17), v60 = angle8 - (angle18 - angle11),
+        v61 = theta234_mm - (angle12 + angle19), v62 = theta234_mm - (angle20 - angle12),
+        q1_ppp = angle1 + v31, q1_pmp = angle1 + v32, q1_mpp = angle2 + v33, q1_mmp = angle2 + v34,
+        q5_ppp = angle5 + v31, q5_pmp = v32 - angle5, q5_mpp = angle6 + v33, q5_mmp = v34 - angle6,
+        q6_ppp = angle3 + v31, q6_pmp = v32 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -v8)),
+        q6_mpp = angle4 + v33, q6_mmp = v34 + (angle4 - dhgen_signed_wide(DHGEN_HALF_TURN, -v9));
+
+    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = dhgen_centred_wide(v55); q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = dhgen_centred_wide(v56); q[10] = q5_ppp;
+    q[11] = q6_ppp;
+    kind[1] = dhgen_kind_wide(q[6]);
+    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = dhgen_centred_wide(v57);
+    q[16] = q5_pmp; q[17] = q6_pmp;
+    kind[2] = dhgen_kind_wide(q[12]);
+    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = dhgen_centred_wide(v58);
+    q[22] = q5_pmp; q[23] = q6_pmp;
+    kind[3] = dhgen_kind_wide(q[18]);
+    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = dhgen_centred_wide(v59);
+    q[28] = q5_mpp; q[29] = q6_mpp;
+    kind[4] = dhgen_kind_wide(q[24]);
+    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = dhgen_centred_wide(v60);
+    q[34] = q5_mpp; q[35] = q6_mpp;
+    kind[5] = dhgen_kind_wide(q[30]);
+    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = dhgen_centred_wide(v61);
+    q[40] = q5_mmp; q[41] = q6_mmp;
+    kind[6] = dhgen_kind_wide(q[36]);
+    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = dhgen_centred_wide(v62);
+    q[46] = q5_mmp; q[47] = q6_mmp;
+    kind[7] = dhgen_kind_wide(q[42]);
+    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0f * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((dhgen_abs_wide(v1 * D3_mm) <= m3) | (dhgen_abs_wide(v1 * D3_mp) <= m3) |
+        (dhgen_abs_wide(v1 * D3_pm) <= m3) | (dhgen_abs_wide(v1 * D3_pp) <= m3) | (v11 <= m1) |
+        (dhgen_abs_wide(D1) <= k2) | (v10 <= m1));
 }
 
-/* A row that another value of a free joint may serve, and what solving again needs. */
-struct search {
-    const float *T;
-    float seed[6], start, q[8][6];
-    unsigned char status[8];
-    int joint, row;
-    float best, at; /* where the arm came nearest */
-    int within; /* whether limits count */
+static int solve_regular(
+    const float *T, const float *free_joints, float *q, unsigned char *status)
+{
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
+}
+
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[3] = { 5, 1, 0 };
+static const int together[2] = { 0, 5 };
+static const struct dhgen_arm arm = {
+    6, 8, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f }, 0.8385681f, entries, 9,
+    0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
+    choosable, 3, together, 2, 52,
+    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
+    1, /* follows seed */
+    ur5_f32_fk, ur5_f32_jacobian, solve, NULL, solve_regular,
 };
-
-/* How far a row is from a solution: 0 if it is solved. */
-static float shortfall(const struct search *s)
-{
-    if (s->status[s->row] >= LOST)
-        return s->q[s->row][0];
-    return s->status[s->row] == NONE ? -HUGE_VALF : 0.0f;
-}
-
-/* Solves with the joint moved: 0 if it serves, else less. */
-static float attempt(struct search *s, float moved)
-{
-    s->seed[s->joint] = s->start + moved;
-    for (int i = 0; i < 8; i++)
-        s->status[i] = NONE;
-    solve(s->T, s->seed, s->q, s->status);
-    const float result = shortfall(s);
-    if (result > s->best) {
-        s->best = result;
-        s->at = s->seed[s->joint];
-    }
-    return result == 0.0f && s->within ? -beyond_limits(s->q[s->row]) : result;
-}
-
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *s)
-{
-    const int status = s->status[s->row];
-    if (s->within && beyond_limits(s->q[s->row]) > 0.0f)
-        return 0;
-    return status != NONE && status < LOST;
-}
-
-/* Golden section for a move that serves, or NaN. */
-static float summit(struct search *s, float low, float high)
-{
-    for (int k = 0; k < 52; k++) {
-        const float third = 0.38196602f * (high - low);
-        const float left = attempt(s, low + third), right = attempt(s, high - third);
-        if (left == 0.0f || right == 0.0f)
-            return left == 0.0f ? low + third : high - third;
-        if (left >= right)
-            high -= third;
-        else
-            low += third;
-    }
-    /* where branches meet this one has no solution of its own */
-    if (isinf(attempt(s, low - 2e-06f)) || isinf(attempt(s, high + 2e-06f)))
-        return NAN;
-    attempt(s, low);
-    return serves(s) ? low : (float)NAN;
-}
-
-/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section, bisection of the nearest end; of two equally near the lower one. */
-static float serving_value(struct search *s)
-{
-    const float step = 0.09817477f;
-    if (attempt(s, 0.0f) == 0.0f)
-        return 0.0f;
-    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(s, -32.0f * step);
-    for (int k = -32; k <= 32; k++) {
-        before = here;
-        here = after;
-        after = attempt(s, (float)(k + 1) * step);
-        float outer = (float)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0f;
-        if (here < 0.0f && here >= before && here > after)
-            outer = summit(s, outer - step, outer + step);
-        else if (here < 0.0f || (k > 0 ? before : after) == 0.0f)
-            continue;
-        if (isnan(outer))
-            continue;
-        for (int i = 0; i < 52; i++) {
-            const float middle = 0.5f * (inner + outer);
-            if (attempt(s, middle) == 0.0f)
-                outer = middle;
-            else
-                inner = middle;
-        }
-        if (!(fabsf(outer) >= fabsf(nearest) - 2e-06f))
-            nearest = outer;
-    }
-    return nearest;
-}
-
-/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
- * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
- * rounding of what it was taken from, `solve` takes it as its own. */
-static float serving_digits(struct search *s)
-{
-    float before[2] = { -HUGE_VALF, -HUGE_VALF };
-    int past[2] = { 0 };
-    for (float moved = 1e-15f; moved < 0.1f; moved *= 2.0f)
-        for (int way = 0; way < 2; way++) {
-            const float there = way ? -moved : moved, here = attempt(s, there);
-            if (here == 0.0f)
-                return there;
-            if (here < 2.0f * before[way] && !past[way]++) {
-                const float top = summit(s, 0.25f * there, there);
-                if (!isnan(top))
-                    return top;
-            }
-            before[way] = here;
-        }
-    return NAN;
-}
-
-/* Several joints are free, none serves alone: in turn each goes to where the arm came nearest. */
-static float serving_in_turn(struct search *s)
-{
-    static const int joints[] = { 0, 5 };
-    float serving = NAN, before = -HUGE_VALF;
-    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
-        before = s->best;
-        s->seed[s->joint] = s->at;
-        s->joint = joints[k % 2];
-        s->start = s->at = s->seed[s->joint];
-        serving = serving_value(s);
-    }
-    return serving;
-}
-
-/* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(
-    const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
-{
-    const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row, .best = -HUGE_VALF };
-    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    take(seed, lost.seed);
-    lost.start = fmodf(nearly ? q[row][1] : seed[lost.joint], turn);
-    float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    if (isnan(nearest) && !nearly)
-        nearest = serving_in_turn(&lost);
-    attempt(&lost, isnan(nearest) ? 0.0f : nearest);
-    const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : NONE;
-    for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : (float)NAN;
-}
-
-/* Whether a joint beyond its limits does not move with the one that is searched. */
-static int hopeless(struct search *s)
-{
-    struct search other = *s;
-    attempt(s, 0.0f);
-    attempt(&other, 0.1f);
-    if (shortfall(s) < 0.0f || shortfall(&other) < 0.0f)
-        return 0;
-    for (int i = 0; i < 6; i++) {
-        const float value = s->q[s->row][i], moved = fabsf(value - other.q[s->row][i]);
-        if (moved < 2e-06f && fabsf(overshoot(i, value)) > 0.0f)
-            return 1;
-    }
-    return 0;
-}
-
-/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
- * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
-static void keep_limits(
-    const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
-{
-    static const int choosable[3] = { 5, 1, 0 };
-    struct search search = { .T = T, .row = row, .within = 1 };
-    for (int i = 0; i < 6; i++)
-        search.seed[i] = seed[i] - overshoot(i, seed[i]);
-    for (int k = 0; k < 3; k++) {
-        const int joint = search.joint = choosable[k];
-        const float inside = search.seed[joint];
-        search.start = fmodf(seed[joint], turn);
-        const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
-        /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
-            attempt(&search, nearest);
-            status[row] = search.status[row];
-            take(search.q[row], q[row]);
-            return;
-        }
-        search.seed[joint] = inside;
-    }
-}
-
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static float turned(int joint, float given, float towards)
-{
-    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
-    float value = given;
-    if (fabsf(towards) < 100.0f)
-        value += turn * floorf((towards - given) / turn + 0.5f);
-    value -= turn * ceilf(fmaxf(value - high, 0.0f) / turn);
-    value += turn * ceilf(fmaxf(low - value, 0.0f) / turn);
-    return value <= high ? value : given;
-}
-
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static float half_way(const float x[6], const float q[6], float half[6])
-{
-    float most = 0.0f;
-    for (int i = 0; i < 6; i++) {
-        float off = q[i] - x[i];
-        off -= turn * floorf(off / turn + 0.5f);
-        most = fmaxf(most, fabsf(off));
-        half[i] = x[i] + 0.5f * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const float weights[6] = { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f };
-/* What a step of one means for joints; none if given. */
-static const float pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static float off_pose(const float T[16], const float x[6], float e[6])
-{
-    float P[16], square = 0.0f;
-    ur5_f32_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0f ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0f;
-        e[3 + i] = 0.0f;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrtf(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[6], float damping, float e[6], float x[6])
-{
-    float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
-    ur5_f32_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = sqrtf(damping + 1e-10f);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            float along = 0.0f;
-            for (int j = 0; j < 12; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 12; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 12; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* The same of a value as it stands: it might be turned. */
-static float past_an_end(int joint, float value)
-{
-    const float low = lowest[joint], high = highest[joint];
-    if (high - low < 6.183185f)
-        return overshoot(joint, value);
-    const float off = value - fminf(fmaxf(value, low), high);
-    return fabsf(off) <= 0.5f * slack(joint) ? 0.0f : off;
-}
-
-/* The same of all joints. */
-static float past_ends(const float values[6])
-{
-    float sum = 0.0f;
-    for (int i = 0; i < 6; i++)
-        sum += fabsf(past_an_end(i, values[i]));
-    return sum;
-}
-
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
-static float at_an_end(int joint, float value, float seed)
-{
-    const float near = value + turn * floorf((seed - value) / turn + 0.5f);
-    const float past = fabsf(past_an_end(joint, near));
-    if (0.0f < past && past < 0.01f && fabsf(near - seed) < 0.15f)
-        return near;
-    const float off = overshoot(joint, value);
-    if (off == 0.0f || fabsf(off) > 0.01f)
-        return turned(joint, value, value);
-    return off + (off > 0.0f ? highest : lowest)[joint];
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const float T[16], float enough, float most, float q[6])
-{
-    float x[6], half[6], e[6], last = HUGE_VALF;
-    const int stands = isnan(enough);
-    int moves = 0, settled = 0, lost = 0, held[6] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        float miss = off_pose(T, x, e), past = 0.0f;
-        int worst = 0;
-        enough = isnan(enough) ? miss + 1e-06f : enough;
-        for (int i = 0; i < 6 && stands && miss < enough; i++) {
-            const float off = pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;
-            worst = fabsf(off) > fabsf(past) ? i : worst;
-            past = worst == i ? off : past;
-        }
-        /* one by one: others may follow it inside, or the first the second */
-        if (fabsf(past) > 0.0f) {
-            moves++;
-            for (int i = 0; i < 6; i++)
-                held[i] = i == worst || (held[i] && moves != 2);
-            last = HUGE_VALF;
-            x[worst] -= past;
-            miss = off_pose(T, x, e);
-        }
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5f * miss;
-        } else if (settled || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0f * enough ? 0.003f : 0.1f * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Takes joint values onto ends that they are past or, as two may not stand there, inside. */
-static int lead_inside(const float T[16], float enough, float most, float q[6])
-{
-    float x[6], e[6];
-    if (settle(T, enough, most, q))
-        return 1;
-    int past = 0;
-    for (int i = 0; i < 6; i++)
-        past += fabsf(past_an_end(i, q[i])) > 0.0f;
-    enough = off_pose(T, q, e) + 1e-06f;
-    for (float farther = 2.0f; past > 1 && farther <= 16.0f; farther *= 2.0f) {
-        for (int i = 0; i < 6; i++)
-            x[i] = q[i] - farther * past_an_end(i, q[i]);
-        if (!settle(T, enough, most, x) || past_ends(x) > 0.0f)
-            continue;
-        take(x, q);
-        return 1;
-    }
-    return 0;
-}
-
-/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
- * too, and no row that is less far beyond is nearer. */
-static int stand(
-    const float T[16], int row, int far, float rows[8][6], const unsigned char status[8])
-{
-    float x[6], half[6], to[6], *q = rows[row];
-    const float beyond = past_ends(q);
-    if (!(0.0f < beyond && (far || beyond < 0.01f)))
-        return 0;
-    take(q, x);
-    if (!lead_inside(T, NAN, far ? HUGE_VALF : 1.5f, x))
-        return 0;
-    const float off = half_way(q, x, half);
-    for (int k = 0; k < 8; k++)
-        if (status[k] != NONE && past_ends(rows[k]) < beyond
-            && half_way(rows[k], x, to) < off)
-            return 0;
-    if (off >= 0.03f && !settle(T, 5e-05f, 0.25f * off, half))
-        return 0;
-    take(x, q);
-    return 1;
-}
-
-/* Leads rows of nested roots to solutions, ends those that rounding alone tells from earlier ones:
- * half way the arm is singular. */
-static void tell_once(const float T[16], float q[8][6], unsigned char status[8])
-{
-    const int held[6] = { 0 };
-    for (int n = 0; n < 8 * 8; n++) {
-        float half[6], e[6], *row = q[n / 8];
-        const int k = n % 8;
-        int ends = k == 0 && off_pose(T, row, e) > 5e-05f && !settle(T, 5e-05f, 0.15f, row);
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.03f && !isnan(half[0])) {
-            for (int i = 0; i < 3; i++) {
-                off_pose(T, half, e);
-                add_step(held, 1e-13f, e, half);
-            }
-            ends = off_pose(T, half, e) <= 1e-07f;
-        }
-        for (int i = 0; i < 6 && ends; i++) {
-            status[n / 8] = NONE;
-            row[i] = NAN;
-        }
-    }
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const float T[16], const float seed[6], float q[8][6],
-    unsigned char status[8])
-{
-    float x[6], half[6], e[6], least = HUGE_VALF, nearest = 0.03f;
-    int place = 0;
-    for (int i = 0; i < 6; i++) {
-        const float seen = seed[i], past = fabsf(past_an_end(i, seen));
-        const float here = past <= 0.15f ? seen : turned(i, seen, seen);
-        x[i] = here - past_an_end(i, here);
-    }
-    if (!settle(T, 5e-05f, 0.15f, x) || (past_ends(x) > 2e-06f && !lead_inside(T, NAN, 0.15f, x)))
-        return;
-    for (int row = 8 - 1; row >= 0; row--) {
-        float between = 0.0005f;
-        if (status[row] != NONE) {
-            const float off = half_way(x, q[row], half);
-            between = off < 0.03f ? 0.0f : fmaxf(off_pose(T, half, e), 5e-05f);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0f; /* its own */
-            }
-        }
-        if (between <= 2.0f * least)
-            place = row;
-        least = fminf(least, between);
-    }
-    if (least >= 0.0f)
-        status[place] = FREE;
-    if (nearest > 0.003f || past_ends(q[place]) > 0.0f)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
-{
-    const float zeros[6] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
-    float pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 6; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
-    for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    for (int row = 0; row < 8; row++)
-        if (status[row] >= LOST)
-            choose_again(pose, seed, row, q, status);
-    for (int row = 0; row < 8; row++)
-        if (status[row] == FREE && beyond_limits(q[row]) > 0.0f)
-            keep_limits(pose, seed, row, q, status);
-    tell_once(pose, q, status);
-    for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 6; i++)
-            q[row][i] = at_an_end(i, q[row][i], seed[i]);
-    stay(pose, seed, q, status);
-    /* far where no row is inside */
-    for (int n = 0; n < 8 || (n < 2 * 8 && count == 0); n++) {
-        const int row = n % 8, far = n >= 8;
-        if (status[row] == NONE)
-            continue;
-        if (stand(pose, row, far, q, status) && far)
-            status[row] = FREE;
-        for (int i = 0; i < 6; i++) {
-            float *value = &q[row][i];
-            *value = turned(i, *value, 0.0f);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
 
 int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 {
-    float all[8][6], found[6], least = HUGE_VALF;
-    unsigned char status[8];
-    int result = -NONE;
-    int valid = ur5_f32_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 6; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    int past = 0; /* joints past an end and turned */
-    for (int i = 0; i < 6 && valid; i++)
-        if (fminf(highest[i] - q_seed[i], q_seed[i] - lowest[i]) < 0.15f)
-            for (int row = 0; row < 8; row++)
-                past += status[row] == OK
-                    && past_an_end(i, at_an_end(i, all[row][i], q_seed[i])) != 0.0f;
-    if (past)
-        (void)ik_carefully(T, q_seed, all, status);
-    for (int row = 0; row < 8 && valid; row++) {
-        float distance = 0.0f;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 6; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const float moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
 {
-    size_t k = 0;
-    for (; k < n; k++)
-        (void)ur5_f32_ik(T + 16 * k, NULL, (float (*)[6])(q + 48 * k), status + 8 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

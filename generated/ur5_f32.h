@@ -5,6 +5,9 @@
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad,
  * all in single precision. Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 96c2b35056b3b6dc
+ * SPDX-License-Identifier: MIT
  */
 #ifndef UR5_F32_H
 #define UR5_F32_H

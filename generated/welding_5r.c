@@ -3,153 +3,29 @@
  * Inverse kinematics, generated from robots/welding_5r.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/welding_5r.yaml. The formulas and where they come from:
  * welding_5r.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: dff39f8558c8a949
+ * SPDX-License-Identifier: MIT
  */
 #include "welding_5r.h"
 
-#include <math.h>
+#define DHGEN_DOF 5
+#define DHGEN_ROWS 8
+#include "dhgen/ik.h"
+#include "dhgen/circle_roots.h"
+#include "dhgen/refine.h"
+#include "dhgen/retry.h"
 
-/* What rows hold. */
-enum {
-    OK = WELDING_5R_OK, NONE = WELDING_5R_UNREACHABLE, FREE = WELDING_5R_FREE_JOINT,
-    OUT = WELDING_5R_OUT_OF_LIMITS, INVALID = WELDING_5R_INVALID_POSE
-};
+#if DHGEN_INTERFACE != 1
+#error "welding_5r.c and the folder dhgen/ are of different versions: run dhgen robots/welding_5r.yaml"
+#endif
 
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
+enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };
 
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
+static void take(const double from[5], double to[5])
 {
-    return angle - turn * ceil(angle / turn - 0.5);
-}
-
-static double horner(const double p[5], double t)
-{
-    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
-}
-
-/* The root between two points with values of unlike sign. */
-static double bracketed(const double p[5], double low, double high, double at_low)
-{
-    double t = 0.5 * (low + high);
-    for (int k = 0; k < 100; k++) {
-        const double value = horner(p, t);
-        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
-        if ((value < 0.0) == (at_low < 0.0))
-            low = t;
-        else
-            high = t;
-        double following = slope != 0.0 ? t - value / slope : low;
-        if (!(low < following && following < high))
-            following = 0.5 * (low + high);
-        if (fabs(following - t) <= 2e-16 * fabs(t))
-            return following;
-        t = following;
-    }
-    return t;
-}
-
-/* Roots of a polynomial that is monotone between neighbouring edges. */
-static int between(const double p[5], const double *edges, int count, double tolerance, double
-    *found)
-{
-    int roots = 0;
-    double before = edges[0], at_before = horner(p, edges[0]);
-    for (int k = 1; k < count; k++) {
-        const double edge = edges[k], size = 1.0 + edge * edge;
-        double value = horner(p, edge);
-        if (k < count - 1 && fabs(value) <= tolerance * size * size)
-            value = 0.0;
-        if (at_before * value < 0.0)
-            found[roots++] = bracketed(p, before, edge, at_before);
-        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
-            found[roots++] = edge;
-        before = edge;
-        at_before = value;
-    }
-    return roots;
-}
-
-/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
- * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
- * leading coefficient; its roots lie between those of its derivative, those between the roots of
- * the second. They are `close` where the slope is small: one may stand for two, or has another
- * beside it. Rounding may add so much to values. All roots are `moved` by an angle in the end. */
-static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
-        x[4],
-    int close[4])
-{
-    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
-    double best = -1.0, apart = 0.0, edges[5], extrema[4];
-    int count = 0;
-    x[0] = x[1] = x[2] = x[3] = NAN;
-    close[0] = close[1] = close[2] = close[3] = 0;
-    if (!(size > 0.0 && isfinite(size)))
-        return;
-    for (int k = 0; k < 16; k++) {
-        const double at = turn * k / 16, c = cos(at), s = sin(at);
-        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
-        if (value > best) {
-            best = value;
-            apart = at;
-        }
-    }
-    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
-    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
-    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
-    const double lead = a0 - u1 + u2;
-    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
-        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
-    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
-    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
-    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
-    edges[0] = -bound;
-    if (square > 0.0) {
-        edges[1] = -half - sqrt(square);
-        edges[2] = -half + sqrt(square);
-        count = 2;
-    }
-    edges[count + 1] = bound;
-    count = between(slope, edges, count + 2, 0.0, extrema);
-    for (int k = 0; k < count; k++)
-        edges[k + 1] = extrema[k];
-    edges[count + 1] = bound;
-    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
-    count = between(p, edges, count + 2, tolerance, x);
-    for (int k = 0; k < count; k++) {
-        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
-        const double ca = cos(at), sa = sin(at);
-        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
-        const int flat = fabs(rate) <= 0.0001 * size;
-        if (!flat)
-            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
-        at -= turn * ceil(at / turn - 0.5);
-        int place = k;
-        for (; place > 0 && x[place - 1] > at; place--) {
-            x[place] = x[place - 1];
-            close[place] = close[place - 1];
-        }
-        x[place] = at;
-        close[place] = flat;
-    }
-    for (int k = 0; k < 4; k++)
-        x[k] += moved;
-}
-
-
-/* By how much joint values miss the entries that count: the root of the sum of squares. */
-static double missed_by(const double *pose, const double *q)
-{
-    static const int named[6] = { 2, 3, 6, 7, 10, 11 };
-    double reached[16], sum = 0.0;
-    welding_5r_fk(q, reached);
-    for (int k = 0; k < 6; k++) {
-        const int i = named[k];
-        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.625 : 1.0);
-        sum += off * off;
-    }
-    return sqrt(sum);
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
 }
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -423,7 +299,8 @@ static double exactness(const double T[16])
 
 /* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
  * the same. */
-static void tighten(const double T[16], double q[8][5], unsigned char status[8])
+static void tighten(
+    const struct dhgen_arm *arm, const double T[16], double q[8][5], unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
@@ -433,21 +310,22 @@ static void tighten(const double T[16], double q[8][5], unsigned char status[8])
         first[row] = miss[row] = HUGE_VAL;
         if (status[row] == NONE)
             continue;
-        first[row] = missed_by(T, q[row]);
+        first[row] = dhgen_missed_by(arm, T, q[row]);
         miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
     const double enough = 10.0 * exact;
     for (int row = 0; row < 8; row++)
         if (miss[row] > enough)
-            q[row][0] = NAN;
+            q[row][0] = DHGEN_NAN;
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
         status[row] = NONE;
         for (int i = 0; i < 5; i++)
-            q[row][i] = NAN;
+            q[row][i] = DHGEN_NAN;
     }
 }
+
 
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
@@ -488,9 +366,14 @@ const char *const welding_5r_branches[8] = {
     "root4-up",
 };
 
-static const double lowest[5] = { -2.9670597283903604, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double highest[5] = { 2.9670597283903604, INFINITY, INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* of limits */
+static const struct dhgen_joint joints[5] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
 
 void welding_5r_fk(const double q[5], double T[16])
 {
@@ -546,66 +429,13 @@ void welding_5r_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = z4_z;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    const double square = T[2] * T[2] + T[6] * T[6] + T[10] * T[10];
-    const double miss = (square - 1.0) * (square - 1.0);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    const double length = sqrt(square);
-    T[2] /= length;
-    T[6] /= length;
-    T[10] /= length;
-    return 2;
-}
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * slack(joint) ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[5])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 5; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
-
-enum { CLOSE = 64 }; /* roots nearly meet: the row may stand between two solutions */
-
-/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
- * free, and the row's second value is its angle. */
-enum { LOST = 128, NEARLY = 192 };
-
-/* Notes why a row is lost, and how far it is from a solution. */
-static void lose(int why, double off, double q[5], unsigned char *status)
-{
-    *status = (unsigned char)why;
-    q[0] = off;
-}
-
-/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
- * is LOST says how far it is from a solution (negative). */
+/* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[5], double moved, double q[8][5], unsigned char status[8])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[5] = (double (*)[5])rows;
+    (void)free_joints;
     const double T13 = T[2], T14 = T[3];
     const double T23 = T[6], T24 = T[7];
     const double T33 = T[10], T34 = T[11];
@@ -620,8 +450,8 @@ static void solve(
     const double v16 = square_rounding * (v11 + k4);
     double x1_roots[4];
     int x1_close[4];
-    circle_roots(free1 ? 1.0 : v14, free1 ? -1.0 : -v9, free1 ? 0.0 : -v10, free1 ? 0.0 : v12, free1
-        ? 0.0 : v13, v16, moved, x1_roots, x1_close);
+    dhgen_circle_roots(free1 ? 1.0 : v14, free1 ? -1.0 : -v9, free1 ? 0.0 : -v10, free1 ? 0.0 : v12,
+        free1 ? 0.0 : v13, v16, moved, x1_roots, x1_close);
     const double v19 = cos(seed[0]) * cos(seed[0]) - sin(seed[0]) * sin(seed[0]),
         v20 = 2.0 * (cos(seed[0]) * sin(seed[0])), v21 = 2.0 * v13, v22 = 2.0 * v12,
         v24 = v15 * near_limit,
@@ -674,12 +504,12 @@ static void solve(
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (near1) lose(NEARLY + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (near1) dhgen_lose(DHGEN_NEARLY + 1, D3, q[2 * i1], &status[2 * i1]);
             if (near1) q[2 * i1][1] = v27;
-            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -710,189 +540,13 @@ static void solve(
             const double q2 = atan2(s2, c2);
 
             /* joint values */
-            const double q4 = wrap(theta234 - (q3 + q2));
+            const double q4 = dhgen_wrap(theta234 - (q3 + q2));
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234) ? FREE : (x1_close[i1] || near1 ||
-                near234 || near2) ? CLOSE : OK;
+            status[row] = (free1 || free2_ || free234 || free234) ? DHGEN_FREE_JOINT : (x1_close[i1]
+                || near1 || near234 || near2) ? DHGEN_CLOSE : DHGEN_OK;
         }
-    }
-}
-
-static void take(const double from[5], double to[5])
-{
-    for (int i = 0; i < 5; i++)
-        to[i] = from[i];
-}
-
-/* A row that another value of a free joint may serve, and what solving again needs. */
-struct search {
-    const double *T;
-    double seed[5], start, q[8][5];
-    unsigned char status[8];
-    int joint, row;
-    double by; /* how far roots are moved */
-    int within; /* whether limits count */
-};
-
-/* How far a row is from a solution: 0 if it is solved. */
-static double shortfall(const struct search *s)
-{
-    if (s->status[s->row] >= LOST)
-        return s->q[s->row][0];
-    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
-}
-
-/* Solves with the joint moved: 0 if it serves, else less. */
-static double attempt(struct search *s, double moved)
-{
-    s->seed[s->joint] = s->start + moved;
-    for (int i = 0; i < 8; i++)
-        s->status[i] = NONE;
-    solve(s->T, s->seed, s->by, s->q, s->status);
-    const double result = shortfall(s);
-    return result == 0.0 && s->within ? -beyond_limits(s->q[s->row]) : result;
-}
-
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *s)
-{
-    const int status = s->status[s->row];
-    if (s->within && beyond_limits(s->q[s->row]) > 0.0)
-        return 0;
-    return status != NONE && status < LOST;
-}
-
-/* Golden section for a move that serves, or NaN. */
-static double summit(struct search *s, double low, double high)
-{
-    for (int k = 0; k < 52; k++) {
-        const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(s, low + third), right = attempt(s, high - third);
-        if (left == 0.0 || right == 0.0)
-            return left == 0.0 ? low + third : high - third;
-        if (left >= right)
-            high -= third;
-        else
-            low += third;
-    }
-    /* where branches meet this one has no solution of its own */
-    if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
-        return NAN;
-    attempt(s, low);
-    return serves(s) ? low : (double)NAN;
-}
-
-/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section, bisection of the nearest end; of two equally near the lower one. */
-static double serving_value(struct search *s)
-{
-    const double step = 0.09817477042468103;
-    if (attempt(s, 0.0) == 0.0)
-        return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
-    for (int k = -32; k <= 32; k++) {
-        before = here;
-        here = after;
-        after = attempt(s, (double)(k + 1) * step);
-        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
-        if (here < 0.0 && here >= before && here > after)
-            outer = summit(s, outer - step, outer + step);
-        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
-            continue;
-        if (isnan(outer))
-            continue;
-        for (int i = 0; i < 52; i++) {
-            const double middle = 0.5 * (inner + outer);
-            if (attempt(s, middle) == 0.0)
-                outer = middle;
-            else
-                inner = middle;
-        }
-        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
-            nearest = outer;
-    }
-    return nearest;
-}
-
-/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
- * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
- * rounding of what it was taken from, `solve` takes it as its own. */
-static double serving_digits(struct search *s)
-{
-    double before[2] = { -HUGE_VAL, -HUGE_VAL };
-    int past[2] = { 0 };
-    for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
-        for (int way = 0; way < 2; way++) {
-            const double there = way ? -moved : moved, here = attempt(s, there);
-            if (here == 0.0)
-                return there;
-            if (here < 2.0 * before[way] && !past[way]++) {
-                const double top = summit(s, 0.25 * there, there);
-                if (!isnan(top))
-                    return top;
-            }
-            before[way] = here;
-        }
-    return NAN;
-}
-
-/* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(
-    const double T[16], const double seed[5], int row, double q[8][5], unsigned char status[8])
-{
-    const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row };
-    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    take(seed, lost.seed);
-    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
-    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
-    const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : NONE;
-    for (int i = 0; i < 5; i++)
-        q[row][i] = served ? lost.q[row][i] : (double)NAN;
-}
-
-/* Whether a joint beyond its limits does not move with the one that is searched. */
-static int hopeless(struct search *s)
-{
-    struct search other = *s;
-    attempt(s, 0.0);
-    attempt(&other, 0.1);
-    if (shortfall(s) < 0.0 || shortfall(&other) < 0.0)
-        return 0;
-    for (int i = 0; i < 5; i++) {
-        const double value = s->q[s->row][i], moved = fabs(value - other.q[s->row][i]);
-        if (moved < 1e-09 && fabs(overshoot(i, value)) > 0.0)
-            return 1;
-    }
-    return 0;
-}
-
-/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
- * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
-static void keep_limits(
-    const double T[16], const double seed[5], int row, double q[8][5], unsigned char status[8])
-{
-    static const int choosable[4] = { 3, 2, 1, 0 };
-    struct search search = { .T = T, .row = row, .within = 1 };
-    for (int i = 0; i < 5; i++)
-        search.seed[i] = seed[i] - overshoot(i, seed[i]);
-    for (int k = 0; k < 4; k++) {
-        const int joint = search.joint = choosable[k];
-        const double inside = search.seed[joint];
-        search.start = fmod(seed[joint], turn);
-        const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
-        /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
-            attempt(&search, nearest);
-            status[row] = search.status[row];
-            take(search.q[row], q[row]);
-            return;
-        }
-        search.seed[joint] = inside;
     }
 }
 
@@ -925,14 +579,15 @@ static int keep(double known[16][5], int count, const double q[5])
 
 /* Whether the row of a root that is moved leads to a solution, and to which. */
 static int leads(
-    struct descent *d, const double seed[5], double angle, int row, double exact,
+    struct descent *d, const double *free_joints, const double seed[5], double angle, int row,
+        double exact,
     double end[5])
 {
     double q[8][5];
     unsigned char kind[8];
     for (int k = 0; k < 8; k++)
         kind[k] = NONE;
-    solve(d->T, seed, angle, q, kind);
+    solve(d->T, free_joints, seed, angle, &q[0][0], kind);
     if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
         return 0;
     take(q[row], end);
@@ -953,7 +608,7 @@ static const double across[5] = { 0.0, -1.0, -2.0, -0.5, -4.0 };
  * on the other side. A row may have taken the seed's value for its root, which is one of the two
  * and hides the middle: the roots' own rows have a seed that is turned away. */
 static void both_sides(
-    const double T[16], const double seed[5], double q[8][5],
+const double T[16], const double *free_joints, const double seed[5], double q[8][5],
     unsigned char status[8])
 {
     struct descent d = { .T = T };
@@ -970,7 +625,7 @@ static void both_sides(
     any = 0;
     take(seed, away);
     away[0] += 2.0;
-    solve(T, away, 0.0, own, kind);
+    solve(T, free_joints, away, 0.0, &own[0][0], kind);
     for (int row = 0; row < 8; row++) {
         const int close = status[row] == CLOSE;
         double here[5];
@@ -998,7 +653,7 @@ static void both_sides(
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
         for (int k = 0; k < 18 && !found; k++)
-            found = leads(&d, away, beside[k], row, exact, end)
+            found = leads(&d, free_joints, away, beside[k], row, exact, end)
                 && is_new(known, others, end);
         if (!found)
             continue;
@@ -1007,7 +662,7 @@ static void both_sides(
         off += end[0] - own[row][0];
         off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
         for (int k = 0; k < 5; k++) {
-            if (!leads(&d, away, across[k] * off, row, exact, other)
+            if (!leads(&d, free_joints, away, across[k] * off, row, exact, other)
                     || !is_new(known, others, other) || gap_between(end, other) < 0.001)
                 continue;
             count = keep(known, count, other);
@@ -1032,7 +687,7 @@ static void both_sides(
     }
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 5 && status[row] == NONE; i++)
-            q[row][i] = NAN;
+            q[row][i] = DHGEN_NAN;
 }
 
 
@@ -1086,25 +741,25 @@ static double descend(struct descent *d, double u[5])
     return least;
 }
 
-static int settle(const double T[16], double enough, double most, double q[5]);
-
 /* A pose was left without a row after a joint had been chosen, or with
  * none inside the limits: several joints may be free, and few of their values serve. Steps
  * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
  * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
 static void seek(
-    const double T[16], const double seed[5], int begun, double q[8][5],
+const struct dhgen_arm *arm, const double T[16], const double *free_joints, const double seed[5],
+    int begun, double q[8][5],
     unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
     double found[5] = { 0.0 };
+    (void)free_joints;
     int before = 4, chosen = -1;
     for (int row = 8 - 1; row >= 0; row--) {
         int fault = 0, is_open = status[row] == FREE;
         if (status[row] == NONE)
             continue;
-        fault += beyond_limits(q[row]) > 0.0;
+        fault += dhgen_beyond_limits(arm, q[row]) > 0.0;
         before = fault < before ? fault : before;
         chosen = is_open ? row : chosen;
     }
@@ -1125,9 +780,9 @@ static void seek(
         const double miss = escaped(&d, exact, end);
         if (miss > 10.0 * exact)
             continue;
-        if (beyond_limits(end) > 0.0)
-            (void)settle(T, NAN, HUGE_VAL, end);
-        const int fault = 2 * (miss > exact) + (beyond_limits(end) > 0.0);
+        if (dhgen_beyond_limits(arm, end) > 0.0)
+            (void)dhgen_refine(arm, T, DHGEN_NAN, HUGE_VAL, end);
+        const int fault = 2 * (miss > exact) + (dhgen_beyond_limits(arm, end) > 0.0);
         if (fault >= least)
             continue;
         least = fault;
@@ -1142,293 +797,47 @@ static void seek(
     for (int row = 0; row < 8; row++) {
         status[row] = row == begun ? FREE : NONE;
         for (int i = 0; i < 5; i++)
-            q[row][i] = row == begun ? found[i] : (double)NAN;
+            q[row][i] = row == begun ? found[i] : DHGEN_NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
+/* What follows where roots nearly meet, and where rows miss the pose. */
+static void complete(
+    const struct dhgen_arm *arm, const double *T, const double *free_joints, const double *seed,
+    int begun, double *rows, unsigned char *status)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
+    double (*const q)[5] = (double (*)[5])rows;
+    both_sides(T, free_joints, seed, q, status);
+    tighten(arm, T, q, status);
+    if (begun >= 0)
+        seek(arm, T, free_joints, seed, begun, q, status);
 }
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[5], const double q[5], double half[5])
-{
-    double most = 0.0;
-    for (int i = 0; i < 5; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[5], double e[6])
-{
-    double P[16], square = 0.0;
-    welding_5r_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
-        e[3 + i] = P[j] * T[k] - P[k] * T[j];
-        square += (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[5], double damping, double e[6], double x[5])
-{
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
-    welding_5r_jacobian(x, J);
-    double P[16];
-    welding_5r_fk(x, P);
-    for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
-        double *spin = J + 15 + j;
-        const double along = P[2] * spin[0] + P[6] * spin[5] + P[10] * spin[10];
-        for (int i = 0; i < 3; i++)
-            spin[5 * i] -= along * P[4 * i + 2];
-    }
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 5; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 11; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 11; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 11; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 5; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[5])
-{
-    double x[5], half[5], e[6], last = HUGE_VAL;
-    const int stands = isnan(enough);
-    int moves = 0, settled = 0, lost = 0, held[5] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e), past = 0.0;
-        int worst = 0;
-        enough = isnan(enough) ? miss + 1e-14 : enough;
-        for (int i = 0; i < 5 && stands && miss < enough; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            worst = fabs(off) > fabs(past) ? i : worst;
-            past = worst == i ? off : past;
-        }
-        /* one by one: others may follow it inside, or the first the second */
-        if (fabs(past) > 0.0) {
-            moves++;
-            for (int i = 0; i < 5; i++)
-                held[i] = i == worst || (held[i] && moves != 2);
-            last = HUGE_VAL;
-            x[worst] -= past;
-            miss = off_pose(T, x, e);
-        }
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Puts a row's joints just beyond their limits, or far, on them if it can: half way is a solution,
- * too, and no row that is less far beyond is nearer. */
-static int stand(
-    const double T[16], int row, int far, double rows[8][5], const unsigned char status[8])
-{
-    double x[5], half[5], to[5], *q = rows[row];
-    const double beyond = beyond_limits(q);
-    if (!(0.0 < beyond && (far || beyond < 0.01)))
-        return 0;
-    take(q, x);
-    if (!settle(T, NAN, far ? HUGE_VAL : 1.5, x))
-        return 0;
-    const double off = half_way(q, x, half);
-    for (int k = 0; k < 8; k++)
-        if (status[k] != NONE && beyond_limits(rows[k]) < beyond
-            && half_way(rows[k], x, to) < off)
-            return 0;
-    if (off >= 0.001 && !settle(T, 1e-12, 0.25 * off, half))
-        return 0;
-    take(x, q);
-    return 1;
-}
-
-/* Ends rows that rounding alone tells from earlier ones: half way the arm is singular. */
-static void tell_once(const double T[16], double q[8][5], unsigned char status[8])
-{
-    const int held[5] = { 0 };
-    for (int n = 0; n < 8 * 8; n++) {
-        double half[5], e[6], *row = q[n / 8];
-        const int k = n % 8;
-        int ends = 0;
-        if (0 < k && k <= n / 8 && half_way(q[k - 1], row, half) < 0.001 && !isnan(half[0])) {
-            for (int i = 0; i < 3; i++) {
-                off_pose(T, half, e);
-                add_step(held, 1e-13, e, half);
-            }
-            ends = off_pose(T, half, e) <= 1e-14;
-        }
-        for (int i = 0; i < 5 && ends; i++) {
-            status[n / 8] = NONE;
-            row[i] = NAN;
-        }
-    }
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[5], double q[8][5],
-    unsigned char status[8])
-{
-    double x[5], half[5], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    for (int i = 0; i < 5; i++)
-        x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 1e-12, 0.15, x) || (beyond_limits(x) > 1e-09 && !settle(T, NAN, 0.15, x)))
-        return;
-    for (int row = 8 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = off < 0.001 ? 0.0 : fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06 || beyond_limits(q[place]) > 0.0)
-        take(x, q[place]);
-}
+static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
+static const int choosable[4] = { 3, 2, 1, 0 };
+static const struct dhgen_arm arm = {
+    5, 8, 0, DHGEN_POINTING, joints, NULL, 0,
+    { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, entries, 6,
+    0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
+    choosable, 4, NULL, 0, 52,
+    1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    welding_5r_fk, welding_5r_jacobian, solve, complete, NULL,
+};
 
 int welding_5r_ik(
     const double T[16], const double *q_seed, double q[8][5], unsigned char status[8])
 {
-    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 5; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 8; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, 0.0, q, status);
-    int begun = -1; /* the first row that was not simply out of reach */
-    for (int row = 8 - 1; row >= 0; row--)
-        begun = status[row] == NONE ? begun : row;
-    for (int row = 0; row < 8; row++)
-        if (status[row] >= LOST)
-            choose_again(pose, seed, row, q, status);
-    for (int row = 0; row < 8; row++)
-        if (status[row] == FREE && beyond_limits(q[row]) > 0.0)
-            keep_limits(pose, seed, row, q, status);
-    both_sides(pose, seed, q, status);
-    tighten(pose, q, status);
-    if (begun >= 0)
-        seek(pose, seed, begun, q, status);
-    tell_once(pose, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
-        if (status[row] == NONE)
-            continue;
-        (void)stand(pose, row, 0, q, status);
-        for (int i = 0; i < 5; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[8][5], found[5], least = HUGE_VAL;
-    unsigned char status[8];
-    int result = -NONE;
-    int valid = welding_5r_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 5; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 8 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 5; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-    for (; k < n; k++)
-        (void)welding_5r_ik(T + 16 * k, NULL, (double (*)[5])(q + 40 * k), status + 8 * k);
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

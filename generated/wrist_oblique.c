@@ -3,248 +3,26 @@
  * Inverse kinematics, generated from robots/wrist_oblique.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/wrist_oblique.yaml. The formulas and where they come from:
  * wrist_oblique.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: f5f19c3bbd81dcd8
+ * SPDX-License-Identifier: MIT
  */
 #include "wrist_oblique.h"
 
-#include <math.h>
+#if defined(WRIST_OBLIQUE_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(WRIST_OBLIQUE_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 3
+#define DHGEN_ROWS 2
+#include "dhgen/closed.h"
 
-/* What rows hold. */
-enum {
-    OK = WRIST_OBLIQUE_OK, NONE = WRIST_OBLIQUE_UNREACHABLE, FREE = WRIST_OBLIQUE_FREE_JOINT,
-    OUT = WRIST_OBLIQUE_OUT_OF_LIMITS, INVALID = WRIST_OBLIQUE_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
-#else
-#define HELPER static inline
-#define APART static
+#if DHGEN_INTERFACE != 1
+#error "wrist_oblique.c and the folder dhgen/ are of different versions: run dhgen robots/wrist_oblique.yaml"
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef WRIST_OBLIQUE_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DWRIST_OBLIQUE_SCALAR. With -DWRIST_OBLIQUE_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(WRIST_OBLIQUE_SCALAR) && !defined(WRIST_OBLIQUE_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define maximum_wide _mm512_max_pd
-#define minimum_wide _mm512_min_pd
-#define sqrt_wide _mm512_sqrt_pd
-#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
-#else
-#define LANES 4
-#define pick_wide pick_four
-#define maximum_wide maximum_four
-#define minimum_wide minimum_four
-#define sqrt_wide sqrt_four
-#define bits_wide bits_four
-#endif
-#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define maximum_four _mm256_max_pd
-#define minimum_four _mm256_min_pd
-#define sqrt_four _mm256_sqrt_pd
-#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
-#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
-#define shuffle __builtin_shufflevector
-#define where_all(mask) (mask)
-
-#define VECTOR(v, lanes) \
-typedef double v __attribute__((vector_size(8 * lanes))); \
-typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
-typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
-HELPER v all_##v(double x) { return x - (v){ 0 }; } \
-HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
-HELPER v copysign_##v(v x, v y) \
-{ \
-    const v##_mask sign = (v##_mask)all_##v(-0.0); \
-    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
-} \
-HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
-HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
-
-VECTOR(four, 4)
-VECTOR(wide, LANES)
-ARCTANGENT(four)
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0)
-#define copysign_wide copysign
-#define signed_wide copysign
-#define negated_wide(x, where) ((x) * copysign(1.0, where))
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#endif
-#ifdef WRIST_OBLIQUE_LIBM /* half the time of atan2 */
-HELPER double atan2_wide(double y, double x)
-{
-    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
-}
-#else
-ARCTANGENT(wide)
-#endif
-
-MISFIT(wide, wide)
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-#if LANES > 1
-/* Writes joint values of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
-}
-
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER four irregularity_four(const double T[16])
-{
-    const four x = *(const four_at *)T, y = *(const four_at *)(T + 4),
-        z = *(const four_at *)(T + 8), x1 = shuffle(x, x, 1, 2, 0, 3),
-        y1 = shuffle(y, y, 1, 2, 0, 3), z1 = shuffle(z, z, 1, 2, 0, 3),
-        x2 = shuffle(x, x, 2, 0, 1, 3), y2 = shuffle(y, y, 2, 0, 1, 3),
-        lengths = x * x + y * y + z * z - 1.0, angles = x * x1 + y * y1 + z * z1,
-        mirror = x1 * y2 - x2 * y1 - z,
-        last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
-    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
-        0.0 } + last * last;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-#if LANES == 8
-    wide y[8];
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = x[k];
-        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    double y[16];
-    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
-    for (int k = 0; k < 4; k++)
-        x[k] = *(const wide_at *)(y + 4 * k);
-#endif
-}
-#endif
-
-
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     sqrt3 = 1.7320508075688772, /* square root of 3 */
     ca2 = 0.6427876096865394, /* cosine of twist 2 */
@@ -285,9 +63,12 @@ const char *const wrist_oblique_branches[2] = {
     "left", "right",
 };
 
-static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
-static const double highest[3] = { INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* of limits */
+static const struct dhgen_joint joints[3] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
 
 void wrist_oblique_fk(const double q[3], double T[16])
 {
@@ -320,240 +101,14 @@ void wrist_oblique_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = k1; J[17] = z2_z;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1), inverse1 = 1.0 / N1,
-        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1, c1_p = v3 + v4, c1_m = v3 - v4, v5 = Y1 * w1,
-        s1_p = v5 - v2, v6 = v2 + v5;
-
-    /* theta3 */
-    const wide v7 = sqrt3 * T22, v8 = sqrt3 * T12, v9 = sqrt3 * T21, v10 = sqrt3 * T11,
-        v11 = Y1 * v10 - v1 * v9, v12 = m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9)),
-        S3_p = v12 + w1 * (m2 * (inverse1 * v11)), S3_m = v12 + w1 * (m2 * (inverse1 * -v11)),
-        v13 = Y1 * v8 - v1 * v7, v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7)),
-        C3_p = v14 + w1 * (m2 * (inverse1 * v13)), C3_m = v14 + w1 * (m2 * (inverse1 * -v13)),
-        v15 = S3_p * S3_p + C3_p * C3_p, v16 = S3_m * S3_m + C3_m * C3_m,
-        v17 = sqrt_wide(v15) * (1.0 / v15), v18 = sqrt_wide(v16) * (1.0 / v16), v19 = C3_p * v17,
-        v20 = C3_m * v18, v21 = S3_p * v17, v22 = S3_m * v18;
-
-    /* theta2 */
-    const wide v23 = k4 * (T32 * v21 - T31 * v19), v24 = k4 * (T32 * v22 - T31 * v20),
-        v25 = k5 * (k1 * (2.0 * T33 - ca2)), v26 = v25 * v25, v27 = v26 + v23 * v23,
-        v28 = v26 + v24 * v24, v29 = sqrt_wide(v27) * (1.0 / v27),
-        v30 = sqrt_wide(v28) * (1.0 / v28), c2_p = v25 * v29, c2_m = v25 * v30, s2_p = v23 * v29,
-        s2_m = v24 * v30;
-
-    /* is the pose one that the arm can take? */
-    const wide v31 = ca2 * v21, v32 = ca2 * v22, v33 = sa2 * s2_p, v34 = sa2 * s2_m, v35 = m4 * v2,
-        v36 = w1 * (m4 * Y1), v37 = v36 - v35, v38 = v35 + v36, v39 = m4 * v3, v40 = w1 * (m4 * v1),
-        v41 = v39 + v40, v42 = v39 - v40, v43 = k5 * T31, v44 = k5 * T33, v45 = sa2 * c2_p,
-        v46 = sa2 * c2_m, v47 = k5 * T34, v48 = m5 * v2, v49 = w1 * (m5 * Y1), v50 = v49 - v48,
-        v51 = v48 + v49, v52 = m5 * v3, v53 = w1 * (m5 * v1), v54 = v52 + v53, v55 = v52 - v53,
-        v56 = k1 * T31, v57 = k1 * T33, v58 = k1 * T34,
-        v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2,
-        v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2,
-        v61 = v57 + inverse1 * (v50 * T13 - v54 * T23) - ca2,
-        v62 = v57 - inverse1 * (v51 * T13 + v55 * T23) - ca2,
-        v63 = v56 + inverse1 * (T11 * v50 - T21 * v54) - sa2 * v21,
-        v64 = v56 - inverse1 * (T11 * v51 + T21 * v55) - sa2 * v22,
-        v65 = v47 + inverse1 * (T24 * v41 - T14 * v37) - d3 * v45,
-        v66 = v47 + inverse1 * (T24 * v42 + T14 * v38) - d3 * v46,
-        v67 = v44 + inverse1 * (v41 * T23 - v37 * T13) - v45,
-        v68 = v44 + inverse1 * (v42 * T23 + v38 * T13) - v46,
-        v69 = v43 + inverse1 * (T21 * v41 - T11 * v37) + (c2_p * v31 + v19 * s2_p),
-        v70 = v43 + inverse1 * (T21 * v42 + T11 * v38) + (c2_m * v32 + v20 * s2_m),
-        v71 = d3 * v33 + inverse1 * (T14 * c1_p + T24 * s1_p),
-        v72 = d3 * v34 + inverse1 * (T14 * c1_m - T24 * v6),
-        v73 = inverse1 * (c1_p * T11 + s1_p * T21) - (s2_p * v31 - v19 * c2_p),
-        v74 = inverse1 * (c1_m * T11 - v6 * T21) - (s2_m * v32 - v20 * c2_m),
-        v75 = v33 + inverse1 * (c1_p * T13 + s1_p * T23),
-        v76 = v34 + inverse1 * (c1_m * T13 - v6 * T23), v77 = v59 * v59 + v65 * v65 + v71 * v71,
-        v78 = v60 * v60 + v66 * v66 + v72 * v72,
-        v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75,
-        v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76;
-
-    /* joint values */
-    const double v81 = NAN;
-    const wide v82 = only_wide(((v77 <= m6) & (v79 <= m8)) == 0, v81),
-        v83 = only_wide(((v78 <= m6) & (v80 <= m8)) == 0, v81), angle1 = atan2_wide(s1_p, c1_p),
-        angle2 = atan2_wide(-v6, c1_m), angle3 = atan2_wide(v23, v25),
-        angle4 = atan2_wide(v24, v25), angle5 = atan2_wide(-S3_p, -C3_p),
-        angle6 = atan2_wide(-S3_m, -C3_m);
-
-    q[0] = v82 + angle1; q[1] = v82 + angle3; q[2] = v82 + angle5;
-    kind[0] = kind_of(q[0], 0);
-    q[3] = v83 + angle2; q[4] = v83 + angle4; q[5] = v83 + angle6;
-    kind[1] = kind_of(q[3], 0);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | ((v28 <= m3) | (v16 <= m3) | (v27 <= m3) | (v15 <= m3) | ((m6 < v78) &
-        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v80) & (v80 <= m9)) | (N1 <=
-        doubt_limit_squared2) | (abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * abs_wide(Z1))) | ((m8 <
-        v79) & (v79 <= m9)));
-}
-
-#if LANES > 1
-/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-INLINED
-HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
-{
-    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
-
-    /* theta1 */
-    const double v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = 1.0 / N1, v2 = v1 * Z1,
-        v3 = Y1 * Z1, v4 = v1 * w1;
-    const four c1 = v3 + e1 * v4, v5 = e1 * v1;
-    const double v6 = Y1 * w1;
-    const four s1 = e1 * v6 - v2, v7 = e1 * Y1;
-
-    /* theta3 */
-    const double v8 = sqrt3 * T22, v9 = sqrt3 * T12, v10 = sqrt3 * T21, v11 = sqrt3 * T11,
-        v12 = Y1 * v11 - v1 * v10, v13 = m2 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
-    const four S3 = v13 + w1 * (m2 * (inverse1 * (e1 * v12)));
-    const double v14 = Y1 * v9 - v1 * v8, v15 = m2 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
-    const four C3 = v15 + w1 * (m2 * (inverse1 * (e1 * v14))), v16 = S3 * S3 + C3 * C3,
-        v17 = sqrt_four(v16) * (1.0 / v16), v18 = C3 * v17, v19 = S3 * v17;
-
-    /* theta2 */
-    const four v20 = k4 * (T32 * v19 - T31 * v18);
-    const double v21 = k5 * (k1 * (2.0 * T33 - ca2)), v22 = v21 * v21;
-    const four v23 = v22 + v20 * v20, v24 = sqrt_four(v23) * (1.0 / v23), c2 = v21 * v24,
-        s2 = v20 * v24;
-
-    /* is the pose one that the arm can take? */
-    const four v25 = ca2 * v19, v26 = sa2 * s2;
-    const double v27 = m4 * v2;
-    const four v28 = w1 * (m4 * v7) - v27;
-    const double v29 = m4 * v3;
-    const four v30 = v29 + w1 * (m4 * v5);
-    const double v31 = k5 * T31, v32 = k5 * T33;
-    const four v33 = sa2 * c2;
-    const double v34 = k5 * T34, v35 = m5 * v2;
-    const four v36 = w1 * (m5 * v7) - v35;
-    const double v37 = m5 * v3;
-    const four v38 = v37 + w1 * (m5 * v5);
-    const double v39 = k1 * T31, v40 = k1 * T33, v41 = k1 * T34;
-    const four v42 = v41 + inverse1 * (T14 * v36 - T24 * v38) - k2,
-        v43 = v40 + inverse1 * (v36 * T13 - v38 * T23) - ca2,
-        v44 = v39 + inverse1 * (T11 * v36 - T21 * v38) - sa2 * v19,
-        v45 = v34 + inverse1 * (T24 * v30 - T14 * v28) - d3 * v33,
-        v46 = v32 + inverse1 * (v30 * T23 - v28 * T13) - v33,
-        v47 = v31 + inverse1 * (T21 * v30 - T11 * v28) + (c2 * v25 + v18 * s2),
-        v48 = d3 * v26 + inverse1 * (T14 * c1 + T24 * s1),
-        v49 = inverse1 * (c1 * T11 + s1 * T21) - (s2 * v25 - v18 * c2),
-        v50 = v26 + inverse1 * (c1 * T13 + s1 * T23), v51 = v42 * v42 + v45 * v45 + v48 * v48,
-        v52 = v43 * v43 + v44 * v44 + v46 * v46 + v47 * v47 + v49 * v49 + v50 * v50;
-
-    /* joint values */
-    const double v53 = NAN;
-    const four v54 = only_four(((v51 <= m6) & (v52 <= m8)) == 0, v53);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | ((v23 <= m3) | (v16 <= m3) | ((m8 < v52)
-        & (v52 <= m9)) | ((m6 < v51) & (v51 <= m7)))) | (unsigned)((N1 <= doubt_limit_squared2) |
-        (fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1)))))
-        return -1;
-
-    const four_ratio ratio1 = ratio_four(-S3, -C3),
-        ratio2 = ratio_four(shuffle(s1, v20, 0, 1, 6, 7), shuffle(c1, all_four(v21), 0, 1, 6, 7));
-    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
-        packed2 = angle_four(ratio2), angle1 = shuffle(packed2, packed2, 0, 1, 0, 1),
-        angle2 = shuffle(packed2, packed2, 2, 3, 2, 3);
-    const four q1 = v54 + angle1, q2 = v54 + angle2, q3 = v54 + angle3;
-
-    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
-    store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
-    const unsigned long long kind1 = none1 * NONE;
-    __builtin_memcpy(status + 0, &kind1, 2);
-    return __builtin_popcountll(0x101ull & ~none1);
-}
-
-/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
-HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
-{
-    wide pose[16], found[6], x[LANES];
-    wide_mask kind[2];
-    for (int i = 0; i < 16; i += LANES) {
-        for (int k = 0; k < LANES; k++)
-            x[k] = *(const wide_at *)(T + 16 * k + i);
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const wide_mask left = solve_wide(pose, found, kind);
-    for (int i = 0; i < 6; i++)
-        for (int k = 0; k < LANES; k++)
-            q[6 * k + i] = found[i][k];
-    for (int i = 1; i < 2; i++)
-        kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++) {
-        const long long word = kind[0][k];
-        __builtin_memcpy(status + 2 * k, &word, 2);
-    }
-    return bits_wide(left);
-}
-#else
-HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
-{
-    wide_mask kind[2];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 2; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-#endif
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[3], double q[2][3], unsigned char status[2])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[3] = (double (*)[3])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -620,232 +175,207 @@ static void solve(
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1 || free2 || free3) ? FREE : OK;
+        status[row] = (free1 || free2 || free3) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
-static void take(const double from[3], double to[3])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 3; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
+        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_wide(D1), inverse1 = 1.0 / N1,
+        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1, c1_p = v3 + v4, c1_m = v3 - v4, v5 = Y1 * w1,
+        s1_p = v5 - v2, v6 = v2 + v5;
+
+    /* theta3 */
+    const dhgen_wide v7 = sqrt3 * T22, v8 = sqrt3 * T12, v9 = sqrt3 * T21, v10 = sqrt3 * T11,
+        v11 = Y1 * v10 - v1 * v9, v12 = m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9)),
+        S3_p = v12 + w1 * (m2 * (inverse1 * v11)), S3_m = v12 + w1 * (m2 * (inverse1 * -v11)),
+        v13 = Y1 * v8 - v1 * v7, v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7)),
+        C3_p = v14 + w1 * (m2 * (inverse1 * v13)), C3_m = v14 + w1 * (m2 * (inverse1 * -v13)),
+        v15 = S3_p * S3_p + C3_p * C3_p, v16 = S3_m * S3_m + C3_m * C3_m,
+        v17 = dhgen_sqrt_wide(v15) * (1.0 / v15), v18 = dhgen_sqrt_wide(v16) * (1.0 / v16),
+        v19 = C3_p * v17, v20 = C3_m * v18, v21 = S3_p * v17, v22 = S3_m * v18;
+
+    /* theta2 */
+    const dhgen_wide v23 = k4 * (T32 * v21 - T31 * v19), v24 = k4 * (T32 * v22 - T31 * v20),
+        v25 = k5 * (k1 * (2.0 * T33 - ca2)), v26 = v25 * v25, v27 = v26 + v23 * v23,
+        v28 = v26 + v24 * v24, v29 = dhgen_sqrt_wide(v27) * (1.0 / v27),
+        v30 = dhgen_sqrt_wide(v28) * (1.0 / v28), c2_p = v25 * v29, c2_m = v25 * v30,
+        s2_p = v23 * v29, s2_m = v24 * v30;
+
+    /* is the pose one that the arm can take? */
+    const dhgen_wide v31 = ca2 * v21, v32 = ca2 * v22, v33 = sa2 * s2_p, v34 = sa2 * s2_m,
+        v35 = m4 * v2, v36 = w1 * (m4 * Y1), v37 = v36 - v35, v38 = v35 + v36, v39 = m4 * v3,
+        v40 = w1 * (m4 * v1), v41 = v39 + v40, v42 = v39 - v40, v43 = k5 * T31, v44 = k5 * T33,
+        v45 = sa2 * c2_p, v46 = sa2 * c2_m, v47 = k5 * T34, v48 = m5 * v2, v49 = w1 * (m5 * Y1),
+        v50 = v49 - v48, v51 = v48 + v49, v52 = m5 * v3, v53 = w1 * (m5 * v1), v54 = v52 + v53,
+        v55 = v52 - v53, v56 = k1 * T31, v57 = k1 * T33, v58 = k1 * T34,
+        v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2,
+        v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2,
+        v61 = v57 + inverse1 * (v50 * T13 - v54 * T23) - ca2,
+        v62 = v57 - inverse1 * (v51 * T13 + v55 * T23) - ca2,
+        v63 = v56 + inverse1 * (T11 * v50 - T21 * v54) - sa2 * v21,
+        v64 = v56 - inverse1 * (T11 * v51 + T21 * v55) - sa2 * v22,
+        v65 = v47 + inverse1 * (T24 * v41 - T14 * v37) - d3 * v45,
+        v66 = v47 + inverse1 * (T24 * v42 + T14 * v38) - d3 * v46,
+        v67 = v44 + inverse1 * (v41 * T23 - v37 * T13) - v45,
+        v68 = v44 + inverse1 * (v42 * T23 + v38 * T13) - v46,
+        v69 = v43 + inverse1 * (T21 * v41 - T11 * v37) + (c2_p * v31 + v19 * s2_p),
+        v70 = v43 + inverse1 * (T21 * v42 + T11 * v38) + (c2_m * v32 + v20 * s2_m),
+        v71 = d3 * v33 + inverse1 * (T14 * c1_p + T24 * s1_p),
+        v72 = d3 * v34 + inverse1 * (T14 * c1_m - T24 * v6),
+        v73 = inverse1 * (c1_p * T11 + s1_p * T21) - (s2_p * v31 - v19 * c2_p),
+        v74 = inverse1 * (c1_m * T11 - v6 * T21) - (s2_m * v32 - v20 * c2_m),
+        v75 = v33 + inverse1 * (c1_p * T13 + s1_p * T23),
+        v76 = v34 + inverse1 * (c1_m * T13 - v6 * T23), v77 = v59 * v59 + v65 * v65 + v71 * v71,
+        v78 = v60 * v60 + v66 * v66 + v72 * v72,
+        v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75,
+        v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76;
+
+    /* joint values */
+    const double v81 = DHGEN_NAN;
+    const dhgen_wide v82 = dhgen_only_wide(((v77 <= m6) & (v79 <= m8)) == 0, v81),
+        v83 = dhgen_only_wide(((v78 <= m6) & (v80 <= m8)) == 0, v81),
+        angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(-v6, c1_m),
+        angle3 = dhgen_atan2_wide(v23, v25), angle4 = dhgen_atan2_wide(v24, v25),
+        angle5 = dhgen_atan2_wide(-S3_p, -C3_p), angle6 = dhgen_atan2_wide(-S3_m, -C3_m);
+
+    q[0] = v82 + angle1; q[1] = v82 + angle3; q[2] = v82 + angle5;
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[3] = v83 + angle2; q[4] = v83 + angle4; q[5] = v83 + angle6;
+    kind[1] = dhgen_kind_wide(q[3]);
+    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((v28 <= m3) | (v16 <= m3) | (v27 <= m3) | (v15 <= m3) | ((m6 < v78) &
+        (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v80) & (v80 <= m9)) | (N1 <=
+        doubt_limit_squared2) | (dhgen_abs_wide(D1) <= m1 * (merge_slack1 + 2.0 *
+        dhgen_abs_wide(Z1))) | ((m8 < v79) & (v79 <= m9)));
 }
 
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
+#if DHGEN_LANES > 1
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
 
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[3], const double q[3], double half[3])
+    /* theta1 */
+    const double v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
+        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = 1.0 / N1, v2 = v1 * Z1,
+        v3 = Y1 * Z1, v4 = v1 * w1;
+    const dhgen_four c1 = v3 + e1 * v4, v5 = e1 * v1;
+    const double v6 = Y1 * w1;
+    const dhgen_four s1 = e1 * v6 - v2, v7 = e1 * Y1;
+
+    /* theta3 */
+    const double v8 = sqrt3 * T22, v9 = sqrt3 * T12, v10 = sqrt3 * T21, v11 = sqrt3 * T11,
+        v12 = Y1 * v11 - v1 * v10, v13 = m2 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
+    const dhgen_four S3 = v13 + w1 * (m2 * (inverse1 * (e1 * v12)));
+    const double v14 = Y1 * v9 - v1 * v8, v15 = m2 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
+    const dhgen_four C3 = v15 + w1 * (m2 * (inverse1 * (e1 * v14))), v16 = S3 * S3 + C3 * C3,
+        v17 = dhgen_sqrt_four(v16) * (1.0 / v16), v18 = C3 * v17, v19 = S3 * v17;
+
+    /* theta2 */
+    const dhgen_four v20 = k4 * (T32 * v19 - T31 * v18);
+    const double v21 = k5 * (k1 * (2.0 * T33 - ca2)), v22 = v21 * v21;
+    const dhgen_four v23 = v22 + v20 * v20, v24 = dhgen_sqrt_four(v23) * (1.0 / v23),
+        c2 = v21 * v24, s2 = v20 * v24;
+
+    /* is the pose one that the arm can take? */
+    const dhgen_four v25 = ca2 * v19, v26 = sa2 * s2;
+    const double v27 = m4 * v2;
+    const dhgen_four v28 = w1 * (m4 * v7) - v27;
+    const double v29 = m4 * v3;
+    const dhgen_four v30 = v29 + w1 * (m4 * v5);
+    const double v31 = k5 * T31, v32 = k5 * T33;
+    const dhgen_four v33 = sa2 * c2;
+    const double v34 = k5 * T34, v35 = m5 * v2;
+    const dhgen_four v36 = w1 * (m5 * v7) - v35;
+    const double v37 = m5 * v3;
+    const dhgen_four v38 = v37 + w1 * (m5 * v5);
+    const double v39 = k1 * T31, v40 = k1 * T33, v41 = k1 * T34;
+    const dhgen_four v42 = v41 + inverse1 * (T14 * v36 - T24 * v38) - k2,
+        v43 = v40 + inverse1 * (v36 * T13 - v38 * T23) - ca2,
+        v44 = v39 + inverse1 * (T11 * v36 - T21 * v38) - sa2 * v19,
+        v45 = v34 + inverse1 * (T24 * v30 - T14 * v28) - d3 * v33,
+        v46 = v32 + inverse1 * (v30 * T23 - v28 * T13) - v33,
+        v47 = v31 + inverse1 * (T21 * v30 - T11 * v28) + (c2 * v25 + v18 * s2),
+        v48 = d3 * v26 + inverse1 * (T14 * c1 + T24 * s1),
+        v49 = inverse1 * (c1 * T11 + s1 * T21) - (s2 * v25 - v18 * c2),
+        v50 = v26 + inverse1 * (c1 * T13 + s1 * T23), v51 = v42 * v42 + v45 * v45 + v48 * v48,
+        v52 = v43 * v43 + v44 * v44 + v46 * v46 + v47 * v47 + v49 * v49 + v50 * v50;
+
+    /* joint values */
+    const double v53 = DHGEN_NAN;
+    const dhgen_four v54 = dhgen_only_four(((v51 <= m6) & (v52 <= m8)) == 0, v53);
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v23 <= m3) |
+        (v16 <= m3) | ((m8 < v52) & (v52 <= m9)) | ((m6 < v51) & (v51 <= m7)))) | (unsigned)((N1 <=
+        doubt_limit_squared2) | (fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1)))))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(-S3, -C3),
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(s1, v20, 0, 1, 6, 7), dhgen_shuffle(c1,
+            dhgen_all_four(v21), 0, 1, 6, 7));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle3 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1), packed2 = dhgen_angle_four(ratio2),
+        angle1 = dhgen_shuffle(packed2, packed2, 0, 1, 0, 1),
+        angle2 = dhgen_shuffle(packed2, packed2, 2, 3, 2, 3);
+    const dhgen_four q1 = v54 + angle1, q2 = v54 + angle2, q3 = v54 + angle3;
+
+    dhgen_store_2(q, q + 3, q, q + 3, q1, q2);
+    dhgen_store_1(q + 2, q + 5, q + 2, q + 5, q3);
+    const unsigned long long none1 = (dhgen_bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 2);
+    return __builtin_popcountll(0x101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    double most = 0.0;
-    for (int i = 0; i < 3; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
+#endif
 
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 10.0, 10.0, 10.0, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[3] = { 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[3], double e[6])
-{
-    double P[16], square = 0.0;
-    wrist_oblique_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[3], double damping, double e[6], double x[3])
-{
-    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
-    wrist_oblique_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 3; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
-        A[i][3 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 9; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 9; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 9; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 3; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[3])
-{
-    double x[3], half[3], e[6], last = HUGE_VAL;
-    int settled = 0, lost = 0, held[3] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[3], double q[2][3],
-    unsigned char status[2])
-{
-    double x[3], half[3], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    take(seed, x);
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    for (int row = 2 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
-{
-    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 3; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
-    for (int row = 0; row < 2; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 3; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 2; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[3] = { 2, 1, 0 };
+static const struct dhgen_arm arm = {
+    3, 2, 0, DHGEN_POSE, joints, NULL, 0,
+    { 10.0, 10.0, 10.0, 1.0, 1.0, 1.0 }, 10.0, entries, 9,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 3, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    wrist_oblique_fk, wrist_oblique_jacobian, solve, NULL, solve_regular,
+};
 
 int wrist_oblique_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[2][3], found[3], least = HUGE_VAL;
-    unsigned char status[2];
-    int result = -NONE;
-    int valid = wrist_oblique_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 3; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 2 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void wrist_oblique_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-#if LANES > 1
-    for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 6 * k, status + 2 * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                (void)wrist_oblique_ik(
-                    T + 16 * i, NULL, (double (*)[3])(q + 6 * i), status + 2 * i);
-    }
-#endif
-    for (; k < n; k++)
-        (void)wrist_oblique_ik(T + 16 * k, NULL, (double (*)[3])(q + 6 * k), status + 2 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

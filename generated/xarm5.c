@@ -2,256 +2,26 @@
  *
  * Inverse kinematics, generated from robots/xarm5.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/xarm5.yaml. The formulas and where they come from: xarm5.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 5d5e03133f742303
+ * SPDX-License-Identifier: MIT
  */
 #include "xarm5.h"
 
-#include <math.h>
+#if defined(XARM5_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(XARM5_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 5
+#define DHGEN_ROWS 4
+#include "dhgen/closed.h"
 
-/* What rows hold. */
-enum {
-    OK = XARM5_OK, NONE = XARM5_UNREACHABLE, FREE = XARM5_FREE_JOINT,
-    OUT = XARM5_OUT_OF_LIMITS, INVALID = XARM5_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
-
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#define APART __attribute__((noinline)) static
-#define INLINED __attribute__((always_inline))
-#else
-#define HELPER static inline
-#define APART static
+#if DHGEN_INTERFACE != 1
+#error "xarm5.c and the folder dhgen/ are of different versions: run dhgen robots/xarm5.yaml"
 #endif
 
-#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
-#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
-
-#ifndef XARM5_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
- * several angles all ratios come first. `added` is x + y where m holds, else x: for one pose, which
- * waits for its values, so that the sum doesn't wait for m. */
-#define added_four(x, m, y) pick_four(m, (x) + (y), x)
-#define added_wide(x, m, y) ((x) + only_wide(m, 1.0) * (y))
-#define ARCTANGENT(v) \
-typedef struct { v r, known, y; } v##_ratio; \
-HELPER v##_ratio ratio_##v(v y, v x) \
-{ \
-    const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax; \
-    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
-    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
-    const v whole = pick_##v(steep, half, half - 2.0 * part); \
-    const v up = added_##v(least, turned, -most), down = added_##v(most, turned, least); \
-    return (v##_ratio){ negated_##v(up, part) / down, added_##v(whole, turned, part), y }; \
-} \
-HELPER v angle_##v(v##_ratio of) \
-{ \
-    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
-    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
-    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
-    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
-    const v p = p0 + (p4 + p8 * u4) * u4; \
-    return negated_##v((of.known + r) + r * u * p, of.y); \
-} \
-HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DXARM5_SCALAR. With -DXARM5_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(XARM5_SCALAR) && !defined(XARM5_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define maximum_wide _mm512_max_pd
-#define minimum_wide _mm512_min_pd
-#define sqrt_wide _mm512_sqrt_pd
-#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
-#else
-#define LANES 4
-#define pick_wide pick_four
-#define maximum_wide maximum_four
-#define minimum_wide minimum_four
-#define sqrt_wide sqrt_four
-#define bits_wide bits_four
-#endif
-#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define maximum_four _mm256_max_pd
-#define minimum_four _mm256_min_pd
-#define sqrt_four _mm256_sqrt_pd
-#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
-#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
-#define shuffle __builtin_shufflevector
-#define where_all(mask) (mask)
-
-#define VECTOR(v, lanes) \
-typedef double v __attribute__((vector_size(8 * lanes))); \
-typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
-typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
-HELPER v all_##v(double x) { return x - (v){ 0 }; } \
-HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
-HELPER v copysign_##v(v x, v y) \
-{ \
-    const v##_mask sign = (v##_mask)all_##v(-0.0); \
-    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
-} \
-HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
-HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
-
-VECTOR(four, 4)
-VECTOR(wide, LANES)
-ARCTANGENT(four)
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define where_all(truth) (-(truth))
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define only_wide(m, x) ((m) ? (x) : 0.0)
-#define copysign_wide copysign
-#define signed_wide copysign
-#define negated_wide(x, where) ((x) * copysign(1.0, where))
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define maximum_wide maximum_double
-#define minimum_wide minimum_double
-#endif
-#ifdef XARM5_LIBM /* half the time of atan2 */
-HELPER double atan2_wide(double y, double x)
-{
-    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
-}
-#else
-ARCTANGENT(wide)
-#endif
-
-MISFIT(wide, wide)
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-#if LANES > 1
-/* Writes joint values of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER four irregularity_four(const double T[16])
-{
-    const four x = *(const four_at *)T, y = *(const four_at *)(T + 4),
-        z = *(const four_at *)(T + 8), x1 = shuffle(x, x, 1, 2, 0, 3),
-        y1 = shuffle(y, y, 1, 2, 0, 3), z1 = shuffle(z, z, 1, 2, 0, 3),
-        x2 = shuffle(x, x, 2, 0, 1, 3), y2 = shuffle(y, y, 2, 0, 1, 3),
-        lengths = x * x + y * y + z * z - 1.0, angles = x * x1 + y * y1 + z * z1,
-        mirror = x1 * y2 - x2 * y1 - z,
-        last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
-    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
-        0.0 } + last * last;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-#if LANES == 8
-    wide y[8];
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = x[k];
-        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    double y[16];
-    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
-    for (int k = 0; k < 4; k++)
-        x[k] = *(const wide_at *)(y + 4 * k);
-#endif
-}
-#endif
-
-/* An angle moved by a whole turn to (-pi, pi] if it is below, above, or either. */
-#define TURNS(v) \
-HELPER v raised_##v(v x) { return x + only_##v(x <= -half_turn, turn); } \
-HELPER v lowered_##v(v x) { return x - only_##v(half_turn < x, turn); } \
-HELPER v centred_##v(v x) \
-{ \
-    return x + pick_##v(x <= -half_turn, all_##v(turn), only_##v(half_turn < x, -turn)); \
-}
-
-TURNS(wide)
-#if LANES > 1
-TURNS(four)
-#endif
-
-
-/* The status of rows in lanes. */
-#define kind_of(x, outside) \
-    ((where_all((x) != (x)) & NONE) \
-        | (where_all(((x) == (x)) & (outside)) & OUT))
 static const double
     d1 = 0.267, /* joint offset 1 [m] */
     a2 = 0.2894866145437471, /* link length 2 [m] */
@@ -297,9 +67,14 @@ const char *const xarm5_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
 };
 
-static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-#define slack(joint) 1e-09 /* of limits */
+static const struct dhgen_joint joints[5] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
 
 void xarm5_fk(const double q[5], double T[16])
 {
@@ -351,283 +126,14 @@ void xarm5_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = z4_z;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
-{
-    ENTRIES(wide);
-
-    /* theta1 */
-    const wide v1 = signed_wide(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
-
-    /* theta234 */
-    const wide v6 = v5 * (T13 * v2 + T23 * v3), Z2_234 = w1 * v6, v7 = T33 * T33 + Z2_234 * Z2_234,
-        factor234 = sqrt_wide(v7) * (1.0 / v7), angle1 = atan2_wide(-Z2_234, T33);
-
-    /* theta5 */
-    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
-        v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt_wide(v8) * (1.0 / v8), v10 = Z1_5 * v9,
-        v11 = Z2_5 * v9, angle2 = atan2_wide(-Z2_5, -Z1_5);
-
-    /* theta3 */
-    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = w1 * (m4 * v6), v15 = factor234 * (v12 - v14),
-        v16 = factor234 * (v12 + v14), Z1_3_p = v13 - v15, Z1_3_m = v13 - v16, v17 = a4 * T33,
-        v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6), v20 = factor234 * (v17 + v19),
-        v21 = factor234 * (v17 - v19), Z2_3_p = v18 - v20, v22 = v18 + v21,
-        N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, N3_m = Z1_3_m * Z1_3_m + v22 * v22,
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = sqrt_wide(D3_p),
-        w3_m = sqrt_wide(D3_m), v23 = w3_p - w3_p, v24 = w3_m - w3_m,
-        angle3 = atan2_wide(w3_p, N3_p - k1), angle4 = atan2_wide(w3_m, N3_m - k1);
-
-    /* theta2 */
-    const wide v25 = m7 * N3_p - m8, v26 = m7 * N3_m - m8, v27 = Z1_3_p * v25, v28 = Z1_3_m * v26,
-        S2_pp = v27 - w3_p * (m7 * Z2_3_p), S2_pm = v27 - w3_p * (m7 * -Z2_3_p),
-        v29 = w3_m * (m7 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
-        v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m,
-        angle5 = atan2_wide(S2_pp, v30 + w3_p * (m7 * Z1_3_p)),
-        angle6 = atan2_wide(S2_pm, v30 + w3_p * (m7 * -Z1_3_p)),
-        angle7 = atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v31),
-        angle8 = atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v31);
-
-    /* is the pose one that the arm can take? */
-    const wide v32 = Z1_3_p * (m9 + m10 * factor2_p), v33 = Z1_3_m * (m9 + m10 * factor2_m),
-        v34 = v20 + Z2_3_p, v35 = v21 - v22, v36 = d1 + v15, v37 = d1 + v16,
-        v38 = T33 - T33 * factor234, v39 = T31 - factor234 * (Z2_234 * v10),
-        v40 = T23 - factor234 * (s1 * Z2_234),
-        v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
-        v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
-        v43 = T13 - factor234 * (c1 * Z2_234),
-        v44 = T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
-            factor2_p))),
-        v45 = T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
-            factor2_p))), v46 = w3_m * (m9 * (v22 * factor2_m)),
-        v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m))),
-        v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m))), v49 = T14 - c1 * v34,
-        v50 = T14 + c1 * v35, v51 = T24 - s1 * v34, v52 = T24 + s1 * v35, v53 = v49 * v49,
-        v54 = v50 * v50, v55 = v51 * v51, v56 = v52 * v52, v57 = v55 + (v53 + v44 * v44),
-        v58 = v55 + (v53 + v45 * v45), v59 = v56 + (v54 + v47 * v47), v60 = v56 + (v54 + v48 * v48);
-
-    /* joint values */
-    const wide angle9 = atan2_wide(v3, v2), v61 = angle9 - offset1,
-        v62 = angle9 - signed_wide(half_turn, v3) - offset1, v63 = angle5 - offset2,
-        v64 = angle6 - offset2, v65 = angle7 - offset2, v66 = angle8 - offset2,
-        v67 = angle3 - offset3, v68 = offset3 + angle3, v69 = angle4 - offset3,
-        v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
-        v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
-        v74 = offset4 + (angle1 + (angle8 - angle4)), v75 = centred_wide(v71),
-        v76 = centred_wide(v72),
-        v77 = pick_wide(-v73 <= -half_turn, all_wide(turn), only_wide(half_turn < -v73, -turn)) -
-            v73,
-        v78 = pick_wide(-v74 <= -half_turn, all_wide(turn), only_wide(half_turn < -v74, -turn)) -
-            v74;
-    const double v79 = NAN;
-    const wide v80 = only_wide((v57 <= m12) == 0, v79), v81 = only_wide((v58 <= m12) == 0, v79),
-        v82 = only_wide((v59 <= m12) == 0, v79), v83 = only_wide((v60 <= m12) == 0, v79),
-        v84 = v23 + raised_wide(v61), v85 = v24 + raised_wide(v62), v86 = angle2 + v23,
-        v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
-
-    q[0] = v80 + v84; q[1] = v80 + raised_wide(v63); q[2] = v80 + raised_wide(v67);
-    q[3] = v80 + lowered_wide(v75); q[4] = v80 + v86;
-    kind[0] = kind_of(q[0], 0);
-    q[5] = v81 + v84; q[6] = v81 + raised_wide(v64);
-    q[7] = v81 + (only_wide(-v68 <= -half_turn, turn) - v68); q[8] = v81 + lowered_wide(v76);
-    q[9] = v81 + v86;
-    kind[1] = kind_of(q[5], 0);
-    q[10] = v82 + v85; q[11] = v82 + raised_wide(v65); q[12] = v82 + raised_wide(v69);
-    q[13] = v82 + lowered_wide(v77); q[14] = v82 + v87;
-    kind[2] = kind_of(q[10], 0);
-    q[15] = v83 + v85; q[16] = v83 + raised_wide(v66);
-    q[17] = v83 + (only_wide(-v70 <= -half_turn, turn) - v70); q[18] = v83 + lowered_wide(v78);
-    q[19] = v83 + v87;
-    kind[3] = kind_of(q[15], 0);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | ((v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 + v40
-        * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59) &
-        (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
-        (abs_wide(D3_p) <= m6) | (abs_wide(D3_m) <= m6));
-}
-
-#if LANES > 1
-static const double
-    m3 = 0.5; /* 1 / 2 */
-/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-INLINED
-HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
-{
-    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
-
-    /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
-
-    /* theta234 */
-    const double v6 = T13 * v2 + T23 * v3, Z2_234 = w1 * (v5 * v6),
-        v7 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v7) * (1.0 / v7);
-
-    /* theta5 */
-    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
-        v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt(v8) * (1.0 / v8), v10 = Z1_5 * v9,
-        v11 = Z2_5 * v9, v12 = copysign(half_turn, -Z2_5);
-    const four v13 = m3 * (e1 - 1.0);
-
-    /* theta3 */
-    const double v14 = d5 * T33;
-    const four v15 = v5 * (e1 * v6);
-    const double v16 = T34 - d1;
-    const four v17 = factor234 * (v14 - w1 * (m4 * v15)), Z1_3 = v16 - v17;
-    const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
-    const four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt_four(D3),
-        v21 = w3 - w3;
-
-    /* theta2 */
-    const four v22 = e2 * Z2_3, v23 = m7 * N3 - m8, v24 = Z1_3 * v23, S2 = v24 - w3 * (m7 * v22),
-        v25 = Z2_3 * v23, factor2 = 1.0 / N3;
-
-    /* is the pose one that the arm can take? */
-    const four v26 = Z1_3 * (m9 + m10 * factor2), v27 = v20 + Z2_3, v28 = d1 + v17;
-    const double v29 = T33 - T33 * factor234, v30 = T31 - factor234 * (Z2_234 * v10),
-        v31 = T23 - factor234 * (s1 * Z2_234),
-        v32 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
-        v33 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
-        v34 = T13 - factor234 * (c1 * Z2_234);
-    const four v35 = T34 - (a3 * (v26 + w3 * (m9 * (v22 * factor2))) + (v28 + a2 * (S2 * factor2))),
-        v36 = T14 - e1 * (c1 * v27), v37 = T24 - e1 * (s1 * v27), v38 = v36 * v36, v39 = v37 * v37,
-        v40 = v39 + (v38 + v35 * v35);
-
-    /* joint values */
-    const double v41 = copysign(half_turn, v3), v49 = NAN;
-    const four v50 = only_four((v40 <= m12) == 0, v49);
-
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | (abs_four(D3) <= m6) | ((m12 < v40) &
-        (v40 <= m13))) | (unsigned)((v7 <= m2) | (v4 <= m1) | (m11 < v29 * v29 + v30 * v30 + v31 *
-        v31 + v32 * v32 + v33 * v33 + v34 * v34) | (v8 <= m2)))
-        return -1;
-
-    const four_ratio ratio1 = ratio_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),
-        ratio2 = ratio_four(shuffle(shuffle(w3, all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0,
-            1, 2, 7), shuffle(shuffle(N3 - k1, all_four(T33), 0, 5, 2, 3), all_four(-Z1_5), 0, 1, 2,
-            7)), ratio3 = ratio_four(S2, v25 + w3 * (m7 * (e2 * Z1_3)));
-    const four packed1 = angle_four(ratio1), angle5 = shuffle(packed1, packed1, 0, 0, 0, 0),
-        packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
-        angle1 = shuffle(packed2, packed2, 1, 1, 1, 1),
-        angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = angle_four(ratio3);
-    const four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
-        v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
-        v48 = centred_four(v47), v51 = v21 + raised_four(v42), q1 = v50 + v51,
-        q2 = v50 + raised_four(v43), q3 = v50 + raised_four(v45), q4 = v50 + lowered_four(v48),
-        v52 = v21 + (angle2 + v12 * v13), q5 = v50 + v52;
-
-    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
-    store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
-    const unsigned long long kind1 = none1 * NONE;
-    __builtin_memcpy(status + 0, &kind1, 4);
-    return __builtin_popcountll(0x1010101ull & ~none1);
-}
-
-/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
-HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
-{
-    wide pose[16], found[20], x[LANES];
-    wide_mask kind[4];
-    for (int i = 0; i < 16; i += LANES) {
-        for (int k = 0; k < LANES; k++)
-            x[k] = *(const wide_at *)(T + 16 * k + i);
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const wide_mask left = solve_wide(pose, found, kind);
-    for (int i = 0; i < 20; i += LANES) {
-        const int from = i + LANES <= 20 ? i : 20 - LANES;
-        for (int k = 0; k < LANES; k++)
-            x[k] = found[from + k];
-        transpose(x);
-        for (int k = 0; k < LANES; k++)
-            *(wide_at *)(q + 20 * k + from) = x[k];
-    }
-    for (int i = 1; i < 4; i++)
-        kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++) {
-        const long long word = kind[0][k];
-        __builtin_memcpy(status + 4 * k, &word, 4);
-    }
-    return bits_wide(left);
-}
-#else
-HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
-{
-    wide_mask kind[4];
-    int count = 0;
-    if (solve_wide(T, &q[0][0], kind))
-        return -1;
-    for (int row = 0; row < 4; row++) {
-        status[row] = (unsigned char)kind[row];
-        count += kind[row] == 0;
-    }
-    return count;
-}
-#endif
-
-/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
- * free, and the row's second value is its angle. */
-enum { LOST = 128, NEARLY = 192 };
-
-/* Notes why a row is lost, and how far it is from a solution. */
-static void lose(int why, double off, double q[5], unsigned char *status)
-{
-    *status = (unsigned char)why;
-    q[0] = off;
-}
-
-/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
- * is LOST says how far it is from a solution (negative). */
+/* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double seed[5], double q[4][5], unsigned char status[4])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[5] = (double (*)[5])rows;
+    (void)free_joints;
+    (void)moved;
     ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] and U1[3, 3] */
@@ -681,10 +187,10 @@ static void solve(
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -703,7 +209,7 @@ static void solve(
             continue; /* the arm can't take this pose */
 
         /* joint values */
-        const double q1 = wrap(atan2(s1, c1) - offset1);
+        const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -730,387 +236,247 @@ static void solve(
                 continue; /* the arm can't take this pose */
 
             /* joint values */
-            const double q2 = wrap(theta2 - offset2);
-            const double q3 = wrap(theta3 - offset3);
-            const double q4 = wrap(theta234 - (theta3 + theta2) - offset4);
+            const double q2 = dhgen_wrap(theta2 - offset2);
+            const double q3 = dhgen_wrap(theta3 - offset3);
+            const double q4 = dhgen_wrap(theta234 - (theta3 + theta2) - offset4);
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234 || free5) ? FREE : OK;
+            status[row] = (free1 || free2_ || free234 || free234 || free5) ? DHGEN_FREE_JOINT :
+                DHGEN_OK;
         }
     }
 }
 
-static void take(const double from[5], double to[5])
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    for (int i = 0; i < 5; i++)
-        to[i] = from[i];
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta1 */
+    const dhgen_wide v1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
+        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = dhgen_sqrt_wide(v4),
+        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
+
+    /* theta234 */
+    const dhgen_wide v6 = v5 * (T13 * v2 + T23 * v3), Z2_234 = w1 * v6,
+        v7 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v7) * (1.0 / v7),
+        angle1 = dhgen_atan2_wide(-Z2_234, T33);
+
+    /* theta5 */
+    const dhgen_wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)),
+        Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)), v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
+        v9 = dhgen_sqrt_wide(v8) * (1.0 / v8), v10 = Z1_5 * v9, v11 = Z2_5 * v9,
+        angle2 = dhgen_atan2_wide(-Z2_5, -Z1_5);
+
+    /* theta3 */
+    const dhgen_wide v12 = d5 * T33, v13 = T34 - d1, v14 = w1 * (m4 * v6),
+        v15 = factor234 * (v12 - v14), v16 = factor234 * (v12 + v14), Z1_3_p = v13 - v15,
+        Z1_3_m = v13 - v16, v17 = a4 * T33, v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6),
+        v20 = factor234 * (v17 + v19), v21 = factor234 * (v17 - v19), Z2_3_p = v18 - v20,
+        v22 = v18 + v21, N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p,
+        N3_m = Z1_3_m * Z1_3_m + v22 * v22, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
+        w3_m = dhgen_sqrt_wide(D3_m), v23 = w3_p - w3_p, v24 = w3_m - w3_m,
+        angle3 = dhgen_atan2_wide(w3_p, N3_p - k1), angle4 = dhgen_atan2_wide(w3_m, N3_m - k1);
+
+    /* theta2 */
+    const dhgen_wide v25 = m7 * N3_p - m8, v26 = m7 * N3_m - m8, v27 = Z1_3_p * v25,
+        v28 = Z1_3_m * v26, S2_pp = v27 - w3_p * (m7 * Z2_3_p), S2_pm = v27 - w3_p * (m7 * -Z2_3_p),
+        v29 = w3_m * (m7 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
+        v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m,
+        angle5 = dhgen_atan2_wide(S2_pp, v30 + w3_p * (m7 * Z1_3_p)),
+        angle6 = dhgen_atan2_wide(S2_pm, v30 + w3_p * (m7 * -Z1_3_p)),
+        angle7 = dhgen_atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v31),
+        angle8 = dhgen_atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v31);
+
+    /* is the pose one that the arm can take? */
+    const dhgen_wide v32 = Z1_3_p * (m9 + m10 * factor2_p), v33 = Z1_3_m * (m9 + m10 * factor2_m),
+        v34 = v20 + Z2_3_p, v35 = v21 - v22, v36 = d1 + v15, v37 = d1 + v16,
+        v38 = T33 - T33 * factor234, v39 = T31 - factor234 * (Z2_234 * v10),
+        v40 = T23 - factor234 * (s1 * Z2_234),
+        v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
+        v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
+        v43 = T13 - factor234 * (c1 * Z2_234),
+        v44 = T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
+            factor2_p))),
+        v45 = T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
+            factor2_p))), v46 = w3_m * (m9 * (v22 * factor2_m)),
+        v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m))),
+        v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m))), v49 = T14 - c1 * v34,
+        v50 = T14 + c1 * v35, v51 = T24 - s1 * v34, v52 = T24 + s1 * v35, v53 = v49 * v49,
+        v54 = v50 * v50, v55 = v51 * v51, v56 = v52 * v52, v57 = v55 + (v53 + v44 * v44),
+        v58 = v55 + (v53 + v45 * v45), v59 = v56 + (v54 + v47 * v47), v60 = v56 + (v54 + v48 * v48);
+
+    /* joint values */
+    const dhgen_wide angle9 = dhgen_atan2_wide(v3, v2), v61 = angle9 - offset1,
+        v62 = angle9 - dhgen_signed_wide(DHGEN_HALF_TURN, v3) - offset1, v63 = angle5 - offset2,
+        v64 = angle6 - offset2, v65 = angle7 - offset2, v66 = angle8 - offset2,
+        v67 = angle3 - offset3, v68 = offset3 + angle3, v69 = angle4 - offset3,
+        v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
+        v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
+        v74 = offset4 + (angle1 + (angle8 - angle4)), v75 = dhgen_centred_wide(v71),
+        v76 = dhgen_centred_wide(v72),
+        v77 = dhgen_pick_wide(-v73 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v73, -DHGEN_TURN)) - v73,
+        v78 = dhgen_pick_wide(-v74 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v74, -DHGEN_TURN)) - v74;
+    const double v79 = DHGEN_NAN;
+    const dhgen_wide v80 = dhgen_only_wide((v57 <= m12) == 0, v79),
+        v81 = dhgen_only_wide((v58 <= m12) == 0, v79),
+        v82 = dhgen_only_wide((v59 <= m12) == 0, v79),
+        v83 = dhgen_only_wide((v60 <= m12) == 0, v79), v84 = v23 + dhgen_raised_wide(v61),
+        v85 = v24 + dhgen_raised_wide(v62), v86 = angle2 + v23,
+        v87 = v24 + (angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
+
+    q[0] = v80 + v84; q[1] = v80 + dhgen_raised_wide(v63); q[2] = v80 + dhgen_raised_wide(v67);
+    q[3] = v80 + dhgen_lowered_wide(v75); q[4] = v80 + v86;
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[5] = v81 + v84; q[6] = v81 + dhgen_raised_wide(v64);
+    q[7] = v81 + (dhgen_only_wide(-v68 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v68);
+    q[8] = v81 + dhgen_lowered_wide(v76); q[9] = v81 + v86;
+    kind[1] = dhgen_kind_wide(q[5]);
+    q[10] = v82 + v85; q[11] = v82 + dhgen_raised_wide(v65); q[12] = v82 + dhgen_raised_wide(v69);
+    q[13] = v82 + dhgen_lowered_wide(v77); q[14] = v82 + v87;
+    kind[2] = dhgen_kind_wide(q[10]);
+    q[15] = v83 + v85; q[16] = v83 + dhgen_raised_wide(v66);
+    q[17] = v83 + (dhgen_only_wide(-v70 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v70);
+    q[18] = v83 + dhgen_lowered_wide(v78); q[19] = v83 + v87;
+    kind[3] = dhgen_kind_wide(q[15]);
+    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 + v40
+        * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59) &
+        (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
+        (dhgen_abs_wide(D3_p) <= m6) | (dhgen_abs_wide(D3_m) <= m6));
 }
 
-/* A row that another value of a free joint may serve, and what solving again needs. */
-struct search {
-    const double *T;
-    double seed[5], start, q[4][5];
-    unsigned char status[4];
-    int joint, row;
-    double best, at; /* where the arm came nearest */
+#if DHGEN_LANES > 1
+static const double
+    m3 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
+
+    /* theta1 */
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
+
+    /* theta234 */
+    const double v6 = T13 * v2 + T23 * v3, Z2_234 = w1 * (v5 * v6),
+        v7 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v7) * (1.0 / v7);
+
+    /* theta5 */
+    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
+        v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt(v8) * (1.0 / v8), v10 = Z1_5 * v9,
+        v11 = Z2_5 * v9, v12 = copysign(DHGEN_HALF_TURN, -Z2_5);
+    const dhgen_four v13 = m3 * (e1 - 1.0);
+
+    /* theta3 */
+    const double v14 = d5 * T33;
+    const dhgen_four v15 = v5 * (e1 * v6);
+    const double v16 = T34 - d1;
+    const dhgen_four v17 = factor234 * (v14 - w1 * (m4 * v15)), Z1_3 = v16 - v17;
+    const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
+    const dhgen_four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3), v21 = w3 - w3;
+
+    /* theta2 */
+    const dhgen_four v22 = e2 * Z2_3, v23 = m7 * N3 - m8, v24 = Z1_3 * v23,
+        S2 = v24 - w3 * (m7 * v22), v25 = Z2_3 * v23, factor2 = 1.0 / N3;
+
+    /* is the pose one that the arm can take? */
+    const dhgen_four v26 = Z1_3 * (m9 + m10 * factor2), v27 = v20 + Z2_3, v28 = d1 + v17;
+    const double v29 = T33 - T33 * factor234, v30 = T31 - factor234 * (Z2_234 * v10),
+        v31 = T23 - factor234 * (s1 * Z2_234),
+        v32 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
+        v33 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
+        v34 = T13 - factor234 * (c1 * Z2_234);
+    const dhgen_four v35 = T34 - (a3 * (v26 + w3 * (m9 * (v22 * factor2))) + (v28 + a2 * (S2 *
+        factor2))), v36 = T14 - e1 * (c1 * v27), v37 = T24 - e1 * (s1 * v27), v38 = v36 * v36,
+        v39 = v37 * v37, v40 = v39 + (v38 + v35 * v35);
+
+    /* joint values */
+    const double v41 = copysign(DHGEN_HALF_TURN, v3), v49 = DHGEN_NAN;
+    const dhgen_four v50 = dhgen_only_four((v40 <= m12) == 0, v49);
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
+        (dhgen_abs_four(D3) <= m6) | ((m12 < v40) & (v40 <= m13))) | (unsigned)((v7 <= m2) | (v4 <=
+        m1) | (m11 < v29 * v29 + v30 * v30 + v31 * v31 + v32 * v32 + v33 * v33 + v34 * v34) | (v8 <=
+        m2)))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v3, v3, v3, v3),
+        dhgen_four_of(v2, v2, v2, v2)),
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3, dhgen_all_four(-Z2_234), 0, 5, 2,
+            3), dhgen_all_four(-Z2_5), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(N3 - k1,
+            dhgen_all_four(T33), 0, 5, 2, 3), dhgen_all_four(-Z1_5), 0, 1, 2, 7)),
+        ratio3 = dhgen_ratio_four(S2, v25 + w3 * (m7 * (e2 * Z1_3)));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle5 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
+        angle3 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle1 = dhgen_shuffle(packed2, packed2, 1, 1, 1, 1),
+        angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = dhgen_angle_four(ratio3);
+    const dhgen_four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
+        v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
+        v48 = dhgen_centred_four(v47), v51 = v21 + dhgen_raised_four(v42), q1 = v50 + v51,
+        q2 = v50 + dhgen_raised_four(v43), q3 = v50 + dhgen_raised_four(v45),
+        q4 = v50 + dhgen_lowered_four(v48), v52 = v21 + (angle2 + v12 * v13), q5 = v50 + v52;
+
+    dhgen_store_4(q, q + 5, q + 10, q + 15, q1, q2, q3, q4);
+    dhgen_store_1(q + 4, q + 9, q + 14, q + 19, q5);
+    const unsigned long long none1 = (dhgen_bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 4);
+    return __builtin_popcountll(0x1010101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
+}
+#endif
+
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[5] = { 4, 3, 2, 1, 0 };
+static const int together[4] = { 0, 1, 2, 3 };
+static const struct dhgen_arm arm = {
+    5, 4, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 }, 0.9253718898866895, entries, 9,
+    0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 5, together, 4, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    xarm5_fk, xarm5_jacobian, solve, NULL, solve_regular,
 };
-
-/* How far a row is from a solution: 0 if it is solved. */
-static double shortfall(const struct search *s)
-{
-    if (s->status[s->row] >= LOST)
-        return s->q[s->row][0];
-    return s->status[s->row] == NONE ? -HUGE_VAL : 0.0;
-}
-
-/* Solves with the joint moved: 0 if it serves, else less. */
-static double attempt(struct search *s, double moved)
-{
-    s->seed[s->joint] = s->start + moved;
-    for (int i = 0; i < 4; i++)
-        s->status[i] = NONE;
-    solve(s->T, s->seed, s->q, s->status);
-    const double result = shortfall(s);
-    if (result > s->best) {
-        s->best = result;
-        s->at = s->seed[s->joint];
-    }
-    return result;
-}
-
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *s)
-{
-    const int status = s->status[s->row];
-    return status != NONE && status < LOST;
-}
-
-/* Golden section for a move that serves, or NaN. */
-static double summit(struct search *s, double low, double high)
-{
-    for (int k = 0; k < 52; k++) {
-        const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(s, low + third), right = attempt(s, high - third);
-        if (left == 0.0 || right == 0.0)
-            return left == 0.0 ? low + third : high - third;
-        if (left >= right)
-            high -= third;
-        else
-            low += third;
-    }
-    /* where branches meet this one has no solution of its own */
-    if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
-        return NAN;
-    attempt(s, low);
-    return serves(s) ? low : (double)NAN;
-}
-
-/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section, bisection of the nearest end; of two equally near the lower one. */
-static double serving_value(struct search *s)
-{
-    const double step = 0.09817477042468103;
-    if (attempt(s, 0.0) == 0.0)
-        return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
-    for (int k = -32; k <= 32; k++) {
-        before = here;
-        here = after;
-        after = attempt(s, (double)(k + 1) * step);
-        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
-        if (here < 0.0 && here >= before && here > after)
-            outer = summit(s, outer - step, outer + step);
-        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
-            continue;
-        if (isnan(outer))
-            continue;
-        for (int i = 0; i < 52; i++) {
-            const double middle = 0.5 * (inner + outer);
-            if (attempt(s, middle) == 0.0)
-                outer = middle;
-            else
-                inner = middle;
-        }
-        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
-            nearest = outer;
-    }
-    return nearest;
-}
-
-/* A joint was nearly free: its angle had few digits, and the arm could not reach. Takes the nearest
- * that serves, also where the arm just reaches (an elbow is stretched); while it is right up to
- * rounding of what it was taken from, `solve` takes it as its own. */
-static double serving_digits(struct search *s)
-{
-    double before[2] = { -HUGE_VAL, -HUGE_VAL };
-    int past[2] = { 0 };
-    for (double moved = 1e-15; moved < 0.1; moved *= 2.0)
-        for (int way = 0; way < 2; way++) {
-            const double there = way ? -moved : moved, here = attempt(s, there);
-            if (here == 0.0)
-                return there;
-            if (here < 2.0 * before[way] && !past[way]++) {
-                const double top = summit(s, 0.25 * there, there);
-                if (!isnan(top))
-                    return top;
-            }
-            before[way] = here;
-        }
-    return NAN;
-}
-
-/* Several joints are free, none serves alone: in turn each goes to where the arm came nearest. */
-static double serving_in_turn(struct search *s)
-{
-    static const int joints[] = { 0, 1, 2, 3 };
-    double serving = NAN, before = -HUGE_VAL;
-    for (int k = 0; k < 12 && isnan(serving) && s->best > before; k++) {
-        before = s->best;
-        s->seed[s->joint] = s->at;
-        s->joint = joints[k % 4];
-        s->start = s->at = s->seed[s->joint];
-        serving = serving_value(s);
-    }
-    return serving;
-}
-
-/* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(
-    const double T[16], const double seed[5], int row, double q[4][5], unsigned char status[4])
-{
-    const int nearly = status[row] > NEARLY;
-    struct search lost = { .T = T, .row = row, .best = -HUGE_VAL };
-    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    take(seed, lost.seed);
-    lost.start = fmod(nearly ? q[row][1] : seed[lost.joint], turn);
-    double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
-    if (isnan(nearest) && !nearly)
-        nearest = serving_in_turn(&lost);
-    attempt(&lost, isnan(nearest) ? 0.0 : nearest);
-    const int served = !isnan(nearest) && serves(&lost);
-    status[row] = served ? lost.status[row] : NONE;
-    for (int i = 0; i < 5; i++)
-        q[row][i] = served ? lost.q[row][i] : (double)NAN;
-}
-
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
-{
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
-
-/* How far joint values are from others, whole turns aside [rad, arm sizes]; half is the middle. */
-static double half_way(const double x[5], const double q[5], double half[5])
-{
-    double most = 0.0;
-    for (int i = 0; i < 5; i++) {
-        double off = q[i] - x[i];
-        off -= turn * floor(off / turn + 0.5);
-        most = fmax(most, fabs(off));
-        half[i] = x[i] + 0.5 * off;
-    }
-    return most;
-}
-
-/* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 };
-/* What a step of one means for joints; none if given. */
-static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-
-/* By how much joint values miss the pose, into e (0 half a turn away, too), and its length. */
-static double off_pose(const double T[16], const double x[5], double e[6])
-{
-    double P[16], square = 0.0;
-    xarm5_fk(x, P);
-    for (int i = 0; i < 3; i++) {
-        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
-        e[3 + i] = 0.0;
-        square += e[i] * e[i];
-    }
-    for (int i = 0; i < 9; i++) {
-        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least-squares step for e: modified Gram-Schmidt, twice where singular. */
-static void add_step(const int held[5], double damping, double e[6], double x[5])
-{
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
-    xarm5_jacobian(x, J);
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 5; j++)
-            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = sqrt(damping + 1e-26);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < 11; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < 11; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < 11; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < 5; j++)
-            x[j] += e[i] / square[i] * A[i][j] * pace[j];
-    }
-}
-
-/* Takes joint values to some not farther than most that miss the pose by less than enough;
- * returns if it can.
- * Goes on while that gains, first by short steps. */
-static int settle(const double T[16], double enough, double most, double q[5])
-{
-    double x[5], half[5], e[6], last = HUGE_VAL;
-    int settled = 0, lost = 0, held[5] = { 0 };
-    take(q, x);
-    for (int k = 0; k < 20; k++) {
-        double miss = off_pose(T, x, e);
-        if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
-            break;
-        }
-        last = miss;
-        add_step(held, (lost == 0 && miss > 100.0 * enough ? 0.003 : 0.1 * miss) * miss, e, x);
-        if (!(half_way(x, q, half) <= most))
-            break; /* another solution */
-    }
-    return settled;
-}
-
-/* Where rounding can't tell solutions apart the one next to the seed gets a row: its own, one as
- * good, one left, or any. */
-static void stay(
-    const double T[16], const double seed[5], double q[4][5],
-    unsigned char status[4])
-{
-    double x[5], half[5], e[6], least = HUGE_VAL, nearest = 0.001;
-    int place = 0;
-    take(seed, x);
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    for (int row = 4 - 1; row >= 0; row--) {
-        double between = 1e-06;
-        if (status[row] != NONE) {
-            const double off = half_way(x, q[row], half);
-            between = fmax(off_pose(T, half, e), 1e-12);
-            if (off < nearest) {
-                nearest = off;
-                place = row;
-                least = -1.0; /* its own */
-            }
-        }
-        if (between <= 2.0 * least)
-            place = row;
-        least = fmin(least, between);
-    }
-    if (least >= 0.0)
-        status[place] = FREE;
-    if (nearest > 1e-06)
-        take(x, q[place]);
-}
-
-/* A pose that is rounded, singular or none; regular ones need no stack for it. */
-APART int ik_carefully(
-    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
-{
-    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = read_pose(T, pose);
-    for (int i = 0; i < 5; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
-    for (int row = 0; row < 4; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, seed, q, status);
-    for (int row = 0; row < 4; row++)
-        if (status[row] >= LOST)
-            choose_again(pose, seed, row, q, status);
-    stay(pose, seed, q, status);
-    for (int row = 0; row < 4; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 5; i++) {
-            double *value = &q[row][i];
-            *value = turned(i, *value, 0.0);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
-}
 
 int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
-    const int count = solve_regular(T, q, status);
-    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[4][5], found[5], least = HUGE_VAL;
-    unsigned char status[4];
-    int result = -NONE;
-    int valid = xarm5_ik(T, q_seed, all, status) >= 0;
-    for (int i = 0; i < 5; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 4 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 5; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    size_t k = 0;
-#if LANES > 1
-    for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 20 * k, status + 4 * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                (void)xarm5_ik(T + 16 * i, NULL, (double (*)[5])(q + 20 * i), status + 4 * i);
-    }
-#endif
-    for (; k < n; k++)
-        (void)xarm5_ik(T + 16 * k, NULL, (double (*)[5])(q + 20 * k), status + 4 * k);
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
 }

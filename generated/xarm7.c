@@ -2,9 +2,15 @@
  *
  * Inverse kinematics, generated from robots/xarm7.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/xarm7.yaml. The formulas and where they come from: xarm7.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 5967b7cdaebade9f
+ * SPDX-License-Identifier: MIT
  */
 #include "xarm7.h"
 
+#define DHGEN_DOF 7
+#define DHGEN_ROWS 16
+#include "dhgen/ik.h"
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
@@ -13,32 +19,10 @@
 #endif
 #include "dhgen/general.h"
 
-#include <math.h>
 
-/* What rows hold. */
-enum {
-    OK = XARM7_OK, NONE = XARM7_UNREACHABLE, FREE = XARM7_FREE_JOINT,
-    OUT = XARM7_OUT_OF_LIMITS, INVALID = XARM7_INVALID_POSE
-};
-
-static const double turn = 6.283185307179586;
-#define half_turn (0.5 * turn)
-
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-#define MISFIT(name, number) \
-static inline number misfit_##name(const number T[16]) \
-{ \
-    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
-    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
-    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
-    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
-    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
-    const number zx = x1 * y2 - x2 * y1 - T[8]; \
-    const number zy = x2 * y0 - x0 * y2 - T[9]; \
-    const number zz = x0 * y1 - x1 * y0 - T[10]; \
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
-}
-MISFIT(one, double)
+#if DHGEN_INTERFACE != 1
+#error "xarm7.c and the folder dhgen/ are of different versions: run dhgen robots/xarm7.yaml"
+#endif
 
 /* In the order in which they are tried. */
 DHGEN_TABLE dhgen_formulation xarm7_formulations[2] = {
@@ -121,7 +105,7 @@ static const double stride[6] = {
 /* How the loop counts the joints: from where, and which way. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = { 3.141592653589793, 3.141592653589793, 0.0, 0.0, 0.0, 0.0 };
-static const int given_joints[1] = { 2 };
+static const int given_places[1] = { 2 };
 
 static const struct dhgen_numerical_arm xarm7_descents = {
     7, 16, /* joints; solutions that are kept */
@@ -131,7 +115,7 @@ static const struct dhgen_numerical_arm xarm7_descents = {
     48, 1.2055000000000002, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero,
-    1, given_joints,
+    1, given_places,
     xarm7_fk, xarm7_jacobian, 0,
 };
 
@@ -142,6 +126,7 @@ static void all_joints(
 {
     dhgen_general_rows(&xarm7_general, &xarm7_descents, T, free_joints, seed, q[0], found, chosen);
 }
+
 
 static const double
     d1 = 0.267, /* joint offset 1 [m] */
@@ -159,13 +144,16 @@ const char *const xarm7_branches[16] = {
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
 
-static const double lowest[7] = {
-    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+static const struct dhgen_joint joints[7] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 0.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
-static const double highest[7] = {
-    INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY,
-};
-#define slack(joint) 1e-09 /* of limits */
 
 void xarm7_fk(const double q[7], double T[16])
 {
@@ -234,46 +222,13 @@ void xarm7_jacobian(const double q[7], double J[42])
     J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = z3_z; J[39] = z4_z; J[40] = z5_z; J[41] = z6_z;
 }
 
-/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
-static void straighten(double T[16])
-{
-    double G[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            G[i][j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
-    for (double *row = T; row < T + 12; row += 4) {
-        const double x = row[0], y = row[1], z = row[2];
-        for (int j = 0; j < 3; j++)
-            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
-    }
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose, and 2 for what was rounded. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
-        return 0;
-    const double miss = misfit_one(T);
-    if (!(miss <= 1e-09))
-        return 0;
-    if (miss <= 1e-24)
-        return 1;
-    straighten(T);
-    straighten(T);
-    return 2;
-}
-
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
-    const double T[16], const double free_joints[1], const double seed[7], double q[16][7],
-    unsigned char status[16])
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
 {
+    double (*const q)[7] = (double (*)[7])rows;
+    (void)moved;
 
     /* all joints: the general 6R loop */
     double solution_roots[16][7];
@@ -295,98 +250,37 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6; q[row][6] = q7;
-        status[row] = (chosen) ? FREE : OK;
+        status[row] = (chosen) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
-static void take(const double from[7], double to[7])
-{
-    for (int i = 0; i < 7; i++)
-        to[i] = from[i];
-}
-
-/* A joint value moved by whole turns, near to another but inside its limits. */
-static double turned(int joint, double given, double towards)
-{
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given;
-    if (fabs(towards) < 100000.0)
-        value += turn * floor((towards - given) / turn + 0.5);
-    value -= turn * ceil(fmax(value - high, 0.0) / turn);
-    value += turn * ceil(fmax(low - value, 0.0) / turn);
-    return value <= high ? value : given;
-}
+static const int given_joints[1] = { 2 };
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const struct dhgen_arm arm = {
+    7, 16, 1, DHGEN_POSE, joints, given_joints, 1,
+    { 0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0 }, 0.8295313148071338, entries, 9,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* follows seed */
+    xarm7_fk, xarm7_jacobian, solve, NULL, NULL,
+};
 
 int xarm7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
 {
-    const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
-    double pose[16];
-    int count = 0;
-    int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
-    for (int i = 0; i < 7; i++)
-        valid = isfinite(seed[i]) ? valid : 0;
-    for (int row = 0; row < 16; row++) {
-        status[row] = valid ? NONE : INVALID;
-        for (int i = 0; i < 7; i++)
-            q[row][i] = NAN;
-    }
-    if (!valid)
-        return -INVALID;
-    solve(pose, free_joints, seed, q, status);
-    for (int row = 0; row < 16; row++) {
-        if (status[row] == NONE)
-            continue;
-        for (int i = 0; i < 7; i++) {
-            double *value = &q[row][i];
-            if (!(lowest[i] <= *value && *value <= highest[i]))
-                *value = turned(i, *value, *value);
-            if (!(lowest[i] - slack(i) <= *value && *value <= highest[i] + slack(i)))
-                status[row] = OUT;
-        }
-        count += status[row] != OUT;
-    }
-    return count;
+    return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
 int xarm7_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
-    double all[16][7], found[7], least = HUGE_VAL;
-    unsigned char status[16];
-    int result = -NONE;
-    int valid = xarm7_ik(T, free_joints, q_seed, all, status) >= 0;
-    for (int i = 0; i < 7; i++) {
-        found[i] = NAN;
-        valid &= isfinite(q_seed[i]) != 0;
-    }
-    for (int row = 0; row < 16 && valid; row++) {
-        double distance = 0.0;
-        if (status[row] == OUT && result < 0)
-            result = -OUT;
-        if (status[row] != OK && status[row] != FREE)
-            continue;
-        for (int i = 0; i < 7; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            const double moved = all[row][i] - q_seed[i];
-            distance += moved * moved;
-        }
-        if (distance < least || result < 0) {
-            least = distance;
-            result = status[row];
-            take(all[row], found);
-        }
-    }
-    take(found, q);
-    return valid ? result : -INVALID;
+    return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
 void xarm7_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    size_t k = 0;
-    for (; k < n; k++)
-        (void)xarm7_ik(
-            T + 16 * k, free_joints + k, NULL, (double (*)[7])(q + 112 * k), status + 16 * k);
+    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
 }

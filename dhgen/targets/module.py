@@ -43,6 +43,7 @@ class SolverModule:
         length_unit: How lengths are called.
         arm_angle: From joint values to the arm angle, where the caller gives that.
         plane_miss: From them and the pose to what they miss the arm angle by, where rows need it.
+        digest: Of the robot file.
         precision: The arithmetic that the programs are for; its suffix ends `name`.
     """
 
@@ -57,6 +58,7 @@ class SolverModule:
     length_unit: str
     arm_angle: Program | None = None
     plane_miss: Program | None = None
+    digest: str = ""
     precision: Precision = DOUBLE
 
     @property
@@ -118,11 +120,17 @@ def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
     source = plain_path(module.source)
     made = f"Inverse kinematics, generated from {source} and templates/{template}."
-    # a path that can't be written here is for nobody to type from here
-    command = shlex.join(["dhgen", source]) if source == module.source else "dhgen on that file"
-    mended = f"Do not edit: run {command}."
+    mended = f"Do not edit: {mending_text(module)}."
     told = f"The formulas and where they come from: {module.robot}.md."
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
+
+
+def mending_text(module: SolverModule) -> str:
+    """What makes the files anew."""
+    source = plain_path(module.source)
+    # a path that can't be written here is for nobody to type from here
+    command = shlex.join(["dhgen", source]) if source == module.source else "dhgen on that file"
+    return f"run {command}"
 
 
 def slacks(module: SolverModule) -> list[float]:

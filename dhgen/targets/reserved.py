@@ -11,23 +11,23 @@ T31 T32 T33 T34 turn turned weight wrap
 """
 
 _C = """
-A across add_others add_regular add_step after ahead all all_joints along angle any aside at
+A across add_others arm add_regular add_step after ahead all all_joints along angle any aside at
 at_an_end attempt away before begun bend beside best between beyond_limits both_sides branch by
-choosable choose_again chosen circle_roots clamped CLOSE close continuum coordinate copy count d
-damped_step damping descend descended descent distance distance_between doubtful e end ended ends
-enough enough_beside escaped exact exactly exactness fan_step far farther fault first found FREE G
-gap gap_between given half half_way held here high hopeless i ik_carefully inner inside INVALID
-is_new is_open j join joints k keep keep_limits kept kind known known_as LANES last lead_inside
-leads least least_u left length limited_step look lose LOST lost low many measure middle misfit_one
-misfit_wide miss missed_by most most_u move_inside moved moves n named nearest nearest_solution
-NEARLY nearly next no_highest no_lowest NONE off off_pose other other_values others OUT outer over
-overshoot own P p pace part past past_an_end past_ends place plane_miss pulled reached read_pose
-repeats residual rest result right rows s search seek seen served serves serving serving_digits
-serving_in_turn serving_value settle settled share shorten shortfall sideways slope solve_regular
-solved solves solves_between sorted_rows span_low span_width spin square stand stands stands_before
-start start_of stay step steps straighten stride sum summit take tell_once there third tighten
-tightened to told top towards tried turn_vector turning u unit valid value values w way weights why
-within worst wrap_angles x xx xy y yy z zeros zz
+choosable choose_again chosen circle_roots clamped CLOSE close complete continuum coordinate copy
+count d damped_step damping descend descended descent distance distance_between doubtful e end ended
+ends entries enough enough_beside escaped exact exactly exactness fan_step far farther fault first
+found FREE G gap given_joints given_places gap_between given half half_way held here high hopeless i ik_carefully
+inner inside INVALID is_new is_open j join joints k keep keep_limits kept kind known known_as LANES
+last lead_inside leads least least_u left length limited_step look lose LOST lost low many measure
+middle misfit_one misfit_wide miss missed_by most most_u move_inside moved moves n named nearest
+nearest_solution NEARLY nearly next no_highest no_lowest NONE off off_pose other other_values others
+OUT outer over overshoot own P p pace part past past_an_end past_ends place plane_miss pulled
+reached read_pose repeats residual rest result right rows s search seek seen served serves serving
+serving_digits serving_in_turn serving_value settle settled share shorten shortfall sideways slope
+solve_regular solved solves solves_between sorted_rows span_low span_width spin square stand stands
+stands_before start start_of stay step steps straighten stride sum summit take tell_once there third
+tighten together tightened to told top towards tried turn_vector turning u unit valid value values w
+way weights why within worst wrap_angles x xx xy y yy z zeros zz
 """
 
 _LANES = """
@@ -54,7 +54,7 @@ _BESIDE_CONSTANTS = """
 config errors first hasattr ImportError METHOD ModuleType normalize_signature os rest sys
 ThreadPoolExecutor u v ValueError w work x0 x1 x2 y2 z0 z1 z2
 """
-_NUMBERED = r"(given|kind|none|outside|packed|ratio)\d+|x\w+_roots"
+_NUMBERED = r"(given|kind|none|outside|packed|ratio)\d+|x\w+_roots|(dhgen|DHGEN)_\w*[^\W_]"
 
 _VALUES = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
 

@@ -12,6 +12,7 @@ from dhgen.program.ir import Let
 from dhgen.program.reserved import NOTHING
 from dhgen.program.role import Source
 from dhgen.robot.names import C_KEYWORDS, C_LIBRARY
+from dhgen.runtime import c_runtime_files
 from dhgen.targets.reserved import RESERVED
 from tests.derivation.stories import NAMES, ROBOTS, story
 
@@ -62,11 +63,7 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
     assert not RESERVED.values & set(given)
 
 
-BEHIND_THE_CONSTANTS = (
-    *("solver", "regular/solve", "numerical/both_sides", "numerical/seek"),
-    *("rows/search", "rows/choose_again", "rows/keep_limits", "rows/beyond_limits"),
-    *("rows/settle", "rows/stay", "rows/told_once", "rows/other_values"),
-)
+BEHIND_THE_CONSTANTS = ("solver", "numerical/both_sides", "numerical/seek", "rows/other_values")
 
 
 def test_what_the_templates_use_is_reserved() -> None:
@@ -75,17 +72,33 @@ def test_what_the_templates_use_is_reserved() -> None:
     code = re.sub(r"\w*\{\{.*?\}\}\w*|\{%.*?%\}|\{#.*?#\}", " ", template, flags=re.DOTALL)
     code = re.sub(r'/\*.*?\*/|"[^"]*"|#include [^\n]*|#\s*\w+', "", code, flags=re.DOTALL)
     used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
-    assert {"solve", "misfit_one", "seed"} <= used
-    assert not used - RESERVED.values
+    assert {"solve", "dhgen_ik_batch", "seed"} <= used
+    assert not {name for name in used if not OF_THE_RUNTIME.match(name)} - RESERVED.values
 
 
-def test_what_stands_before_the_constants_is_reserved() -> None:
-    """Functions, types and macros: what is inside of them can't meet a constant."""
-    tools = _templates("regular/tools", "regular/lanes")
-    functions = re.findall(r"^HELPER [\w ]*?\*?(\w+)\(", tools, re.MULTILINE)
-    macros = re.findall(r"#define (\w+)", tools)
-    assert {"store_4", "pick_four", "kind_of"} <= {*functions, *macros}
-    assert not {*functions, *macros} - RESERVED.values
+OF_THE_RUNTIME = re.compile("dhgen_|DHGEN_")
+
+
+def test_the_runtime_has_names_of_its_own() -> None:
+    """Functions, types, values and macros begin with its prefix, which no constant does."""
+    found: set[str] = set()
+    for text in c_runtime_files().values():
+        code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+        found |= set(re.findall(r"#define (\w+)", code))
+        found |= set(re.findall(r"^[A-Z]\w+ [\w ]*?\*?(\w+)\(", code, re.MULTILINE))
+        types = re.sub(r"__attribute__.*?(?=;)|__typeof__\(.*\)", "", code)
+        found |= set(
+            re.findall(r"^typedef [\w *]*?(?:\(\*)?(\w+)\)?\s*[(;](?!\*)", types, re.MULTILINE)
+        )
+        found |= set(re.findall(r"^struct (\w+) \{", code, re.MULTILINE))
+        for values in re.findall(r"^enum \{(.*?)\}", code, re.DOTALL | re.MULTILINE):
+            found |= set(re.findall(r"^\s*(\w+)", values, re.MULTILINE))
+    assert {"dhgen_turned", "dhgen_four", "dhgen_arm", "DHGEN_OK", "DHGEN_FN"} <= found
+    assert {name for name in found if not OF_THE_RUNTIME.match(name)} == set()
+    builder = Builder(RESERVED)
+    length = builder.constant("dhgen_four", 0.4, "a length", role=Source.ARM)
+    program = builder.finish("t", {"q1": builder.mul(length, builder.pose(1, 1))}, [])
+    assert [constant.name for constant in program.constants] == ["dhgen_four_"]
 
 
 def _templates(*names: str) -> str:

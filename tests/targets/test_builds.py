@@ -160,8 +160,8 @@ def test_the_nearest_row_may_take_the_place_of_the_seed(name: str) -> None:
 def test_irregular_poses_leave_before_the_angles(name: str) -> None:
     """Arctangents are most of the work; and it is faster at regular poses, too."""
     files = made(name).files
-    source = files[f"{name}.c"].partition("HELPER int solve_regular(")[2]
-    assert source.index("irregularity_four(T)") < source.index("angle_four(")
-    assert source.index("return -1;") < source.index("angle_four(")
+    source = files[f"{name}.c"].partition("INLINE int solve_regular(")[2]
+    assert source.index("dhgen_pose_misfit_four(T)") < source.index("dhgen_angle_four(")
+    assert source.index("return -1;") < source.index("dhgen_angle_four(")
     module = files[f"{name}.py"].partition("def _regular(")[2]
     assert module.index("return False") < module.index("_atan2(")

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 
 import pytest
 
+from dhgen.runtime import c_runtime_files
+from dhgen.targets.arctangent import STEEP, arctangent_coefficients
 from tests.targets.made import folder, made
 
 DRIVER = """
 #include "scara.c"
 #include <stdio.h>
-#if LANES > 1
+#if DHGEN_LANES > 1
 static double found(double y, double x)
 {
-    const four a = atan2_four(all_four(y), all_four(x));
-    const wide b = atan2_wide(all_wide(y), all_wide(x));
+    const dhgen_four a = dhgen_atan2_four(dhgen_all_four(y), dhgen_all_four(x));
+    const dhgen_wide b = dhgen_atan2_wide(dhgen_all_wide(y), dhgen_all_wide(x));
     return a[1] == b[2] || (a[1] != a[1] && b[2] != b[2]) ? a[3] : 1e9;
 }
 #else
-static double found(double y, double x) { return atan2_wide(y, x); }
+static double found(double y, double x) { return dhgen_atan2_wide(y, x); }
 #endif
 int main(void)
 {
@@ -67,3 +70,11 @@ def test_arctangent(flags: str) -> None:
     worst, signs, nan = done.stdout.split()
     assert 0.4 < float(worst) < 3.0
     assert (signs, nan) == ("1", "1")
+
+
+def test_its_coefficients_are_those_of_all_languages() -> None:
+    """They stand in a fixed file; where they come from is written in Python."""
+    table = re.search(r"dhgen_odd\[11\] = \{([^}]*)\}", c_runtime_files()["dhgen/lanes.h"])
+    assert table is not None
+    assert tuple(map(float, re.findall(r"[-\d.]+", table[1]))) == arctangent_coefficients()
+    assert f"most * {STEEP!r};" in c_runtime_files()["dhgen/arctangent.h"]

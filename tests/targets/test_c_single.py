@@ -96,8 +96,8 @@ def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path
     ("right", "wrong", "complaint"),
     [
         ("= 0.4f,", "= 0.4001f,", "fk is off"),
-        ("status[row] = ", "q[row][0] += 0.001f; status[row] = ", "a row's pose is off"),
-        ("if (!(miss <= 1e-09f))", "if (isnan(miss))", "accepted an invalid pose"),
+        ("    kind[0] = ", "    q[0] += 0.001f; kind[0] = ", "a row's pose is off"),
+        ("fit(T);\n    if (!(miss <= DHGEN_ROUNDED))", "fit(T);\n    if (isnan(miss))", "accepted"),
     ],
 )
 def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhgen.replace import write_files
+from dhgen.runtime import c_runtime_files
 from dhgen.status import HELD
 from dhgen.survey.oracle.poses import random_joints
 from dhgen.targets.c.files import c_texts
@@ -24,14 +25,16 @@ COUNT = 203  # no multiple of the lanes
 def function(name: str) -> str:
     """What solves a pose in each lane."""
     text = made(name).files[f"{name}.c"]
-    return text[text.index("wide_mask solve_wide") : text.index("\n}", text.index("solve_wide"))]
+    return text[
+        text.index("dhgen_wide_mask solve_wide") : text.index("\n}", text.index("solve_wide"))
+    ]
 
 
 def test_only_long_sources_have_loops() -> None:
     for name in ("puma560", "kuka_kr6_r900"):
         assert "for (int i1" not in function(name)
     for name, loop in (
-        ("coupled_slides", "UNROLLED for (int i1"),
+        ("kuka_iiwa14", "DHGEN_UNROLLED for (int i1"),
         ("rounded_twists", "    for (int i1"),
     ):
         assert loop in function(name)
@@ -53,7 +56,7 @@ def test_loops_give_the_rows_of_branches_written_out(
     for in_loops in (False, True):
         folder = tmp_path / str(in_loops)
         folder.mkdir()
-        write_files(folder, c_texts(made(name).module, in_loops=in_loops))
+        write_files(folder, {**c_runtime_files(), **c_texts(made(name).module, in_loops=in_loops)})
         solver = library(made(name).module, folder, build)
         free = given(name, q)
         found.append(solver.batch(T, *free))

@@ -144,7 +144,9 @@ def test_what_does_not_compile(compilation: Compilation, tmp_path: Path) -> None
 
 
 def test_what_only_warns(compilation: Compilation, tmp_path: Path) -> None:
-    text = compilation.files[f"{NAME}.c"].replace("int count = 0;", "int count = 0, unused = 1;")
+    text = compilation.files[f"{NAME}.c"].replace(
+        "const int count = ", "const int unused = 1, count = "
+    )
     folder = written(compilation, tmp_path, f"{NAME}.c", text)
     with pytest.raises(VerificationError, match="unused"):
         verify(compilation.module, folder)

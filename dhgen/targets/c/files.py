@@ -6,21 +6,23 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import named, render
-from dhgen.targets.angles import Angles
-from dhgen.targets.c.arctangent import CArctangent
-from dhgen.targets.c.calls import CCalls, Prototypes, c_calls, c_prototypes
-from dhgen.targets.c.entries import entry_lines, entry_texts
+from dhgen.program.walk import finds_roots
+from dhgen.targets.c.calls import Prototypes, c_calls, c_prototypes
+from dhgen.targets.c.entries import Entries, entry_lines, entry_texts
 from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.language import C
 from dhgen.targets.c.motion import Motion, motion_of
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
+from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.c.single_precision import in_single_precision
-from dhgen.targets.c.texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
+from dhgen.targets.c.table import CTable, c_table
+from dhgen.targets.c.texts import CComments, CTables, c_comments, c_tables
 from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
+from dhgen.targets.walk import reads, whole_arm
 from dhgen.targets.writing import IN_C
 from dhgen.tolerances import SINGLE
 
@@ -28,10 +30,21 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.targets.module import SolverModule
+    from dhgen.targets.solver.calls import Calls
     from dhgen.targets.solver.common import Common
 
 
-LONGEST = 60_000  # of a source whose branches are all written out [bytes]
+# Of the functions for regular poses with all branches written out [bytes].
+LONGEST = 19_000
+INTERFACE = 1  # of the runtime: DHGEN_INTERFACE
+
+
+@dataclass(frozen=True, slots=True)
+class CRuntime:
+    """How a robot's file brings the runtime along: lines before it, and its interface's number."""
+
+    lines: Sequence[str]
+    interface: int = INTERFACE
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,28 +54,30 @@ class CSolver:
     Attributes:
         comments: What the files say of themselves.
         tables: Definitions of constants.
-        pose: How a pose is read.
+        table: Of the arm, for the runtime.
+        entries: The names of the pose's entries.
+        unused: Parameters of the solver that it does not need.
         prototypes: Functions without their bodies.
         calls: How they are called.
         motion: Defines what forward kinematics and the Jacobian begin with, where that is apart.
         bodies: The programs.
         parts: Functions that have templates of their own.
         regular: What serves regular poses, where there is a program for them.
-        angles: Parts of a turn.
-        arctangent: What it is made of where regular poses need it.
+        runtime: How it is brought along.
     """
 
     comments: CComments
     tables: CTables
-    pose: CPose
+    table: CTable
+    entries: Entries
+    unused: Sequence[str]
     prototypes: Prototypes
-    calls: CCalls
+    calls: Calls
     motion: Sequence[str]
     bodies: Bodies
     parts: Parts
     regular: CRegular | None
-    angles: Angles
-    arctangent: CArctangent
+    runtime: CRuntime
 
 
 def c_files(module: SolverModule) -> dict[str, str]:
@@ -71,11 +86,12 @@ def c_files(module: SolverModule) -> dict[str, str]:
     Branches written out are fast. Where that is long, those in lanes of poses stand in loops, and
     what they have in common with branches in lanes is written once.
     """
-    texts = c_texts(module, in_loops=False)
-    long = len(texts[f"{module.name}.c"]) > LONGEST
-    if long and regular_solver(module) is not None:
-        return c_texts(module, in_loops=True)
-    return texts
+    regular = regular_solver(module)
+    if regular is None:
+        return c_texts(module, in_loops=False)
+    written_out = regular_values(module, flats_of(regular, in_loops=False))
+    lines = (*written_out.wide, *written_out.one)
+    return c_texts(module, in_loops=sum(map(len, lines)) > LONGEST)
 
 
 def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
@@ -87,7 +103,9 @@ def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **named(common), **named(solver))),
     }
     if module.precision is SINGLE:
-        return {name: fitted(in_single_precision(text)) for name, text in texts.items()}
+        return {
+            name: fitted(in_single_precision(in_one_file(text))) for name, text in texts.items()
+        }
     return texts
 
 
@@ -108,16 +126,49 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
     return CSolver(
         comments=c_comments(module),
         tables=c_tables(module, programs),
-        pose=c_pose(module, entry_texts(module, programs)),
+        table=c_table(module),
+        entries=entry_texts(module, programs),
+        unused=_unused(module),
         prototypes=c_prototypes(module),
         calls=calls,
         motion=motion.macro,
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
         parts=parts_of(module, common, calls, IN_C),
         regular=regular_values(module, flats) if flats else None,
-        angles=Angles(),
-        arctangent=CArctangent(),
+        runtime=CRuntime(_brought_along(module, regular=regular is not None)),
     )
+
+
+def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
+    """The lines that say which parts of the runtime are needed, and in what sizes."""
+    upper, solver = module.name.upper(), module.solver
+    single = ["SINGLE_PRECISION", "SCALAR"] if module.precision is SINGLE else []
+    switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
+    headers = ["closed" if regular else "ik"]
+    headers += ["circle_roots"] if finds_roots(solver) else []
+    headers += ["refine", "retry"] if solver.tightened is not None else []
+    return [
+        *(f"#define DHGEN_{each}" for each in single),
+        *(line for each in switches if regular for line in _switch(upper, each)),
+        f"#define DHGEN_DOF {module.chain.dof}",
+        f"#define DHGEN_ROWS {solver.rows}",
+        *(f'#include "dhgen/{each}.h"' for each in headers),
+    ]
+
+
+def _switch(upper: str, name: str) -> list[str]:
+    """A switch of the robot's own throws that of the runtime."""
+    head = f"#if defined({upper}_{name}) && !defined(DHGEN_{name})"
+    return [head, f"#define DHGEN_{name}", "#endif"]
+
+
+def _unused(module: SolverModule) -> list[str]:
+    """Parameters of the solver that its program does not read."""
+    solver = module.solver
+    whole = whole_arm(solver)
+    given = reads(solver, "free") or (whole is not None and whole.given)
+    used = {"free_joints": given, "seed": reads(solver, "seed"), "moved": finds_roots(solver)}
+    return [name for name, needed in used.items() if not needed]
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

@@ -19,8 +19,10 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program
 
 LIBRARY = C()
+PREFIX = "dhgen_"  # of the runtime's names
 NEVER_SCALAR = frozenset({"atan2"})  # taken in lanes also where one would do
 _BITS = {"and": "&", "or": "|"}
+MAXIMUM = f"{PREFIX}maximum_double"
 _OPPOSITE = {"add": "-", "sub": "+"}  # what is written of a sum with a product that begins with -
 
 
@@ -69,7 +71,7 @@ class LaneText:
         value = self.text(statement.expression)
         self._lanes[statement.name] = value.lanes
         scalar = "int" if statement.truth else "double"
-        vector = f"{self._vector}_mask" if statement.truth else self._vector
+        vector = f"{PREFIX}{self._vector}{'_mask' if statement.truth else ''}"
         return Declaration(vector if value.lanes else scalar, statement.name, value.text)
 
     def declare(self, name: str, *, lanes: bool) -> None:
@@ -90,7 +92,10 @@ class LaneText:
             case Variable(name) if value := self._graze.get(name):
                 return Text(value, ATOM, self._lanes[name])
             case Variable(name) if limit := self._limits.get(name):
-                return Text(f"{limit.end}({limit.joint})", ATOM, self._lanes[name])
+                limited = f"{PREFIX}{limit.end}({joint_text(limit.joint)})"
+                return Text(limited, ATOM, self._lanes[name])
+            case Variable(name) if name in self._turns.names:
+                return Text(self._turns.names[name], ATOM, self._lanes[name])
             case Variable(name):
                 return Text(name, ATOM, self._lanes[name])
             case Integer(value):
@@ -109,35 +114,41 @@ class LaneText:
         """What has a name in C, although programs write it out."""
         match expression:
             case Apply("sqrt", (Integer(value),)) if value < 0:
-                return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
+                return Text(
+                    "DHGEN_NAN", ATOM, lanes=False
+                )  # compilers would take the root every time
             case Apply(operator, parts) if (told := self._of_limits(operator, parts)) is not None:
                 return told
         turned = self._turns.read(expression)
         if turned is None or not (angle := self.text(turned.angle)).lanes:
             return None
-        return Text(f"{turned.function}_{self._vector}({angle.text})", ATOM, lanes=True)
+        return self._call(turned.function, angle.text)
+
+    def _call(self, function: str, *arguments: str) -> Text:
+        """A call of the runtime's function for the vectors at hand."""
+        text = f"{PREFIX}{function}_{self._vector}({', '.join(arguments)})"
+        return Text(text, ATOM, lanes=True)
 
     def _of_limits(self, operator: str, parts: tuple[Expression, ...]) -> Text | None:
-        """How values in lanes stand to limits, by a macro."""
+        """How values in lanes stand to limits, by a function."""
         match operator, parts:
             case "maximum", (Apply("sub", (low, value)), Apply("sub", (again, high))):
                 joint = self._limited_joint(low, high) if value == again else None
-                return self._limit_macro("beyond", value, joint) if joint else None
+                return self._limit_call("beyond", value, joint) if joint else None
             case "sub", (Apply("abs", (value,)), Variable(name)):
                 limit = self._limits.get(name)
-                return self._limit_macro("exceeds", value, limit.joint) if limit else None
+                return self._limit_call("exceeds", value, limit.joint) if limit else None
             case "at_most", (Apply("abs", (Apply("sub", (value, half)),)), Variable(name)):
                 grazes = half == parts[1] and name in self._graze
-                return self._limit_macro("grazes", value) if grazes else None
+                return self._limit_call("grazes", value) if grazes else None
             case _:
                 return None
 
-    def _limit_macro(self, macro: str, value: Expression, *others: int) -> Text | None:
+    def _limit_call(self, function: str, value: Expression, *others: int) -> Text | None:
         inside = self.text(value)
         if not inside.lanes:
             return None
-        listed = ", ".join([inside.text, *map(str, others)])
-        return Text(f"{macro}{'' if self._wide else '_four'}({listed})", ATOM, lanes=True)
+        return self._call(function, inside.text, *map(joint_text, others))
 
     def _limited_joint(self, low: Expression, high: Expression) -> int | None:
         """The number of the joint of which these are the limits."""
@@ -167,13 +178,13 @@ class LaneText:
                     return Text(choice, CHOICE, lanes)
                 mask, (yes, no) = self._everywhere(parts[0]), parts[1:]
                 if no.text == "0.0" and not yes.lanes:
-                    return Text(f"only_{self._vector}({mask.text}, {yes.text})", ATOM, lanes)
+                    return self._call("only", mask.text, yes.text)
                 if yes.text == "0.0" and not no.lanes:
                     denied = f"{mask.within(ATOM)} == 0"
-                    return Text(f"only_{self._vector}({denied}, {no.text})", ATOM, lanes)
+                    return self._call("only", denied, no.text)
                 arguments = [mask, self._all(yes), self._all(no)]
             case "copysign" if lanes and not parts[0].lanes:
-                return Text(f"signed_{self._vector}({parts[0].text}, {parts[1].text})", ATOM, lanes)
+                return self._call("signed", parts[0].text, parts[1].text)
             case _:
                 arguments = [self._all(part) if lanes else part for part in parts]
         listed = ", ".join(argument.text for argument in arguments)
@@ -188,18 +199,23 @@ class LaneText:
 
     def _function(self, operator: str, *, lanes: bool) -> str:
         if not lanes:
-            return "maximum_double" if operator == "maximum" else LIBRARY.function(operator)
-        return f"{'pick' if operator == 'select' else operator}_{self._vector}"
+            return MAXIMUM if operator == "maximum" else LIBRARY.function(operator)
+        return f"{PREFIX}{'pick' if operator == 'select' else operator}_{self._vector}"
 
     def _all(self, part: Text) -> Text:
         """A number in all lanes."""
-        return part if part.lanes else Text(f"all_{self._vector}({part.text})", ATOM, lanes=True)
+        return part if part.lanes else self._call("all", part.text)
 
     def _everywhere(self, part: Text) -> Text:
         """A truth value in all lanes."""
         if part.lanes:
             return part
-        return Text(f"where_{self._vector}({part.text})", ATOM, lanes=True)
+        return self._call("where", part.text)
+
+
+def joint_text(number: int) -> str:
+    """A joint of the arm's table, from 1."""
+    return f"joints + {number - 1}" if number > 1 else "joints"
 
 
 def operators(program: Program) -> Iterable[str]:

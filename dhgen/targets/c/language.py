@@ -20,7 +20,7 @@ _FUNCTIONS = {
     "copysign": "copysign",
     "sin": "sin",
     "cos": "cos",
-    "wrap": "wrap",
+    "wrap": "dhgen_wrap",
     "maximum": "fmax",
 }
 
@@ -84,9 +84,9 @@ class C:
         """Notes the joint, by how much the branch failed, and the joint's value if nearly free."""
         flag, place = choice.flag, f"q[{row}], &status[{row}]"
         if value is None:
-            return [f"if ({flag}) lose(LOST + {choice.joint}, {margin}, {place});"]
+            return [f"if ({flag}) dhgen_lose(DHGEN_LOST + {choice.joint}, {margin}, {place});"]
         return [
-            f"if ({flag}) lose(NEARLY + {choice.joint}, {margin}, {place});",
+            f"if ({flag}) dhgen_lose(DHGEN_NEARLY + {choice.joint}, {margin}, {place});",
             f"if ({flag}) q[{row}][1] = {value};",
         ]
 
@@ -98,7 +98,7 @@ class C:
         return [
             f"double {name}[{axis.count}];",
             f"int {close}[{axis.count}];",
-            f"circle_roots({arguments});",
+            f"dhgen_circle_roots({arguments});",
         ]
 
     def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
@@ -137,8 +137,8 @@ class C:
         lines += packed(pieces, "", width=WIDTH - 4 * (len(program.axes) + 1))
         flags = " || ".join(name for _, name in program.free)
         close = " || ".join(close_texts(program))
-        solved = f"({close}) ? CLOSE : OK" if close else "OK"
-        solved = f"({flags}) ? FREE : {solved}" if flags else solved
+        solved = f"({close}) ? DHGEN_CLOSE : DHGEN_OK" if close else "DHGEN_OK"
+        solved = f"({flags}) ? DHGEN_FREE_JOINT : {solved}" if flags else solved
         return [*lines, f"status[row] = {solved};"]
 
     def broken(self, line: str, indent: str) -> list[str]:

@@ -80,16 +80,17 @@ def angle_declarations(vectors: list[list[Packed]], text: LaneText) -> list[Decl
     ratios, angles = [], []
     for number, vector in enumerate(vectors, start=1):
         sine, cosine = (_gathered(vector, operand, text) for operand in (0, 1))
-        ratios.append(Declaration("four_ratio", f"ratio{number}", f"ratio_four({sine}, {cosine})"))
+        ratio = f"dhgen_ratio_four({sine}, {cosine})"
+        ratios.append(Declaration("dhgen_direction_four", f"ratio{number}", ratio))
         alone = len(vector) == 1 and len(vector[0].lanes) == LANES
         name = vector[0].let.name if alone else f"packed{number}"
-        angles.append(Declaration("four", name, f"angle_four(ratio{number})"))
+        angles.append(Declaration("dhgen_four", name, f"dhgen_angle_four(ratio{number})"))
         for packed in vector:
             text.declare(packed.let.name, lanes=True)
             if not alone:
                 spread = ", ".join(map(str, packed.spread))
-                value = f"shuffle({name}, {name}, {spread})"
-                angles.append(Declaration("four", packed.let.name, value))
+                value = f"dhgen_shuffle({name}, {name}, {spread})"
+                angles.append(Declaration("dhgen_four", packed.let.name, value))
     return [*ratios, *angles]
 
 
@@ -101,11 +102,11 @@ def _gathered(vector: list[Packed], place: int, text: LaneText) -> str:
         for packed, operand in zip(vector, operands, strict=True):
             for lane in packed.lanes:
                 texts[lane] = text.text(operand).text
-        return f"(four){{ {', '.join(texts)} }}"
+        return f"dhgen_four_of({', '.join(texts)})"
     gathered = text.vector(operands[0])
     for packed, operand in zip(vector[1:], operands[1:], strict=True):
         lanes = ", ".join(str(k + LANES if k in packed.lanes else k) for k in range(LANES))
-        gathered = f"shuffle({gathered}, {text.vector(operand)}, {lanes})"
+        gathered = f"dhgen_shuffle({gathered}, {text.vector(operand)}, {lanes})"
     return gathered
 
 

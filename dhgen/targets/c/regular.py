@@ -12,15 +12,14 @@ from dhgen.program.regular.flatten import MINUS, flatten
 from dhgen.program.walk import names_in
 from dhgen.targets.c.declared import dense
 from dhgen.targets.c.entries import entry_lines, read_alike
-from dhgen.targets.c.irregular import irregularities
+from dhgen.targets.c.irregular import irregularity_four
 from dhgen.targets.c.lanes import LaneText, operators
 from dhgen.targets.c.packing import angle_declarations, in_order, packed_angles
-from dhgen.targets.c.rows import status_lines, store_places, stores, words
+from dhgen.targets.c.rows import status_lines, stores
 from dhgen.targets.c.shared import NOTHING_SHARED, shared_values
-from dhgen.targets.c.tools import Tools, tools_of
 from dhgen.targets.c.wide import lets, row_of, wide_lines
 from dhgen.targets.dialect import ATOM
-from dhgen.targets.layout import INDENT, call, wrapped
+from dhgen.targets.layout import INDENT, wrapped
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
@@ -29,99 +28,44 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program, Statement
     from dhgen.program.regular.flatten import Choice, Flat
     from dhgen.program.regular.unguarded import Regular
-    from dhgen.targets.c.irregular import Irregularities
-    from dhgen.targets.c.rows import Word
     from dhgen.targets.c.shared import Shared
     from dhgen.targets.module import SolverModule
 
-MOST_LANES = 8  # of a vector, with AVX-512
 MOST_UNROLLED = 300  # values of unrolled loops: of more, compiling takes long and gains little
 COSTS = {"atan2": 30, "div": 4, "sqrt": 6}  # of an operator in lanes; of any other 1
 
 
 @dataclass(frozen=True, slots=True)
-class LaneFunction:
-    """A function that solves regular poses, with its body; `about` says what is in lanes."""
-
-    prototype: str
-    lines: Sequence[str]
-    about: str = ""
-
-
-@dataclass(frozen=True, slots=True)
 class CRegular:
-    """What serves regular poses.
+    """What serves regular poses: bodies of functions.
 
     Attributes:
-        functions: Of <math.h> that they need.
-        stores_one: Whether joint values are written one by one.
-        stores_two: Whether they are in pairs.
-        irregularity: How far a pose is from one in full precision.
         wide: One lane a pose.
-        tools: What they call.
-        one: Branches in lanes.
-        tile: The prototype of what solves many poses.
-        words: Statuses that are put together.
-        row_size: Joint values of all rows.
-        fills_lanes: Whether they are as many as a vector's.
-        in_lanes: Whether anything but `wide` is used.
-        shared: What both compute in the same words.
-        unrolled: Whether compilers are asked to unroll loops.
+        one: Branches in lanes; none where they never are.
+        about: What is in lanes then.
+        shared: What both compute in the same words, as lines.
     """
 
-    functions: Sequence[str]
-    stores_one: bool
-    stores_two: bool
-    irregularity: Irregularities
-    wide: LaneFunction
-    tools: Tools
-    one: LaneFunction
-    tile: str
-    words: Sequence[Word]
-    row_size: int
-    fills_lanes: bool
-    in_lanes: bool
-    shared: Shared
-    unrolled: bool
+    wide: Sequence[str]
+    one: Sequence[str]
+    about: str
+    shared: Sequence[str]
 
 
 def regular_values(module: SolverModule, flats: Flats) -> CRegular:
     """What serves a robot's regular poses, which compute this."""
     flat, lanes = flats.wide, flats.lanes
-    used = set(operators(flat.program))
     in_lanes = module.precision is not SINGLE
-    sizes = {size for _, size in store_places(module.chain.dof)}
     shared = shared_values(lanes) if flats.in_loops and in_lanes else NOTHING_SHARED
     alike = read_alike(module, flats.programs)
-    entries = entry_lines(flat.program, "wide", alike=alike)
-    head = "HELPER wide_mask solve_wide"
-    body = wide_lines(module, flat, entries, shared, unrolled=flats.unrolled)
-    wide = LaneFunction(_prototype(module, head, "wide"), body)
+    entries = entry_lines(flat.program, "dhgen_wide", alike=alike)
     one = _one(module, lanes, entry_lines(lanes.program, alike=alike), shared)
-    row_size = module.solver.rows * module.chain.dof
     return CRegular(
-        functions=sorted(used & {"sin", "cos", "wrap"}),
-        stores_one=1 in sizes,
-        stores_two=2 in sizes,
-        irregularity=irregularities(module, _inputs(module, "%")),
-        wide=wide,
-        tools=tools_of([*wide.lines, *one.lines]),
-        one=one,
-        tile=_prototype(module, "HELPER unsigned solve_tile", "tile"),
-        words=words(module.solver.rows),
-        row_size=row_size,
-        fills_lanes=row_size >= MOST_LANES,
-        in_lanes=in_lanes,
-        shared=shared,
-        unrolled=flats.unrolled,
+        wide=wide_lines(module, flat, entries, shared, unrolled=flats.unrolled),
+        one=one if in_lanes else (),
+        about=f"{len(lanes.lanes)} signs",
+        shared=shared.macros,
     )
-
-
-def _inputs(module: SolverModule, number: str) -> list[str]:
-    """The pose, and the values of free joints."""
-    count = module.chain.given
-    free = [f"const {number} free_joints[{count}]"] if count else []
-    return [f"const {number} T[16]", *free]
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,19 +111,6 @@ def best_lanes(solver: Regular) -> Flat:
 
 def _cost(flat: Flat) -> int:
     return sum(COSTS.get(operator, 1) for operator in operators(flat.program))
-
-
-def _prototype(module: SolverModule, head: str, form: str) -> str:
-    rows, dof, count = module.solver.rows, module.chain.dof, module.chain.given
-    tables = {
-        "wide": [f"wide q[{rows * dof}]", f"wide_mask kind[{rows}]"],
-        "one": [f"double q[{rows}][{dof}]", f"unsigned char status[{rows}]"],
-        "tile": ["double *q", "unsigned char *status"],
-    }[form]
-    inputs = _inputs(module, "wide" if form == "wide" else "double")
-    if form == "tile":
-        inputs = ["const double *T", *(["const double *free_joints"] if count else [])]
-    return call(head, [*inputs, *tables], "")
 
 
 def _row(module: SolverModule, flat: Flat, choice: Choice, lane: int) -> int:
@@ -231,32 +162,28 @@ def _leaving(misfits: list[str], doubts: list[Expression], text: LaneText) -> li
     told = [text.text(doubt) for doubt in doubts]
     lanes = [*misfits, *(each.within(ATOM) for each in told if each.lanes)]
     single = [f"(unsigned)({each.text})" for each in told if not each.lanes]
-    reasons = [*([f"bits_four({' | '.join(lanes)})"] if lanes else []), *single]
+    reasons = [*([f"dhgen_bits_four({' | '.join(lanes)})"] if lanes else []), *single]
     if not reasons:
         return []
     return [*wrapped(f"{INDENT}if ({' | '.join(reasons)})", INDENT), f"{INDENT}    return -1;"]
 
 
-def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -> LaneFunction:
+def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -> list[str]:
     """Branches in lanes."""
     text = LaneText("four", flat.program, wide=False)
     values = {1: ["1.0, -1.0, 1.0, -1.0"], 2: ["1.0, 1.0, -1.0, -1.0", "1.0, -1.0, 1.0, -1.0"]}
     lines = [
-        f"{INDENT}const four {axis.name} = {{ {signs} }};"
+        f"{INDENT}const dhgen_four {axis.name} = {{ {signs} }};"
         for axis, signs in zip(flat.program.axes, values.get(len(flat.lanes), []), strict=True)
     ]
-    given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
-    limit = repr(module.precision.tolerances.orthonormal)
-    misfit = f"((irregularity_four({given}) <= {limit}) == 0)"
+    misfit = f"(({irregularity_four(module)} <= DHGEN_ORTHONORMAL) == 0)"
     lines += [*entries, *_with_angles(flat, text, shared, misfit), ""]
     rows = [[_row(module, flat, choice, lane) for lane in range(4)] for choice in flat.choices]
     for group, row in zip(flat.groups, rows, strict=True):
         lines += stores(text, group, row)
     nones = [_is_nan(text, group[0]) for group in flat.groups]
     outsides = [text.mask(outside) for outside in flat.outside]
-    lines += status_lines(module.solver.rows, rows, nones, outsides)
-    head = "HELPER int solve_regular"
-    return LaneFunction(_prototype(module, head, "one"), lines, f"{len(flat.lanes)} signs")
+    return lines + status_lines(module.solver.rows, rows, nones, outsides)
 
 
 def _is_nan(text: LaneText, expression: Expression) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import INDENT, wrapped
@@ -12,34 +11,6 @@ if TYPE_CHECKING:
     from dhgen.targets.c.lanes import LaneText
 
 WORD = 8  # rows whose statuses fill a machine word
-
-
-@dataclass(frozen=True, slots=True)
-class Word:
-    """Rows whose statuses are put together.
-
-    Attributes:
-        size: How many they are.
-        kind: Where their kinds begin.
-        status: Where the statuses of the first pose begin.
-    """
-
-    size: int
-    kind: str
-    status: str
-
-
-def words(rows: int) -> tuple[Word, ...]:
-    """The words of all rows."""
-    return tuple(
-        Word(min(WORD, rows - first), _behind("kind", first), _behind("status", first))
-        for first in range(0, rows, WORD)
-    )
-
-
-def _behind(array: str, place: int) -> str:
-    """An array from a place on."""
-    return f"({array} + {place})" if place else array
 
 
 def store_places(count: int) -> list[tuple[int, int]]:
@@ -66,9 +37,14 @@ def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> li
     lines = []
     for place, size in store_places(len(group)):
         parts = ", ".join(text.vector(value) for value in group[place : place + size])
-        where = ", ".join(f"&q[{row}][{place}]" for row in rows)
-        lines += wrapped(f"{INDENT}store_{size}({where}, {parts});", INDENT)
+        where = ", ".join(_from("q", len(group) * row + place) for row in rows)
+        lines += wrapped(f"{INDENT}dhgen_store_{size}({where}, {parts});", INDENT)
     return lines
+
+
+def _from(array: str, place: int) -> str:
+    """An array from a place on."""
+    return f"{array} + {place}" if place else array
 
 
 def status_lines(
@@ -90,16 +66,16 @@ def status_lines(
     for first in range(0, count, WORD):
         none, outside = f"none{first // WORD + 1}", f"outside{first // WORD + 1}"
         lines += _word(none, first, rows, nones)
-        word = f"{none} * NONE"
+        word = f"{none} * DHGEN_UNREACHABLE"
         fine = f"~{none}"
         if outsides:
             lines += _word(outside, first, rows, outsides)
-            word = f"{word} + ({outside} & ~{none}) * OUT"
+            word = f"{word} + ({outside} & ~{none}) * DHGEN_OUT_OF_LIMITS"
             fine = f"~({none} | {outside})"
         status = f"kind{first // WORD + 1}"
         lines += wrapped(f"{INDENT}const unsigned long long {status} = {word};", INDENT)
         size = min(WORD, count - first)
-        lines.append(f"{INDENT}__builtin_memcpy(status + {first}, &{status}, {size});")
+        lines.append(f"{INDENT}__builtin_memcpy({_from('status', first)}, &{status}, {size});")
         bytes_ = sum(1 << WORD * byte for byte in range(size))
         oks.append(f"__builtin_popcountll({bytes_:#x}ull & {fine})")
     return [*lines, *wrapped(f"{INDENT}return {' + '.join(oks)};", INDENT)]
@@ -117,6 +93,6 @@ def _word(name: str, first: int, rows: list[list[int]], masks: list[str]) -> lis
         moved = max(0, *(lane - WORD * byte for byte, lane in lanes.items()))
         factor = sum(1 << (WORD * byte - lane + moved) for byte, lane in lanes.items())
         bits = sum(1 << WORD * byte for byte in lanes)
-        product = f"bits_four({mask}) * {factor:#x}ull" + (f" >> {moved}" if moved else "")
+        product = f"dhgen_bits_four({mask}) * {factor:#x}ull" + (f" >> {moved}" if moved else "")
         parts.append(f"({product} & {bits:#x}ull)")
     return wrapped(f"{INDENT}const unsigned long long {name} = {' | '.join(parts)};", INDENT)

@@ -21,16 +21,8 @@ if TYPE_CHECKING:
 
 _LANES = re.compile(r"\b(\w+)_(four|wide)\(")
 _PLAIN = re.compile(r"\b(sqrt|fabs|sin|cos)\(")
-_CALLED = {"sqrt": "sqrt", "fabs": "abs", "sin": "sin", "cos": "cos"}  # before _four and _double
+_CALLED = {"sqrt": "sqrt", "fabs": "abs", "sin": "sin", "cos": "cos"}  # in dhgen_abs_four ...
 MACROS = ("KNOWN", "SIGNED", "SIGNED_TWICE")  # by the number of signs that values need
-
-
-@dataclass(frozen=True, slots=True)
-class Function:
-    """A function: its name in <math.h>, and how it is called where it is for numbers or lanes."""
-
-    name: str
-    called: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,14 +34,12 @@ class Shared:
         signs: Those of them that need nothing but signs, and have a type of their own.
         macros: The definition of a macro for each depth, the values that need so many signs.
         depths: Those that have one.
-        functions: Of <math.h> that they call.
     """
 
     names: frozenset[str] = frozenset()
     signs: frozenset[str] = frozenset()
     macros: Sequence[str] = ()
     depths: tuple[int, ...] = ()
-    functions: tuple[Function, ...] = ()
 
     def stated(self, depth: int, number: str, signs: str, indent: str = INDENT) -> list[str]:
         """The statement for a depth, where there is one.
@@ -86,11 +76,8 @@ def shared_values(flat: Flat) -> Shared:
             first, *others = [f"#define {MACROS[depth]}({types})", *lines]
             macros += [f"{line}{GOES_ON}" for line in [first, *others[:-1]]]
             macros.append(others[-1].removesuffix(";"))
-    text = "\n".join(macros)
-    called = {name: of for name, of in _CALLED.items() if f"{of}_##" in text}
-    functions = (Function(name, f"{of}_double") for name, of in called.items())
-    signs = frozenset(name for name, told in words.told.items() if told.kind == "signs")
-    return Shared(frozenset(words.told), signs, macros, tuple(depths), tuple(functions))
+    signs = frozenset(name for name, told in words.told.items() if told.kind == "dhgen_##signs")
+    return Shared(frozenset(words.told), signs, macros, tuple(depths))
 
 
 class _Words:
@@ -113,15 +100,17 @@ class _Words:
         one, wide = told.value, lanes.value
         angle = isinstance(let.expression, Apply) and let.expression.operator == "atan2"
         mixed = depth_of(let) > 0 and _PLAIN.search(one)
-        one = _PLAIN.sub(lambda found: f"{_CALLED[found[1]]}_##number(", one)
+        one = _PLAIN.sub(lambda found: f"dhgen_{_CALLED[found[1]]}_##number(", one)
         one, wide = (_LANES.sub(r"\1_##number(", text) for text in (one, wide))
-        signs = bool(let.axes) and (told.kind, lanes.kind) == ("four", "double")
-        number = lanes.kind == "wide" and told.kind == ("four" if let.axes else "double")
+        signs = bool(let.axes) and (told.kind, lanes.kind) == ("dhgen_four", "double")
+        one_kind = "dhgen_four" if let.axes else "double"
+        number = (told.kind, lanes.kind) == (one_kind, "dhgen_wide")
         own = angle or mixed or not (signs or number)
         if own or one != wide or names_in(let.expression) & self._own:
             self._own.add(let.name)
         else:
-            self.told[let.name] = Declaration("signs" if signs else "number", let.name, one)
+            kind = "signs" if signs else "number"
+            self.told[let.name] = Declaration(f"dhgen_##{kind}", let.name, one)
 
     def has(self, statement: Statement) -> bool:
         return not isinstance(statement, Let) or statement.name in self.told

@@ -3,7 +3,8 @@
 `double` becomes `float`, a literal gets an f and the digits that a float holds, a function of
 <math.h> becomes its sibling for floats. Nothing is promoted to double on the way
 (-Wdouble-promotion), so that a controller whose registers hold single precision never leaves them.
-Tolerances and names are not its business: they come with the program.
+Tolerances and names are not its business: they come with the program, and the runtime's names are
+pasted from parts.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import numpy as np
 
 _TOKEN = re.compile(
     r"""
-      (?P<kept> /\*.*?\*/ | "(?:[^"\\\n]|\\.)*" | \#\s*include[^\n]* )
+      (?P<kept> DHGEN_OF\(\w+\) | /\*.*?\*/ | "(?:[^"\\\n]|\\.)*" | \#\s*include[^\n]* )
     | (?P<word> [A-Za-z_]\w* )
     | (?P<number> (?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)? | \d+[eE][+-]?\d+ )
     | (?P<other> \d+\w* | \s+ | . )

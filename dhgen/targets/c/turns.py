@@ -31,6 +31,8 @@ class TurnReader:
 
     def __init__(self, program: Program) -> None:
         known = [c for c in program.constants if c.role is Source.FILE]
+        named = {2 * math.pi: "DHGEN_TURN", math.pi: "DHGEN_HALF_TURN"}
+        self.names = {c.name: named[c.value] for c in known if c.value in named}
         self._turn = {Variable(c.name) for c in known if c.value == 2 * math.pi}
         self._pi = {Variable(c.name) for c in known if c.value == math.pi}
 

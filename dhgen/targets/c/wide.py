@@ -9,6 +9,7 @@ from dhgen.program.ir import Heading, Let, Variable
 from dhgen.program.regular.flatten import MINUS
 from dhgen.program.walk import names_in
 from dhgen.targets.c.declared import dense
+from dhgen.targets.c.irregular import irregularity_wide
 from dhgen.targets.c.lanes import LaneText
 from dhgen.targets.c.language import C
 from dhgen.targets.c.shared import NOTHING_SHARED, depth_of
@@ -41,7 +42,7 @@ def wide_lines(
         shared: What it computes as other functions do.
         unrolled: Whether compilers are asked to unroll the loops.
     """
-    return _Wide(module, flat, shared, "UNROLLED " if unrolled else "").lines(entries)
+    return _Wide(module, flat, shared, "DHGEN_UNROLLED " if unrolled else "").lines(entries)
 
 
 def row_of(module: SolverModule, signs: dict[int, int]) -> int:
@@ -85,17 +86,15 @@ class _Wide:
             self._text.declare(name, lanes=name not in shared.signs)
 
     def lines(self, entries: Sequence[str]) -> list[str]:
-        given = ", ".join(["T", *(["free_joints"] if self._module.chain.given else [])])
-        limit = repr(self._module.precision.tolerances.orthonormal)
-        irregular = f"irregularity_wide({given}) <= {limit}"
+        irregular = f"{irregularity_wide(self._module)} <= DHGEN_ORTHONORMAL"
         if not self._flat.lanes:
             lines = [*entries, *self._body(0, INDENT), "", *self._rows(INDENT)]
-            lines.append(f"{INDENT}const wide_mask exact = {irregular};")
+            lines += wrapped(f"{INDENT}const dhgen_wide_mask exact = {irregular};", INDENT)
             doubts = [f"({self._text.text(doubt).text})" for doubt in self._flat.doubts]
             left = " | ".join(["(exact == 0)", *doubts])
             return [*lines, *wrapped(f"{INDENT}return {left};", INDENT)]
-        begin = f"{INDENT}wide_mask left = ({irregular}) == 0;"
-        return [*entries, begin, *self._loops(0, INDENT), f"{INDENT}return left;"]
+        begin = wrapped(f"{INDENT}dhgen_wide_mask left = ({irregular}) == 0;", INDENT)
+        return [*entries, *begin, *self._loops(0, INDENT), f"{INDENT}return left;"]
 
     def _loops(self, depth: int, indent: str) -> list[str]:
         """What is in so many loops."""
@@ -155,9 +154,11 @@ class _Wide:
             values = map(text.vector, map(self._written, group))
             pieces = [f"{q[k]} = {value};" for k, value in enumerate(values)]
             lines += packed(pieces, indent)
-            outside = text.mask(self._written(flat.outside[place])) if flat.limited else "0"
-            kind = self._place("kind", 1, row)
-            lines += wrapped(f"{indent}{kind} = kind_of({q[0]}, {outside});", indent)
+            kind = f"dhgen_kind_wide({q[0]})"
+            if flat.limited:
+                outside = text.mask(self._written(flat.outside[place]))
+                kind = f"dhgen_kind_within_wide({q[0]}, {outside})"
+            lines += wrapped(f"{indent}{self._place('kind', 1, row)} = {kind};", indent)
         return lines
 
     def _place(self, array: str, size: int, first: int) -> str:

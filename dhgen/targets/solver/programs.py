@@ -23,7 +23,6 @@ class Programs:
         uses_circle: Whether roots of polynomials on the circle are looked for.
         unmoved: The last argument of those who leave such roots where they are.
         uses_wrap: Whether angles are moved by whole turns.
-        uses_seed: Whether the solver reads the seed.
         forward_uses_q: Whether the pose depends on joint values.
         jacobian_uses_q: Whether the Jacobian does.
         checks_again: Whether the choice of a free joint decides on whether the arm takes the pose.
@@ -34,7 +33,6 @@ class Programs:
     uses_circle: bool
     unmoved: str
     uses_wrap: bool
-    uses_seed: bool
     forward_uses_q: bool
     jacobian_uses_q: bool
     checks_again: bool
@@ -49,7 +47,6 @@ def programs_of(module: SolverModule) -> Programs:
         uses_circle=finds_roots(solver),
         unmoved=", 0.0" if finds_roots(solver) else "",
         uses_wrap=any(uses(program, "wrap") for program in module.programs),
-        uses_seed=reads(solver, "seed"),
         forward_uses_q=reads(module.forward, "q"),
         jacobian_uses_q=reads(module.jacobian, "q"),
         checks_again=checks_again(solver),

@@ -44,8 +44,6 @@ class Settle:
 
     Attributes:
         width: Columns of a table with the miss and all joints.
-        spin: Where the Jacobian's angular part begins.
-        twice: Entries of two of its rows.
         miss_weights: What the components of a miss count, between commas.
         paces: What a step of one means for each joint, between commas.
         together: Joint values that differ by less are one solution [rad, arm sizes].
@@ -69,8 +67,6 @@ class Settle:
     """
 
     width: int
-    spin: int
-    twice: int
     miss_weights: str
     paces: str
     together: float
@@ -101,8 +97,6 @@ def settle_of(module: SolverModule) -> Settle:
     rows = chain.task.position_rows
     return Settle(
         width=6 + chain.dof,
-        spin=3 * chain.dof,
-        twice=2 * chain.dof,
         miss_weights=", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         paces=", ".join(_pace(joint, chain) for joint in chain.joints),
         together=max(TOGETHER, BEYOND_TOLD * tolerances.told),

@@ -16,13 +16,11 @@ class PoseChecks:
     """What is checked of a pose.
 
     Attributes:
-        checks_directions: Whether directions are.
         checks_rotation: Whether all of the rotation is.
         checks_approach: Whether the tool's z axis alone is.
         checks_last_row: Whether the last row is.
     """
 
-    checks_directions: bool
     checks_rotation: bool
     checks_approach: bool
     checks_last_row: bool
@@ -31,7 +29,6 @@ class PoseChecks:
 def pose_checks(task: Task) -> PoseChecks:
     """What a task needs."""
     return PoseChecks(
-        checks_directions=task.names_direction,
         checks_rotation=task.names_rotation,
         checks_approach=task.kind is TaskKind.POINTING,
         checks_last_row=task.kind is TaskKind.POSE,

@@ -44,12 +44,17 @@
 #define DHGEN_TABLE static const
 #endif
 #ifndef DHGEN_API
-#ifdef DHGEN_SHARED
+#if defined(DHGEN_SHARED) && defined(__cplusplus)
+#define DHGEN_API extern "C"
+#elif defined(DHGEN_SHARED)
 #define DHGEN_API
 #else
 #define DHGEN_API DHGEN_APART
 #endif
 #endif
+
+/* What is no solution. */
+#define DHGEN_NAN ((double)NAN)
 
 #define DHGEN_TURN 6.283185307179586
 #define DHGEN_HALF_TURN 3.141592653589793

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An arm as the runtime sees it: a table of numbers, of what has to be done around the formulas of
+ * its solver, and of the robot's own functions. */
+#ifndef DHGEN_ARM_H
+#define DHGEN_ARM_H
+
+#include "interface.h"
+
+/* Sizes of arrays, and bounds of loops: constants where a robot's file brings the runtime along,
+ * else the most that the compiled runtime takes, and the arm's own. */
+#define DHGEN_MOST_JOINTS 16
+#define DHGEN_MOST_ROWS 64
+#if defined(DHGEN_DOF) && !defined(DHGEN_SHARED)
+#define DHGEN_JOINTS DHGEN_DOF
+#define DHGEN_BRANCHES DHGEN_ROWS
+#define dhgen_dof(arm) ((void)(arm), DHGEN_DOF)
+#define dhgen_rows(arm) ((void)(arm), DHGEN_ROWS)
+#else
+#define DHGEN_JOINTS DHGEN_MOST_JOINTS
+#define DHGEN_BRANCHES DHGEN_MOST_ROWS
+#define dhgen_dof(arm) ((arm)->dof)
+#define dhgen_rows(arm) ((arm)->rows)
+#endif
+#ifdef DHGEN_DOF
+#if DHGEN_DOF > DHGEN_MOST_JOINTS || DHGEN_ROWS > DHGEN_MOST_ROWS
+#error "dhgen: more joints or rows than the runtime has room for"
+#endif
+#endif
+
+struct dhgen_joint {
+    double lowest, highest; /* limits, infinite where it has none [rad or length] */
+    double slack;           /* a value may miss its limits by this [rad or length] */
+    double weight;          /* of its squared differences: lengths count in arm sizes */
+    double pace;            /* what a step of one means in refining; 0 if the caller gives it */
+    double fan_step;        /* from one value to the next where it is free [rad or length] */
+    int revolute;           /* whether it turns */
+};
+
+/* What of a pose is checked, besides that it is finite. */
+enum {
+    DHGEN_COORDINATES, /* nothing: coordinates count */
+    DHGEN_POINTING,    /* the tool's z axis */
+    DHGEN_ROTATION,    /* the rotation */
+    DHGEN_POSE         /* the rotation and the last row */
+};
+
+struct dhgen_arm {
+    int dof, rows; /* joints; branches */
+    int given;     /* values that the caller gives */
+    int task;      /* DHGEN_POSE ... */
+    const struct dhgen_joint *joints;
+    const int *given_joints; /* the joints whose values the caller gives, from 0 */
+    int given_joint_count;   /* as many as `given`, none where that is an arm angle */
+
+    /* By how much joint values miss a pose: what its entries count, lengths in arm sizes, to few
+     * digits in refining; and for whether a row fits, the places of the entries that do. */
+    double miss_weights[6];
+    double per_length;
+    const int *entries;
+    int entry_count;
+
+    /* What the solver's rows need. */
+    int slides;                    /* joints slide: also squares of lengths have to be finite */
+    int retries, checks;           /* other values of free joints may reach; may meet the pose */
+    int keeps_limits;              /* other values of free joints may keep limits */
+    const int *choosable;          /* joints that may be free, from 0, the last first */
+    int choosable_count;           /* how many */
+    const int *together;           /* joints that may have to be chosen together, from 0 */
+    int together_count;            /* how many */
+    int cuts;                      /* of an interval by golden section */
+    int merges, refines;           /* branches that meet may come out apart; rows need refining */
+    int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
+    int follows_seed;              /* where rounding can't tell solutions apart */
+
+    /* The robot's own functions. `regular` solves regular poses: how many rows are OK, or -1 where
+     * the pose needs care. `solve` fills the rows of branches that have a solution, roots of
+     * polynomials being moved by an angle. `complete` works on all of them, where roots of
+     * polynomials nearly meet or rows miss the pose; `begun` is the first row that was not simply
+     * out of reach, or negative. The last two may be NULL. */
+    void (*fk)(const double *q, double *T);
+    void (*jacobian)(const double *q, double *J);
+    void (*solve)(const double *T, const double *free_joints, const double *seed, double moved,
+        double *q, unsigned char *status);
+    void (*complete)(const struct dhgen_arm *arm, const double *T, const double *free_joints,
+        const double *seed, int begun, double *q, unsigned char *status);
+    int (*regular)(const double *T, const double *free_joints, double *q, unsigned char *status);
+};
+
+/* Copies the joint values of a row. */
+DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const double *from, double *to)
+{
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        to[i] = from[i];
+}
+
+/* Whether joint values move a joint in refining: whether none of the caller's. */
+DHGEN_FN int dhgen_moves(const struct dhgen_arm *arm, int joint)
+{
+    return arm->joints[joint].pace > 0.0;
+}
+
+#endif

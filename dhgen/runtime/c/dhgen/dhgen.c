@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The runtime compiled once for all robots of a program: for files that are compiled with
+ * -DDHGEN_SHARED. */
+#undef DHGEN_SHARED
+#ifdef __cplusplus
+#define DHGEN_API extern "C"
+#else
+#define DHGEN_API
+#endif
+#include "ik.h"

@@ -1,0 +1,43 @@
+"""The C runtime pasted into one file of a robot."""
+
+from __future__ import annotations
+
+import re
+from posixpath import dirname, join, normpath
+
+from dhgen.runtime import c_runtime_files
+
+OMITTED = frozenset({"dhgen/vectors.h"})  # no vectors of floats
+_INCLUDE = re.compile(r'#include "((?:\.\./)*[\w/]+\.h)"\n')
+_GUARD = re.compile(r"#ifndef (DHGEN_\w+_H)\n#define \1\n(.*)#endif\n", re.DOTALL)
+_LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "
+
+
+def in_one_file(source: str) -> str:
+    """A source with what it includes of the runtime pasted into it, but for vectors."""
+    return _pasted(source, "", set(OMITTED))
+
+
+def _pasted(source: str, folder: str, known: set[str]) -> str:
+    """The same.
+
+    Args:
+        source: The text.
+        folder: Where it lies.
+        known: Files that are not pasted (again); what is pasted once joins them.
+    """
+
+    def text(found: re.Match[str]) -> str:
+        name = normpath(join(folder, found[1]))
+        if name in known:
+            return ""
+        if name not in c_runtime_files():  # the robot's header
+            return found[0]
+        content = c_runtime_files()[name].replace(_LICENCE, "/* ")
+        guarded = _GUARD.search(content)
+        if guarded:
+            known.add(name)
+            content = content[: guarded.start()] + guarded[2]
+        return _pasted(content, dirname(name), known).strip("\n") + "\n"
+
+    return _INCLUDE.sub(text, source)
