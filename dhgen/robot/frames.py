@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from dhgen.robot.angles import SNAP, cosine, sine
+from dhgen.robot.angles import ROUNDING, SNAP, cosine, sine
 from dhgen.robot.exact import add, multiply, negate, number, subtract
 from dhgen.robot.expression import ONE, ZERO, Expression
 from dhgen.robot.robot import Frame
@@ -195,7 +195,7 @@ def _from_quaternion(
     if abs(norm - 1) > SNAP:
         cells.report.notice(path, f"the quaternion has length {norm:.9g} and is normalised")
     x, y, z, w = (Fraction(repr(values[c])) for c in "xyzw")
-    return cells.exact_ratios(numbers(from_quaternion(x, y, z, w)))
+    return _exact_rotation(cells, numbers(from_quaternion(x, y, z, w)))
 
 
 def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
@@ -211,8 +211,33 @@ def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
         message = f"the rotation is off by {deviation:.1e}; the nearest exact one is used"
         cells.report.notice(path, message)
         quaternion = (Fraction(repr(value)) for value in to_quaternion(nearest_rotation(rows)))
-        return Frame((x, y, z), cells.exact_ratios(numbers(from_quaternion(*quaternion))))
-    return Frame((x, y, z), tuple(entry for row in written for entry in row))
+        return Frame((x, y, z), _exact_rotation(cells, numbers(from_quaternion(*quaternion))))
+    given = tuple(cells.parse((*path, i, j), entry[i][j]) for i in range(3) for j in range(3))
+    exact = tuple(entry for row in written for entry in row)
+    return Frame((x, y, z), exact if _is_as_orthonormal(cells, exact, given) else given)
+
+
+def _exact_rotation(cells: Cells, given: tuple[Expression, ...]) -> tuple[Expression, ...]:
+    """A computed rotation, with the entries exact that are so but for rounding, if all can be."""
+    exact = cells.exact_ratios(given)
+    return exact if _is_as_orthonormal(cells, exact, given) else given
+
+
+def _is_as_orthonormal(
+    cells: Cells, exact: Sequence[Expression], given: Sequence[Expression]
+) -> bool:
+    """Whether exact entries are a rotation as much as those given are.
+
+    The cosine of a small angle is nearer to 1 than its sine to 0: one taken as exact without the
+    other leaves a matrix that is no rotation.
+    """
+    off = [_deviation(_rows([cells.value(entry) for entry in each])) for each in (exact, given)]
+    return off[0] <= max(off[1], 4 * ROUNDING)
+
+
+def _rows(values: Sequence[float]) -> Rows:
+    a, b, c, d, e, f, g, h, i = values
+    return (a, b, c), (d, e, f), (g, h, i)
 
 
 def _check_rotation(cells: Cells, path: Path, rows: Rows) -> float:
@@ -234,5 +259,11 @@ def _check_rotation(cells: Cells, path: Path, rows: Rows) -> float:
     if determinant(rows) < 0:
         cells.report.error(path, "the determinant is -1, not 1: this is a mirror, not a rotation")
         return 0.0
+    return _deviation(rows)
+
+
+def _deviation(rows: Rows) -> float:
+    """How far rows are from orthonormal: their lengths from 1, half their products from 0."""
+    products = (dot(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2)))
     lengths = (abs(math.hypot(*row) - 1) for row in rows)
-    return max(*lengths, *(abs(product) / 2 for product in products.values()))
+    return max(*lengths, *(abs(product) / 2 for product in products))

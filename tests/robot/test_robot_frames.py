@@ -139,6 +139,29 @@ def test_entries_that_mean_an_exact_value_snap_with_a_notice() -> None:
     assert "away from sqrt(3)/2 and taken as sqrt(3)/2" in loaded.notices[0].message
 
 
+@pytest.mark.parametrize(
+    "entry",
+    [
+        (
+            "{matrix: [[0.999999999928, -1.1999999999712e-05, 0, 0], "
+            "[1.1999999999712e-05, 0.999999999928, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}"
+        ),
+        "{quaternion_xyzw: [0, 0, 5.999999999964e-06, 0.999999999982]}",
+    ],
+)
+def test_a_small_rotation_stays_orthonormal(entry: str) -> None:
+    """Its cosine is 1 to ten digits, its sine is not 0: 1.2e-5 rad about z."""
+    R = rotation(tool(entry))
+    assert np.abs(R @ R.T - np.eye(3)).max() < 1e-15
+    assert math.atan2(R[1, 0], R[0, 0]) == pytest.approx(1.2e-5, abs=1e-15)
+
+
+def test_a_right_angle_to_ten_digits_is_exact() -> None:
+    """All its entries are nearly exact, and together a rotation."""
+    frame = tool("{quaternion_xyzw: [0.7071067812, 0, 0, 0.7071067811]}")
+    assert texts(frame) == ["1", "0", "0", "0", "0", "-1", "0", "1", "0"]
+
+
 def test_a_rounded_matrix_becomes_the_nearest_rotation_with_a_notice() -> None:
     loaded = robot(
         f"{MINIMAL}tool: [[0.955336, -0.295520, 0, 0], [0.295520, 0.955336, 0, 0], [0, 0, 1, 0], "
