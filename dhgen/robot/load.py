@@ -18,6 +18,7 @@ from dhgen.robot.source import SourceText, Span
 if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
+_XML = re.compile(r"\ufeff?\s*<[?!A-Za-z]")
 _BINARY = re.compile(rb"[\x00-\x08\x0e-\x1f]")  # what no text in any 8-bit encoding has
 
 
@@ -48,6 +49,9 @@ def load(path: str | os.PathLike[str]) -> Robot:
         text = content.decode("utf-8")
     except UnicodeDecodeError as error:
         raise _refusal(_no_utf8(content, name, error.start)) from None
+    if _XML.match(text):
+        what = "a URDF" if "<robot" in text else "XML"
+        raise _refusal(Diagnostic(name, 0, 0, f"this is {what}; a robot file is YAML"))
     return load_text(text, name)
 
 

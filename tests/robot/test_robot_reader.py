@@ -153,6 +153,9 @@ def test_a_file_that_is_not_utf8_says_where(tmp_path: Path) -> None:
         (b"\x7fELF\x02\x01\x01\0\0\xff\n", "this is not text; a robot file is YAML"),
         (b"\x89PNG\r\n\x1a\n", "this is not text; a robot file is YAML"),
         (MINIMAL.encode("utf-16"), "the file is UTF-16: save it as UTF-8"),
+        (b'<robot name="r">\n</robot>\n', "this is a URDF; a robot file is YAML"),
+        (b'\xef\xbb\xbf<?xml version="1.0"?>\n<robot/>', "this is a URDF; a robot file is YAML"),
+        (b"<!-- an arm -->\n<mujoco/>\n", "this is XML; a robot file is YAML"),
     ],
 )
 def test_what_is_no_text_is_not_shown(content: bytes, message: str, tmp_path: Path) -> None:
