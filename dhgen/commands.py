@@ -87,9 +87,9 @@ def write(options: argparse.Namespace) -> int:
 
 
 def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
+    from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.derivation import derivation_summary  # noqa: PLC0415
-    from dhgen.replace import replace_files  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)

@@ -21,13 +21,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from dhgen.atomic_write import write_files
 from dhgen.derivation import derivation_document
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
 from dhgen.program.lowering.programs import robot_programs
-from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, compile_loaded
-from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
 

@@ -14,8 +14,7 @@
 | known_functions | sines and cosines that a step has found, as later steps take them           |
 | types           | a printer for each equation type                                            |
 | conditions      | where a combination vanishes, in joint angles                               |
-| joint_space     | what that means for the arm                                                 |
-| effects         | what the program does there                                                 |
+| effects         | what that means for the arm, and what the program does there                |
 | geometry        | how axes lie, and the arm's size                                            |
 | notation        | letters, cells, polynomials and matrices as formulas                        |
 | text            | formulas and documents as values, templates, Markdown, plain text           |

@@ -11,10 +11,9 @@ from dhgen.derivation.sections.closing import (
     solutions_section,
 )
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
-from dhgen.derivation.sections.general import general_section
+from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
-from dhgen.derivation.sections.numerical import numerical_section
 from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.steps import step_blocks

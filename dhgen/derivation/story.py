@@ -147,7 +147,7 @@ class Story:
         """The forms Y s - X c of all steps of type 2 that later polynomials may hold."""
         found = []
         for number, step in enumerate(self.steps, start=1):
-            if step.kind is Kind.ANGLE and step.second is None:
+            if step.kind is Kind.ANGLE and step.fallback is None:
                 each = self.combination(number)
                 factor, inner = primitive(each.form)
                 if abs(factor) == 1 and not any(content(inner)[0]) and len(inner) > 1:

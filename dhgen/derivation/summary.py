@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import element_of
 from dhgen.derivation.notation.names import unknown_symbol
-from dhgen.derivation.sections.general_loop import joint_symbol
+from dhgen.derivation.sections.general import joint_symbol
 from dhgen.derivation.steps import quoted
 from dhgen.derivation.text.blocks import Prose
 from dhgen.derivation.text.plain import words

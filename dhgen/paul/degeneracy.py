@@ -163,7 +163,7 @@ def _factors(pool: Pool, step: Step) -> Factors | None:
 
 def _leading(step: Step) -> list[Polynomial]:
     """The coefficients of which one has to differ from zero for the equations to hold the angle."""
-    both = [step] if step.second is None else [step, step.second]
+    both = [step] if step.fallback is None else [step, step.fallback]
     found = [each.coefficient(letter) for each in both for letter in step.kind.value.leading]
     return [polynomial for polynomial in found if polynomial]
 

@@ -97,7 +97,7 @@ def _completed(step: Step, offers: Sequence[Step], pool: Pool) -> Step:
     alike = (offer for offer in offers if offer.unknowns == step.unknowns)
     for offer in alike:
         if outlasts(pool.problem.algebra, across(pool, offer), first):
-            return replace(step, second=offer)
+            return replace(step, fallback=offer)
     return step
 
 

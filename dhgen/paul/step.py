@@ -63,7 +63,7 @@ class Step:
         forms: The equations as they look at this point.
         letters: The type's letters and what they are here, in the type's order.
         penalty: For ranking: how ill-conditioned and how long.
-        second: Of type 2 with Z = 0: another such step for this angle, whose X and Y differ from
+        fallback: Of type 2 with Z = 0: another such step for this angle, whose X and Y differ from
             zero where the step's own vanish.
         degenerate: How many conditions make its equations lose an angle that is not free: one
             is often met, two seldom. 0 where that never happens.
@@ -74,7 +74,7 @@ class Step:
     forms: tuple[Form, ...]
     letters: tuple[tuple[str, Polynomial | Products], ...]
     penalty: int
-    second: Step | None = None
+    fallback: Step | None = None
     degenerate: int = 0
 
     @property

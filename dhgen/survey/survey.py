@@ -9,11 +9,11 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, compile_loaded
 from dhgen.errors import DhgenError, RobotFileError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
-from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
 from dhgen.survey.ask import ask_random, ask_singular

@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dhgen.replace import replace_files
+from dhgen.atomic_write import replace_files
 from dhgen.runtime import PYTHON
 from dhgen.runtime.python.jit import digest_of
 from dhgen.verify.native import import_module

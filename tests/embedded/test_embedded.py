@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.replace import write_files
+from dhgen.atomic_write import write_files
 from dhgen.status import HELD, Status
 from dhgen.tolerances import SINGLE
 from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled

@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.atomic_write import write_files
 from dhgen.general.links import Link
 from dhgen.general.reference import solve
 from dhgen.general.runtime_loop import runtime_loop
 from dhgen.general.setup import setup
 from dhgen.kinematics.rigid import IDENTITY
 from dhgen.numerical.runtime_arm import twelve
-from dhgen.replace import write_files
 from dhgen.runtime import c_runtime_files
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.general.arm import general_numbers

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.atomic_write import write_files
 from dhgen.general.arm import general_kernel, joint_values
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import whole_program
-from dhgen.replace import write_files
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.runtime import c_runtime_files

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from dhgen.replace import write_files
+from dhgen.atomic_write import write_files
 from dhgen.runtime import runtime_files
 from tests.compiling import written
 

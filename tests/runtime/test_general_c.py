@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.general import hidden_slide
-from dhgen.replace import write_files
 from dhgen.runtime import c_runtime_files
 from dhgen.runtime.python.general import (
     attempts,

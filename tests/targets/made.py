@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.replace import write_files
+from dhgen.atomic_write import write_files
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.runtime import runtime_files

@@ -11,11 +11,11 @@ import numba
 import numpy as np
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.check import compare
 from dhgen.compiler import verified
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.replace import write_files
 from dhgen.robot_files import load_all
 from dhgen.status import Status
 from dhgen.targets.c.single_precision import in_single_precision

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.check import compare
 from dhgen.compiler import compile_loaded
-from dhgen.replace import write_files
 from dhgen.robot_files import RobotFile, RobotFiles
 from dhgen.verify.native import c_compiler
 

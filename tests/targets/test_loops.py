@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.replace import write_files
+from dhgen.atomic_write import write_files
 from dhgen.runtime import c_runtime_files
 from dhgen.status import HELD
 from dhgen.survey.oracle.poses import random_joints

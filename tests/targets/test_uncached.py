@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.replace import write_files
+from dhgen.atomic_write import write_files
 from dhgen.runtime import runtime_files
 from dhgen.survey.oracle.levenberg_marquardt import _compiled
 from tests.targets.made import folder, made

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numba
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, verified
 from dhgen.errors import CompilerError, VerificationError
-from dhgen.replace import write_files
 from dhgen.verify.native import Build
 from dhgen.verify.verify import verify
 from tests.compiling import compile_file

@@ -3,5 +3,5 @@
 In the order of a document: `robot` with `tables`, `parameters` and `frames`; `forward`
 with `transforms` and `jacobian`; `inverse` with `types_table`, `elements` and `shoulder`; behind
 the steps `joints` and `closing`. In place of all that follows the forward model, arms without a
-closed form have `general` with `general_loop`, or `numerical`.
+closed form have `general`.
 """

@@ -60,9 +60,9 @@ def element_blocks(story: Story) -> list[Block]:
 
 def _second_origins(step: Step) -> tuple[Origin, ...]:
     """The place of a step's second equation; that of a cross product is printed in the step."""
-    if step.second is None:
+    if step.fallback is None:
         return ()
-    return tuple(origin for origin in step.second.origins if origin.column != MOMENT)
+    return tuple(origin for origin in step.fallback.origins if origin.column != MOMENT)
 
 
 def _form_sentence(story: Story, form: Form) -> Prose:

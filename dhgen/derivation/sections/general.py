@@ -1,7 +1,8 @@
-"""The inverse of an arm without a closed form: what its template names.
+"""The inverse of an arm without a closed form: what its templates name.
 
 The prose is `templates/derivation/general.md.jinja`, with a template for each of the algorithms:
-the elimination, the offset wrist's polynomial before it, or four turns and two slides.
+the elimination, the offset wrist's polynomial before it, or four turns and two slides. Arms that
+are solved numerically have `numerical.md.jinja`.
 """
 
 from __future__ import annotations
@@ -10,12 +11,6 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.geometry import size_in_words
-from dhgen.derivation.sections.general_loop import (
-    begin_with_motions,
-    joint_symbol,
-    loop_from_the_hidden_joint,
-    loop_that_closes,
-)
 from dhgen.derivation.text.blocks import paragraph, say
 from dhgen.derivation.text.formula import ZERO, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
@@ -23,16 +18,20 @@ from dhgen.derivation.text.words import joined, numeral
 from dhgen.general.circle import SAMPLES
 from dhgen.general.hidden_slide import UNIT
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
+from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
+from dhgen.numerical import kernel as constants
 from dhgen.paul.refusal.unsolved import NEARLY_CONCURRENT, NEARLY_PARALLEL
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
     from dhgen.general.offset_wrist import OffsetWrist
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.neighbours import Triple
+    from dhgen.numerical.kernel import NumericalKernel
 
 
 def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
@@ -171,3 +170,82 @@ def _axes(triple: Triple) -> str:
 
 def _degrees(triple: Triple) -> str:
     return f"{short_number(math.degrees(triple.tilt), 3)} degrees"
+
+
+def loop_that_closes(kernel: GeneralKernel) -> Symbol:
+    """The forward model as a loop."""
+    joints = [_motion(kernel, place) for place in range(6)]
+    links = [rf"{symbol.latex}\,K_{k}" for k, symbol in enumerate(joints[:5])]
+    plain = " ".join(f"{symbol.text} K{k}" for k, symbol in enumerate(joints[:5]))
+    return Symbol(
+        rf"{' '.join(links)}\,{joints[5].latex} = P, "
+        r"\qquad P = C_0^{-1}\,\mathit{POS}\,C_6^{-1}",
+        f"{plain} {joints[5].text} = P,  P = C0⁻¹ POS C6⁻¹",
+    )
+
+
+def begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:
+    """Whether the transform between two joints is one link's constant part."""
+    own = kernel.asked == len(chain.links) == len(kernel.numbers)
+    return own and all(isinstance(link[0], Turn | Slide) for link in chain.links)
+
+
+def _motion(kernel: GeneralKernel, place: int) -> Symbol:
+    number = kernel.numbers[place]
+    if place in kernel.loop.slides:
+        return Symbol(f"T_z(r_{number})", f"Tz(r{number})")
+    return Symbol(rf"R_z(\theta_{number})", f"Rz(θ{number})")
+
+
+def loop_from_the_hidden_joint(kernel: GeneralKernel) -> Symbol:
+    """The loop with three joints on the left, the hidden one first, and three on the right."""
+    first = kernel.first
+    turns = [_moved(kernel, joint, first.sign) for joint in first.joints]
+    back = [_moved(kernel, joint, -first.sign) for joint in first.joints]
+    links = [_link(first, joint) for joint in first.joints]
+    undone = [_link(first, joint, undone=True) for joint in first.joints]
+    left = [links[5], turns[0], links[0], turns[1], links[1], turns[2], links[2]]
+    right = [back[5], undone[4], back[4], undone[3], back[3]]
+    sides = left, right
+    return Symbol(
+        " = ".join(r"\,".join(each.latex for each in side) for side in sides),
+        " = ".join(" ".join(each.text for each in side) for side in sides),
+    )
+
+
+def _link(first: Formulation, joint: int, *, undone: bool = False) -> Symbol:
+    """The transform behind a joint, in the direction in which the loop is read; or its inverse."""
+    number, inverted = first.behind(joint)
+    name, inverse = "P" if number is None else f"K_{number}", inverted != undone
+    return Symbol(name + "^{-1}" * inverse, name.replace("_", "") + "⁻¹" * inverse)
+
+
+def _moved(kernel: GeneralKernel, place: int, sign: int) -> Symbol:
+    """The motion of a joint, or back."""
+    motion = _motion(kernel, place)
+    if sign > 0:
+        return motion
+    return Symbol(motion.latex.replace("(", "(-"), motion.text.replace("(", "(−"))
+
+
+def joint_symbol(kernel: GeneralKernel, place: int) -> Symbol:
+    """The angle or length of a joint of the loop, from 0."""
+    number = kernel.numbers[place]
+    if place in kernel.loop.slides:
+        return Symbol(f"r_{number}", f"r{number}")
+    return Symbol(rf"\theta_{number}", f"θ{number}")
+
+
+def numerical_section(kernel: NumericalKernel, chain: Chain) -> list[Block]:
+    """What replaces the steps of Paul's method."""
+    return blocks_of(
+        "numerical",
+        redundant=kernel.redundant,
+        size=size_in_words(chain),
+        damping=constants.DAMPING,
+        starts=constants.STARTS,
+        more_starts=constants.REDUNDANT_STARTS - 1,
+        rounds=constants.ROUNDS,
+        rows=kernel.rows,
+        residual=f"{kernel.residual:.0e}",
+    )

@@ -11,8 +11,7 @@ from dhgen.derivation.conditions import (
     other_combination,
     vanishing,
 )
-from dhgen.derivation.effects import free_effect, merged_effect
-from dhgen.derivation.joint_space import meaning_of_free, meaning_of_root
+from dhgen.derivation.effects import free_effect, meaning_of_free, meaning_of_root, merged_effect
 from dhgen.derivation.known_functions import by_joints
 from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
@@ -34,7 +33,7 @@ from dhgen.derivation.text.formula import (
     subtract,
     times,
 )
-from dhgen.derivation.types.fallback_equation import ADDED, Second
+from dhgen.derivation.types.fallback_equation import ADDED, Fallback
 from dhgen.kinematics.ring import constant_value
 
 if TYPE_CHECKING:
@@ -71,7 +70,7 @@ def _letters(context: StepContext, right: Formula, names: str) -> list[Block]:
 
 def _homogeneous(context: StepContext) -> StepText:
     sign = context.facing_sign
-    second = Second.of(context)
+    second = Fallback.of(context)
     along, across = (X, Y) if second is None else (ADDED["X"], ADDED["Y"])
     general = atan2(times(sign, across), minus(times(sign, along)))
     special = general
@@ -209,7 +208,7 @@ def _general(context: StepContext) -> StepText:
 X, Y, Z = type_letter("X"), type_letter("Y"), type_letter("Z")
 
 
-def free_without_right_side(context: StepContext, second: Second | None) -> Singularity:
+def free_without_right_side(context: StepContext, second: Fallback | None) -> Singularity:
     """Where X s + Y c = 0 holds for every angle."""
     names = [name for name in "XY" if context.polynomial(name)]
     condition: Formula = equal(X, Y, ZERO)

@@ -6,8 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.conditions import are_never_zero, vanishing
-from dhgen.derivation.effects import free_effect, nothing_said, others_decide
-from dhgen.derivation.joint_space import point_name
+from dhgen.derivation.effects import free_effect, nothing_said, others_decide, point_name
 from dhgen.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.derivation.text.blocks import display, paragraph, say

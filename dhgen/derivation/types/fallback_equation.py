@@ -42,7 +42,7 @@ FACING = -1  # the pool's equations are right - left, those on paper left = righ
 
 
 @dataclass(frozen=True, slots=True)
-class Second:
+class Fallback:
     """A second equation on paper.
 
     Attributes:
@@ -54,9 +54,9 @@ class Second:
     step: Step
 
     @classmethod
-    def of(cls, context: StepContext) -> Second | None:
+    def of(cls, context: StepContext) -> Fallback | None:
         """That of a step, if it has one."""
-        return None if context.step.second is None else cls(context, context.step.second)
+        return None if context.step.fallback is None else cls(context, context.step.fallback)
 
     def blocks(self) -> list[Block]:
         """Its place, its letters, and how both are added."""

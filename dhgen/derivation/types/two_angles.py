@@ -7,8 +7,7 @@ from itertools import permutations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.conditions import are_never_zero, unsigned, without_lengths
-from dhgen.derivation.effects import free_effect, merged_effect, nothing_said
-from dhgen.derivation.joint_space import point_name
+from dhgen.derivation.effects import free_effect, merged_effect, nothing_said, point_name
 from dhgen.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.derivation.text.blocks import display, paragraph, say

@@ -151,7 +151,7 @@ def no_parts(_: Lowering, __: Step) -> Iterator[Part]:
 def parts_of(context: Lowering, step: Step) -> Iterator[Part]:
     """Sums in the columns that hold a step's equations, each side seen from the unknown."""
     carrier = _Carrier(context)
-    steps = (step,) if step.second is None else (step, step.second)
+    steps = (step,) if step.fallback is None else (step, step.fallback)
     for form in (form for each in steps for form in each.forms):
         for origin in _places(form.equation.origin):
             for side in carrier.sides(origin):

@@ -72,7 +72,9 @@ def _parts(derivation: Derivation, tolerances: Tolerances) -> PartsOf:
     Columns take less text, and mostly fewer operations; but one that begins at a joint that is
     solved late is carried once more for every branch.
     """
-    steps = [each for step in derivation.steps for each in (step, step.second) if each is not None]
+    steps = [
+        each for step in derivation.steps for each in (step, step.fallback) if each is not None
+    ]
     if not any(len(value) >= LONG for step in steps for _, value in step.coefficients):
         return no_parts
     none, carried = (
@@ -122,7 +124,7 @@ def _unknowns(step: Step) -> str:
 
 def _source(step: Step) -> str:
     """The type, and the places of its equations."""
-    origins = step.origins if step.second is None else (*step.origins, *step.second.origins)
+    origins = step.origins if step.fallback is None else (*step.origins, *step.fallback.origins)
     return f"type {step.kind.number}: {' and '.join(origin.name for origin in origins)}"
 
 

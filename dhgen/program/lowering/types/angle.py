@@ -116,7 +116,7 @@ def _lower_homogeneous(
     """Type 2 with Z = 0: the angle of a vector or its opposite, always solvable."""
     angle = step.angle
     builder = context.builder
-    x, y = vector if step.second is None else _lengthened(context, vector, step.second, degree)
+    x, y = vector if step.fallback is None else _lengthened(context, vector, step.fallback, degree)
     square = builder.add(builder.square(x), builder.square(y))
     length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
     free = is_short(context, length, degree, f"free{angle.suffix}")
@@ -130,7 +130,7 @@ def _lower_homogeneous(
         finish_direction(context, angle, direction, length, free)
     else:
         finish(context, angle, *direction, free)
-    if step.second is None:
+    if step.fallback is None:
         root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
         remember(context, step, angle, builder.integer(0), root)
 

@@ -21,7 +21,7 @@ from tests.paul.arms import derivation
     ],
 )
 def test_where_it_stands(name: str, column: int, place: str) -> None:
-    second = derivation(name).steps[0].second
+    second = derivation(name).steps[0].fallback
     assert second is not None
     (origin,) = second.origins
     assert (origin.column, origin.name) == (column, place)
@@ -31,11 +31,11 @@ def test_where_it_stands(name: str, column: int, place: str) -> None:
 def test_it_holds_and_stays(name: str) -> None:
     made = derivation(name)
     step, algebra = made.steps[0], made.problem.algebra
-    assert step.second is not None
-    (form,) = step.second.forms
+    assert step.fallback is not None
+    (form,) = step.fallback.forms
     difference = build_witnesses(made.pool).evaluate(form.equation.difference)
     assert np.abs(difference).max() < 1e-9
-    first, other = across(made.pool, step), across(made.pool, step.second)
+    first, other = across(made.pool, step), across(made.pool, step.fallback)
     assert outlasts(algebra, other, first)
     assert not outlasts(algebra, first, first)
     assert not outlasts(algebra, other * first, first)
@@ -43,4 +43,4 @@ def test_it_holds_and_stays(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["puma560", "ur5", "stanford", "rail_5dof", "craig_417"])
 def test_none_is_needed(name: str) -> None:
-    assert all(step.second is None for step in derivation(name).steps)
+    assert all(step.fallback is None for step in derivation(name).steps)
