@@ -16,7 +16,8 @@ at_an_end attempt away before begun bend beside best between beyond_limits both_
 choosable choose_again chosen circle_roots clamped CLOSE close complete continuum coordinate copy
 count d damped_step damping descend descended descent distance distance_between doubtful e end ended
 ends entries enough enough_beside escaped exact exactly exactness fan_step far farther fault first
-found FREE G gap given_joints given_places gap_between given half half_way held here high hopeless i ik_carefully
+found FREE G gap given_joints given_places gap_between given half half_way held here high hopeless
+i ik_carefully
 inner inside INVALID is_new is_open j join joints k keep keep_limits kept kind known known_as LANES
 last lead_inside leads least least_u left length limited_step look lose LOST lost low many measure
 middle misfit_one misfit_wide miss missed_by most most_u move_inside moved moves n named nearest
