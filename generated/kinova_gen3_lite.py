@@ -17,9 +17,11 @@ from types import ModuleType
 
 import numpy as np
 
-# The runtime that lies beside this file, by whatever name this is imported, and no other one.
-_FOLDER = str(Path(__file__).resolve().parent)
-sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_FOLDER]
+# The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
+# in a package named after the folder. A dot in a name would be one between packages.
+_BESIDE = str(Path(__file__).resolve().parent)
+_FOLDER = _BESIDE.replace("%", "%25").replace(".", "%2E")
+sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_BESIDE]
 
 
 def _runtime(name):

@@ -64,14 +64,15 @@ def import_module(path: Path, *, lend: bool = True) -> ModuleType:
         path: The module.
         lend: Whether the compiler's own runtime may be taken.
     """
-    beside = str(path.resolve().parent)
+    folder = path.resolve().parent
+    beside = str(folder).replace("%", "%25").replace(".", "%2E")  # as the module calls it
     spec = importlib.util.spec_from_file_location(f"_dhgen_written_{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     try:
-        if lend and _is_own_runtime(Path(beside)):
+        if lend and _is_own_runtime(folder):
             _load_own_runtime(f"{beside}.{PYTHON}")
         spec.loader.exec_module(module)
     finally:

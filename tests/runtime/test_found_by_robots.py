@@ -79,3 +79,12 @@ def test_a_robot_alone_names_what_is_missing(project: Path, tmp_path: Path) -> N
     write_files(tmp_path, {"planar_rr.py": robot})
     done = run("import planar_rr", tmp_path, str(tmp_path))
     assert f"No module named '{tmp_path}.dhgen_runtime'" in done.stderr
+
+
+def test_a_folder_whose_name_has_dots(project: Path, tmp_path: Path) -> None:
+    """Between dots Python would look for packages in packages."""
+    folder = tmp_path / "v1.2%2E" / "made.here"
+    folder.mkdir(parents=True)
+    written(PLANAR, folder)
+    done = run("import planar_rr; planar_rr.ik_all(planar_rr.fk([0.1, 0.2]))", folder, str(folder))
+    assert (done.returncode, done.stderr) == (0, "")
