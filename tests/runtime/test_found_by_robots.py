@@ -81,7 +81,7 @@ def test_a_robot_alone_names_what_is_missing(project: Path, tmp_path: Path) -> N
     assert f"No module named '{tmp_path}.dhgen_runtime'" in done.stderr
 
 
-def test_a_folder_whose_name_has_dots(project: Path, tmp_path: Path) -> None:
+def test_a_folder_whose_name_has_dots(tmp_path: Path) -> None:
     """Between dots Python would look for packages in packages."""
     folder = tmp_path / "v1.2%2E" / "made.here"
     folder.mkdir(parents=True)
