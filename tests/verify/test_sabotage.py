@@ -113,25 +113,32 @@ def test_every_fifth_sign_of_c(
 
 
 @pytest.mark.parametrize(
-    ("old", "new"),
+    ("file", "old", "new"),
     [
+        ("dhgen_runtime/pose.py", "valid and rest <= ", "valid and rest <= 1e9 + "),  # the last row
+        ("dhgen_runtime/pose.py", "valid = miss <= ", "valid = miss <= 1e9 + "),
         (
-            "valid = valid and rest <= ",
-            "valid = valid and rest <= 1e9 + ",
-        ),  # the last row is not looked at
-        ("math.isfinite(px * px * px)", "True"),
-        ("valid = valid and miss <= ", "valid = valid and miss <= 1e9 + "),
-        ("status[row] = OUT_OF_LIMITS", "pass"),
-        ("value += turn * math.floor((t", "value -= turn * math.floor((t"),
-        ("moved = rows[row, i] - seed[i]", "moved = rows[row, i] + seed[i]"),
-        ("or distance < least:", "or distance > least:"),
-        ("else OK\n", "else FREE_JOINT\n"),
+            "dhgen_runtime/turns.py",
+            "value += TURN * math.floor((t",
+            "value -= TURN * math.floor((t",
+        ),
+        (
+            "dhgen_runtime/nearest.py",
+            "moved = rows[row, i] - seed[i]",
+            "moved = rows[row, i] + seed[i]",
+        ),
+        ("dhgen_runtime/nearest.py", "or distance < least:", "or distance > least:"),
+        ("scara.py", "math.isfinite(px * px * px)", "True"),
+        ("scara.py", "status[row] = OUT_OF_LIMITS", "pass"),
+        ("scara.py", "else OK\n", "else FREE_JOINT\n"),
     ],
 )
-def test_a_check_that_is_left_out(scara: Compilation, old: str, new: str, tmp_path: Path) -> None:
-    text = scara.files["scara.py"]
+def test_a_check_that_is_left_out(
+    scara: Compilation, file: str, old: str, new: str, tmp_path: Path
+) -> None:
+    text = scara.files[file]
     assert old in text
-    folder = written(scara, tmp_path, "scara.py", text.replace(old, new))
+    folder = written(scara, tmp_path, file, text.replace(old, new))
     with refused(f"{new} for {old}"):
         verify(scara.module, folder)
 
