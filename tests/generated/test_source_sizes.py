@@ -25,6 +25,8 @@ MOST_OF_SEVEN = 78_750
 def test_c_of_closed_forms() -> None:
     sizes = {}
     for header in GENERATED.glob("*.h"):
+        if header.stem.endswith("_f32"):
+            continue  # these hold what all arms share as well
         if re.search(r'_METHOD "closed form"', header.read_text(encoding="utf-8")):
             sizes[header.stem] = header.with_suffix(".c").stat().st_size
     assert len(sizes) > 60
