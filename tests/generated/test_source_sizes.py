@@ -14,23 +14,23 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 GENERATED = ROBOTS.parent / "generated"
-MOST = 60_000  # bytes of any arm, beside what all arms share
+MOST = 40_000  # bytes of any arm, beside what all arms share
+MOST_ALONE = 90_000  # of one in single precision, which holds what all arms share as well
 BASE = "{xyz: [0.11, -0.23, 0.37], rpy: [0.3, -0.5, 0.7]}"
 TOOL = "{xyz: [0.021, -0.034, 0.127], rpy: [-0.4, 0.6, 0.9]}"
 # What is reached where rows are refined and, with every twist near a right angle, nothing vanishes.
-MOST_ROUNDED = 76_750
-MOST_OF_SEVEN = 78_750
+MOST_ROUNDED = 48_500
+MOST_OF_SEVEN = 50_750
 
 
 def test_c_of_closed_forms() -> None:
     sizes = {}
     for header in GENERATED.glob("*.h"):
-        if header.stem.endswith("_f32"):
-            continue  # these hold what all arms share as well
         if re.search(r'_METHOD "closed form"', header.read_text(encoding="utf-8")):
             sizes[header.stem] = header.with_suffix(".c").stat().st_size
     assert len(sizes) > 60
-    assert {name: size for name, size in sizes.items() if size > MOST} == {}
+    most = {name: MOST_ALONE if name.endswith("_f32") else MOST for name in sizes}
+    assert {name: size for name, size in sizes.items() if size > most[name]} == {}
 
 
 def size_of(text: str, folder: Path, name: str) -> int:
@@ -63,9 +63,9 @@ def test_with_rounded_twists(name: str, tmp_path: Path) -> None:
 
 def test_with_seven_rounded_twists(tmp_path: Path) -> None:
     """Columns that are carried from link to link: multiplied out it was 91.6 kB."""
-    assert size_of(rounded("franka_panda"), tmp_path, "franka_panda") <= MOST_OF_SEVEN
+    assert MOST < size_of(rounded("franka_panda"), tmp_path, "franka_panda") <= MOST_OF_SEVEN
 
 
 def test_with_rounded_twists_and_a_slide(tmp_path: Path) -> None:
     """Where the slide is drawn in rows are refined, which takes more."""
-    assert size_of(rounded("stanford"), tmp_path, "stanford") <= MOST_ROUNDED
+    assert MOST < size_of(rounded("stanford"), tmp_path, "stanford") <= MOST_ROUNDED
