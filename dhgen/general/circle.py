@@ -8,21 +8,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from functools import cache
 from itertools import pairwise
-from math import cos, pi, sin, sqrt
+from math import cos, sin
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+
+from dhgen.runtime.python.general.tables import CELLS, DEGREE, SAMPLES, WIDTH, sample_cosines
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
 
-DEGREE = 8
-SAMPLES = 24  # 17 determine f; the harmonics beyond the eighth measure the rounding
-CELLS = 256
-WIDTH = 2 * pi / CELLS
 DEEPEST = 14  # how often a cell is halved before its roots count as one of higher multiplicity
 HALVINGS = 100  # in all cells together: f may be next to nothing for long stretches
 NEWTON_STEPS = 12
@@ -137,25 +134,6 @@ class Kind(Enum):
     FLAT = "nothing but rounding"
     TAME = "one extremum at most"
     WILD = "none of these"
-
-
-@cache
-def sample_cosines() -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Cosines and sines of the 24 sample angles 2πk/24, from square roots alone."""
-    quarter = (
-        (1.0, 0.0),
-        ((sqrt(6.0) + sqrt(2.0)) / 4, (sqrt(6.0) - sqrt(2.0)) / 4),
-        (sqrt(3.0) / 2, 0.5),
-        (sqrt(0.5), sqrt(0.5)),
-        (0.5, sqrt(3.0) / 2),
-        ((sqrt(6.0) - sqrt(2.0)) / 4, (sqrt(6.0) + sqrt(2.0)) / 4),
-    )
-    around = []
-    for quadrant in range(4):
-        for c, s in quarter:
-            around.append(((c, s), (-s, c), (-c, -s), (s, -c))[quadrant])
-    cosines, sines = zip(*around, strict=True)
-    return cosines, sines
 
 
 def trigonometric(samples: FloatArray) -> Trigonometric:

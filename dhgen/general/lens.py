@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.circle import DEGREE, SAMPLES, sample_cosines
+from dhgen.runtime.python.general.tables import DEGREE, SAMPLES, sample_cosines
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -22,6 +22,7 @@ from dhgen.general.polish import NEARLY_SINGULAR, SINGULAR, Target, polish, regu
 from dhgen.general.recover import least_values, null_vectors, partner_values, remaining_angles
 from dhgen.general.roots import real_roots
 from dhgen.kinematics.order import in_order
+from dhgen.runtime.python.general.tables import NUDGE_DIRECTIONS, NUDGE_LENGTHS
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -46,16 +47,6 @@ TOGETHER = 1e-3  # singular ones closer than this may be one, which their last d
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
 PARABOLAS = 3  # one after the other that tell them
-# How far, and where to, the pose is moved when both formulations fail: where roots crowd, they
-# come apart only at some distance.
-NUDGES = (1e-3, 3e-3, 1e-2, 3e-2, 3e-2)
-NUDGE_DIRECTIONS = (
-    (0.41, -0.37, 0.29, 0.53, 0.71, -0.47),
-    (-0.23, 0.43, 0.31, -0.61, 0.29, 0.67),
-    (0.39, 0.33, -0.45, 0.59, -0.43, 0.31),
-    (-0.47, 0.27, -0.35, 0.37, 0.61, 0.57),
-    (0.33, 0.49, 0.23, -0.51, -0.67, 0.41),
-)
 STARTS = 60
 # A matrix is not singular when its smallest singular value is this part of all, and the one before
 # that part: where two are small, so many roots crowd that the determinant, sampled, does not tell
@@ -350,7 +341,7 @@ def nudges() -> tuple[Matrix, ...]:
     """Small motions of growing size, there and back: the quaternion (1, v), and a translation."""
     return tuple(
         _motion((size * a, size * b, size * c), (size * x, size * y, size * z))
-        for distance, (a, b, c, x, y, z) in zip(NUDGES, NUDGE_DIRECTIONS, strict=True)
+        for distance, (a, b, c, x, y, z) in zip(NUDGE_LENGTHS, NUDGE_DIRECTIONS, strict=True)
         for size in (distance, -distance)
     )
 

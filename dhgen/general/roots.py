@@ -12,16 +12,9 @@ from dataclasses import replace
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
-from dhgen.general.circle import (
-    CELLS,
-    LIFTED,
-    WIDTH,
-    Roots,
-    Window,
-    roots,
-    trigonometric,
-)
+from dhgen.general.circle import LIFTED, Roots, Window, roots, trigonometric
 from dhgen.general.lens import Lens, sampled
+from dhgen.runtime.python.general.tables import CELLS, WIDTH
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -30,7 +30,7 @@ def runtime_loop(kernel: GeneralKernel) -> Loop:
         order=kernel.first.order if hidden else 0,
         given=tuple((float(sign), float(offset)) for sign, offset in kernel.given),
         special=tuple(_special(each, loop.size) for each in kernel.vanishing),
-        wrist=_wrist(kernel),
+        wrist=wrist_numbers(kernel),
         pointing=kernel.pointing,
     )
 
@@ -53,7 +53,7 @@ def _special(vanishing: Vanishing, size: float) -> Special:
     return Special(vanishing.place, value.cosine, value.sine, THERE, vanishing.formulations)
 
 
-def _wrist(kernel: GeneralKernel) -> Wrist | None:
+def wrist_numbers(kernel: GeneralKernel) -> Wrist | None:
     """The offset wrist, where there is one."""
     arm = kernel.wrist
     if arm is None:

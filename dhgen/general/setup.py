@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.circle import SAMPLES, sample_cosines, trigonometric
+from dhgen.general.circle import trigonometric
 from dhgen.general.determinant import equations
 from dhgen.general.formulation import OTHERS, formulations, hiding
 from dhgen.general.four_turns import branches, turns_to_hide
@@ -25,6 +25,7 @@ from dhgen.general.offset_wrist import offset_wrist
 from dhgen.general.recover import middle_determined
 from dhgen.general.vanishing import Vanishing
 from dhgen.kinematics.rigid import multiply
+from dhgen.runtime.python.general.tables import SAMPLES, sample_cosines
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

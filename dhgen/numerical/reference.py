@@ -15,7 +15,7 @@ import numpy as np
 from dhgen.kinematics.order import in_order
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
-from dhgen.numerical.starts import directions
+from dhgen.runtime.python.numerical.arm import strides
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class Arm:
         spans: FloatArray = np.array(kernel.spans)
         self.limits: Limits = (np.array(kernel.lowest), np.array(kernel.highest))
         self.low, self.width = spans[:, 0], spans[:, 1] - spans[:, 0]
-        self.directions = np.array(directions(len(self.solved)))
+        self.directions = np.array(strides(len(self.solved)))
 
     def joints(self, u: FloatArray) -> FloatArray:
         """All joint values (N, n)."""
@@ -407,7 +407,7 @@ def sideways(A: FloatArray) -> tuple[FloatArray, float]:
     It is made one long; the second is how long it was. `A` (1, m, k) tells how joints move the
     tool.
     """
-    direction = np.array(directions(A.shape[-1]))
+    direction = np.array(strides(A.shape[-1]))
     step = damped_step(A @ direction, np.zeros(1), A, constants.FLOOR)[0]
     along = direction - step
     length = float(np.linalg.norm(along))

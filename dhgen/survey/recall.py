@@ -65,7 +65,7 @@ def _lost(trial: Trial, q: FloatArray) -> list[tuple[FloatArray, float]]:
     rows, _ = trial.solver.batch(trial.poses(q), trial.given(q))
     apart = trial.apart(rows, q[:, None])
     missed = q[~(np.nanmin(np.where(np.isnan(apart), np.inf, apart), axis=1) <= SAME)]
-    model, scale = trial.model.divided_by(trial.size), trial.model.revolute
-    J = task_jacobian(model, trial.robot, missed / np.where(scale, 1.0, trial.size))
+    units = np.where(trial.model.revolute, 1.0, trial.size)
+    J = task_jacobian(trial.model.divided_by(trial.size), trial.robot, missed / units)
     least = np.linalg.svd(J, compute_uv=False).min(axis=-1, initial=np.inf)
     return [(each, s) for each, s in zip(missed, least, strict=True) if s > SINGULAR]

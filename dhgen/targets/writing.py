@@ -6,9 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import render
-from dhgen.targets.general.emit import all_joints, runtime
-from dhgen.targets.numerical.arrays import c_arrays, python_arrays
-from dhgen.targets.python.whole import python_all_joints
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,21 +36,3 @@ class Writing:
     def filled(self, template: str, **values: object) -> str:
         """A template, by its name without an ending, with its values."""
         return render(self.path.format(template), **values)
-
-
-def _in_c(whole: AllJoints, module: SolverModule, of: Module) -> str:
-    return all_joints(whole, module, of, IN_C)
-
-
-def _included(whole: AllJoints, module: SolverModule) -> str:
-    shape = module.chain.dof, module.solver.rows
-    return runtime(whole.general, module.name, shape, IN_C)
-
-
-IN_C: Writing = Writing("c/{}.c.jinja", c_arrays, _in_c, _included)
-IN_PYTHON = Writing(
-    "python/{}.py.jinja",
-    python_arrays,
-    lambda whole, _, __: python_all_joints(whole),
-    lambda _, __: "",
-)

@@ -23,8 +23,8 @@ from dhgen.runtime import c_runtime_files
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.general.arm import general_numbers
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
+from dhgen.targets.c.whole import IN_C
 from dhgen.targets.general.emit import runtime, source
-from dhgen.targets.writing import IN_C
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.general.circle import CELLS, CUBIC, WIDTH, roots, sample_cosines, trigonometric
+from dhgen.general.circle import CUBIC, roots, trigonometric
+from dhgen.runtime.python.general.tables import CELLS, WIDTH, sample_cosines
 
 
 def polynomial(angles: list[float], offset: float = 0.0) -> np.ndarray:

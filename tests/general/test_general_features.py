@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from dhgen.general.determinant import equations, fold
-from dhgen.general.digits import grid
 from dhgen.general.features import FEATURES, act, slide, turn
 from dhgen.general.formulation import OTHERS, formulations
 from dhgen.general.links import Link
 from dhgen.general.loop import close_loop
 from dhgen.general.recover import motion
 from dhgen.kinematics.rigid import along_z, inverse, multiply
+from dhgen.runtime.python.general.tables import GRID_C, GRID_S
 from tests.general.arms import TABLES, constants, forward, gap, kernel
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ def test_an_arm_without_lengths_is_refused() -> None:
 
 
 def test_digits() -> None:
-    cosines, sines = grid()
+    cosines, sines = GRID_C, GRID_S
     angles = np.outer(np.arange(1, 9), np.arange(128)) * 2 * np.pi / 256
     np.testing.assert_allclose(cosines, np.cos(angles), atol=1e-14)
     np.testing.assert_allclose(sines, np.sin(angles), atol=1e-14)

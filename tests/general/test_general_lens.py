@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.general.circle import roots, sample_cosines, trigonometric
+from dhgen.general.circle import roots, trigonometric
 from dhgen.general.lens import Lens, sampled, spreading
+from dhgen.runtime.python.general.tables import sample_cosines
 
 CROWD = 2.0 + np.linspace(-0.15, 0.15, 16)
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.general.circle import Roots, roots, sample_cosines, trigonometric
+from dhgen.general.circle import Roots, roots, trigonometric
 from dhgen.general.roots import real_roots
+from dhgen.runtime.python.general.tables import sample_cosines
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -11,7 +11,7 @@ import pytest
 
 from dhgen.errors import UnsolvedError
 from dhgen.general.arm import joint_values
-from dhgen.general.circle import sample_cosines, trigonometric
+from dhgen.general.circle import trigonometric
 from dhgen.general.four_turns import DEGREE, FourTurns
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
@@ -19,6 +19,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
+from dhgen.runtime.python.general.tables import sample_cosines
 from dhgen.status import Status
 from tests.general.arms import STRICT, doubtful_in_all_languages, in_c, in_python
 from tests.general.files import (

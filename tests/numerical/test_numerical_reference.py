@@ -8,8 +8,8 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import NumericalKernel, numerical_kernel
 from dhgen.numerical.reference import solve
-from dhgen.numerical.starts import directions
 from dhgen.robot.load import load
+from dhgen.runtime.python.numerical.arm import strides
 from tests.targets.made import ROBOTS, in_c
 
 
@@ -59,8 +59,8 @@ def test_a_stretched_arm_is_one_solution() -> None:
 
 
 def test_starts_fill_the_circle() -> None:
-    (golden,) = directions(1)
+    (golden,) = strides(1)
     assert golden == pytest.approx((5**0.5 - 1) / 2)
     for dimension in (2, 6, 8):
-        powers = directions(dimension)
+        powers = strides(dimension)
         assert powers[0] ** (dimension + 1) + powers[0] ** dimension == pytest.approx(1.0)

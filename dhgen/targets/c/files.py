@@ -17,13 +17,13 @@ from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.table import CTable, c_table
 from dhgen.targets.c.texts import CComments, CTables, c_comments, c_tables
+from dhgen.targets.c.whole import IN_C
 from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
 from dhgen.targets.walk import reads, whole_arm
-from dhgen.targets.writing import IN_C
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:

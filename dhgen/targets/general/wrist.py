@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.general.runtime_loop import wrist_numbers
 from dhgen.targets.general.numbers import row
 
 if TYPE_CHECKING:
@@ -45,15 +46,12 @@ class Wrist:
 
 def wrist(kernel: GeneralKernel) -> Wrist | None:
     """The offset wrist of an arm, where it has one."""
-    arm = kernel.wrist
-    if arm is None:
+    arm, of = wrist_numbers(kernel), kernel.wrist
+    if arm is None or of is None:
         return None
-    K0, K1, K2, K3, _ = (link.first for link in kernel.loop.links)
-    elbow = [K1[i][3] + arm.elbow * K1[i][2] for i in range(2)]
-    centre = [K2[i][3] + arm.wrist_4 * K2[i][2] for i in range(2)]
     return Wrist(
         shoulder=arm.shoulder,
-        wrist_5=arm.wrist_5,
+        wrist_5=arm.wrist,
         upper_square=arm.upper * arm.upper,
         lower=arm.lower,
         lower_square=arm.lower * arm.lower,
@@ -61,6 +59,6 @@ def wrist(kernel: GeneralKernel) -> Wrist | None:
         sine=arm.sine,
         flip=arm.flip,
         bent=bool(arm.sine),
-        per_root=arm.solutions_per_root,
-        sources=row([K0[0][2], K0[1][2], *elbow, *centre, K3[0][2], K3[1][2]]),
+        per_root=of.solutions_per_root,
+        sources=row(arm.sources),
     )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.starts import directions
+from dhgen.runtime.python.numerical.arm import strides
 from dhgen.targets.layout import c_array, python_array
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def _arrays(
         unit=numbers("unit", kernel.units),
         span_low=numbers("span_low", (low for low, _ in kernel.spans)),
         span_width=numbers("span_width", (high - low for low, high in kernel.spans)),
-        stride=numbers("stride", directions(count)),
+        stride=numbers("stride", strides(count)),
         measure=numbers("measure", (unit / size for unit in kernel.units if kernel.position)),
         coordinate=array("coordinate", map(str, kernel.position)),
         least_u=numbers("least_u", kernel.lowest if kernel.bounded else ()),

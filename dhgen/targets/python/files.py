@@ -21,12 +21,12 @@ from dhgen.targets.python.texts import (
     python_tables,
 )
 from dhgen.targets.python.tiles import PythonRegular, regular_values
+from dhgen.targets.python.whole import IN_PYTHON
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
 from dhgen.targets.walk import uses
-from dhgen.targets.writing import IN_PYTHON
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Program

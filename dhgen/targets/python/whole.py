@@ -10,7 +10,9 @@ from dhgen.numerical.runtime_arm import runtime_arm
 from dhgen.printing.templates import render
 from dhgen.runtime.python.general.arm import Loop
 from dhgen.runtime.python.numerical.arm import Arm
+from dhgen.targets.numerical.arrays import python_arrays
 from dhgen.targets.python.literal import literal
+from dhgen.targets.writing import Writing
 
 if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints
@@ -48,3 +50,11 @@ def python_all_joints(whole: AllJoints) -> str:
         free_values="q_free" if given else "_NO_FREE",
     )
     return render("python/whole.py.jinja", whole=texts)
+
+
+IN_PYTHON = Writing(
+    "python/{}.py.jinja",
+    python_arrays,
+    lambda whole, _, __: python_all_joints(whole),
+    lambda _, __: "",
+)

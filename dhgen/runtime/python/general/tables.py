@@ -8,6 +8,7 @@ round the last digit of a cosine differently.
 from __future__ import annotations
 
 from decimal import Decimal, localcontext
+from functools import cache
 from math import pi, sqrt
 from typing import TYPE_CHECKING
 
@@ -37,7 +38,8 @@ NUDGE_DIRECTIONS = (
 STARTS = np.array([[0.61, -0.37, 0.53, 0.29, 0.71, -0.43], [-0.31, 0.47, 0.59, 0.67, -0.23, 0.41]])
 
 
-def _sample_cosines() -> tuple[tuple[float, ...], tuple[float, ...]]:
+@cache
+def sample_cosines() -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Returns cosines and sines of the 24 sample angles 2 pi k / 24, from square roots alone."""
     quarter = (
         (1.0, 0.0),
@@ -121,7 +123,7 @@ def _nudges() -> Floats:
     )
 
 
-COSINES, SINES = _sample_cosines()
+COSINES, SINES = sample_cosines()
 SAMPLE_C, SAMPLE_S = np.array(COSINES), np.array(SINES)
 HARMONICS = _harmonics(COSINES, SINES)
 GRID_C, GRID_S = _grid()
