@@ -39,7 +39,6 @@ class Tolerances:
             is taken as it is.
         rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
             precision, or rounded to six digits. Beyond it the pose is invalid.
-        last_row: The last row of a pose may differ from 0 0 0 1 by this.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
         nothing: A square, or a sum of them, is rounded by this.
@@ -86,7 +85,6 @@ class Tolerances:
     brink: float = 1e-11
     orthonormal: float = 1e-24
     rotation: float = 1e-9
-    last_row: float = 1e-9
     consistent: float = 1e-5
     nothing: float = 1e-15
     exact: float = 1e-12
@@ -149,7 +147,6 @@ SINGLE = Precision(
         blur=1e-5,
         brink=4e-6,
         orthonormal=1e-12,
-        last_row=1e-6,
         nothing=5e-7,
         exact=5e-5,
         limit=2e-6,

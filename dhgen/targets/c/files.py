@@ -126,7 +126,7 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
     return CSolver(
         comments=c_comments(module),
         tables=c_tables(module, programs),
-        table=c_table(module),
+        table=c_table(module, regular=regular is not None),
         entries=entry_texts(module, programs),
         unused=_unused(module),
         prototypes=c_prototypes(module),

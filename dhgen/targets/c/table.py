@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.task import TaskKind
 from dhgen.targets.layout import INDENT, c_array, packed
-from dhgen.targets.module import named_entries, regular_solver, slacks
+from dhgen.targets.module import named_entries, slacks
 from dhgen.targets.solver.searches import fan_steps, searches_of
 from dhgen.targets.solver.settle import settle_of
 from dhgen.targets.solver.standing import standing_of
@@ -50,8 +50,8 @@ class _Places:
         return c_array(f"static const int {self.name}[{len(self.places)}]", map(str, self.places))
 
 
-def c_table(module: SolverModule) -> CTable:
-    """The table of a robot."""
+def c_table(module: SolverModule, *, regular: bool) -> CTable:
+    """The table of a robot; with a function for regular poses, or without."""
     chain, solver = module.chain, module.solver
     together = () if solver.tightened is not None else lost_together(solver)
     given = _Places("given_joints", tuple(number - 1 for number in chain.free))
@@ -59,16 +59,17 @@ def c_table(module: SolverModule) -> CTable:
     choosing = _Places("choosable", tuple(joint - 1 for joint in choosable(solver)))
     choosing_together = _Places("together", tuple(joint - 1 for joint in together))
     arrays = (given, entries, choosing, choosing_together)
-    weights = settle_of(module).miss_weights
+    settle = settle_of(module)
+    weights = ", ".join(settle.miss_weights)
     size = f"{chain.dof}, {solver.rows}, {chain.given}"
     return CTable(
-        joints=_joints(module),
+        joints=_joints(module, settle.paces),
         places=[each.definition for each in arrays if each.places],
         arm=[
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
             f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {entries.named},",
             *_policy(module, choosing.named, choosing_together.named),
-            *_functions(module),
+            *_functions(module, regular=regular),
         ],
     )
 
@@ -93,11 +94,11 @@ def _policy(module: SolverModule, choosing: str, together: str) -> list[str]:
     return [*_flags(flags), f"{INDENT}{choosing}, {together}, {searches.cuts},", *_flags(others)]
 
 
-def _functions(module: SolverModule) -> list[str]:
+def _functions(module: SolverModule, *, regular: bool) -> list[str]:
     """The robot's own."""
     complete = "complete" if module.solver.tightened is not None else "NULL"
-    regular = "NULL" if regular_solver(module) is None else "solve_regular"
-    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve", complete, regular)
+    fast = "solve_regular" if regular else "NULL"
+    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve", complete, fast)
     return packed([f"{name}," for name in names], INDENT)
 
 
@@ -105,10 +106,9 @@ def _flags(flags: dict[str, bool]) -> list[str]:
     return packed([f"{int(flag)}, /* {name} */" for name, flag in flags.items()], INDENT)
 
 
-def _joints(module: SolverModule) -> list[str]:
+def _joints(module: SolverModule, paces: Sequence[str]) -> list[str]:
     """A row for each joint."""
     chain = module.chain
-    paces = settle_of(module).paces.split(", ")
     numbers = zip(slacks(module), module.weights, paces, fan_steps(module), strict=True)
     rows = []
     for joint, turns, (slack, weight, pace, step) in zip(

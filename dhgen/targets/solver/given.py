@@ -23,7 +23,6 @@ class Given:
 
     Attributes:
         count: How many they are.
-        is_one: Whether it is one.
         places: Of the joints that they belong to.
         sentence: What they are, as the beginning of a sentence.
         comment: The same in a comment.
@@ -31,7 +30,6 @@ class Given:
     """
 
     count: int
-    is_one: bool
     places: tuple[GivenPlace, ...]
     sentence: str
     comment: str
@@ -44,7 +42,6 @@ def given_of(chain: Chain) -> Given:
     angle = bool(chain.arm_angle)
     return Given(
         count=chain.given,
-        is_one=chain.given == 1,
         places=given_places(chain),
         sentence="The arm angle [rad]" if angle else f"Values of the joints {joints}",
         comment=(

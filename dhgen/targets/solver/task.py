@@ -18,12 +18,10 @@ class PoseChecks:
     Attributes:
         checks_rotation: Whether all of the rotation is.
         checks_approach: Whether the tool's z axis alone is.
-        checks_last_row: Whether the last row is.
     """
 
     checks_rotation: bool
     checks_approach: bool
-    checks_last_row: bool
 
 
 def pose_checks(task: Task) -> PoseChecks:
@@ -31,7 +29,6 @@ def pose_checks(task: Task) -> PoseChecks:
     return PoseChecks(
         checks_rotation=task.names_rotation,
         checks_approach=task.kind is TaskKind.POINTING,
-        checks_last_row=task.kind is TaskKind.POSE,
     )
 
 
