@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "abb_gofa_5.c and the folder dhgen/ are of different versions: run dhgen robots/abb_gofa_5.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

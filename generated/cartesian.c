@@ -20,7 +20,7 @@
 #include "dhgen/closed.h"
 
 #if DHGEN_INTERFACE != 1
-#error "cartesian.c and the folder dhgen/ are of different versions: run dhgen robots/cartesian.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double per_size = 0.8333333333333334;

@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "fanuc_crx10ia.c and the folder dhgen/ are of different versions: run dhgen robots/fanuc_crx10ia.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "general_4r2p.c and the folder dhgen/ are of different versions: run dhgen robots/general_4r2p.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

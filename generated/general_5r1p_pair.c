@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "general_5r1p_pair.c and the folder dhgen/ are of different versions: run dhgen robots/general_5r1p_pair.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* The monomials of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0. */

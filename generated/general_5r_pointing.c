@@ -23,7 +23,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "general_5r_pointing.c and the folder dhgen/ are of different versions: run dhgen robots/general_5r_pointing.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

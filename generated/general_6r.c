@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "general_6r.c and the folder dhgen/ are of different versions: run dhgen robots/general_6r.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* The monomials of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4. */

@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "kinova_gen3_7.c and the folder dhgen/ are of different versions: run dhgen robots/kinova_gen3_7.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

@@ -20,7 +20,7 @@
 #include "dhgen/closed.h"
 
 #if DHGEN_INTERFACE != 1
-#error "kuka_kr6_r900.c and the folder dhgen/ are of different versions: run dhgen robots/kuka_kr6_r900.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double

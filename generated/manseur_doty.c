@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "manseur_doty.c and the folder dhgen/ are of different versions: run dhgen robots/manseur_doty.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* The monomials of the left side of the formulation that has the joints 2, 3, 4, 5, 0, 1. */

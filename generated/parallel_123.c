@@ -17,7 +17,7 @@
 #include "dhgen/retry.h"
 
 #if DHGEN_INTERFACE != 1
-#error "parallel_123.c and the folder dhgen/ are of different versions: run dhgen robots/parallel_123.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };

@@ -18,7 +18,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "planar_rrrr.c and the folder dhgen/ are of different versions: run dhgen robots/planar_rrrr.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or

@@ -20,7 +20,7 @@
 #include "dhgen/closed.h"
 
 #if DHGEN_INTERFACE != 1
-#error "prismatic_2_wrist.c and the folder dhgen/ are of different versions: run dhgen robots/prismatic_2_wrist.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double

@@ -19,7 +19,7 @@
 #include "dhgen/closed.h"
 
 #if DHGEN_INTERFACE != 1
-#error "puma.c and the folder dhgen/ are of different versions: run dhgen robots/puma.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double

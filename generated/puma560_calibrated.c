@@ -22,7 +22,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "puma560_calibrated.c and the folder dhgen/ are of different versions: run dhgen robots/puma560_calibrated.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

@@ -22,7 +22,7 @@
 #include "dhgen/retry.h"
 
 #if DHGEN_INTERFACE != 1
-#error "rail_5dof.c and the folder dhgen/ are of different versions: run dhgen robots/rail_5dof.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };

@@ -1633,7 +1633,7 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 #endif
 
 #if DHGEN_INTERFACE != 1
-#error "scara_f32.c and the folder dhgen/ are of different versions: run dhgen robots/scara.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const float

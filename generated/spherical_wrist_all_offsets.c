@@ -21,7 +21,7 @@
 #include "dhgen/closed.h"
 
 #if DHGEN_INTERFACE != 1
-#error "spherical_wrist_all_offsets.c and the folder dhgen/ are of different versions: run dhgen robots/spherical_wrist_all_offsets.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double

@@ -18,7 +18,7 @@
 #include "dhgen/retry.h"
 
 #if DHGEN_INTERFACE != 1
-#error "spherical_wrist_general_arm.c and the folder dhgen/ are of different versions: run dhgen robots/spherical_wrist_general_arm.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };

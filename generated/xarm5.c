@@ -19,7 +19,7 @@
 #include "dhgen/closed.h"
 
 #if DHGEN_INTERFACE != 1
-#error "xarm5.c and the folder dhgen/ are of different versions: run dhgen robots/xarm5.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double

@@ -21,7 +21,7 @@
 
 
 #if DHGEN_INTERFACE != 1
-#error "xarm7.c and the folder dhgen/ are of different versions: run dhgen robots/xarm7.yaml"
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In the order in which they are tried. */

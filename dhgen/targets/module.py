@@ -120,17 +120,11 @@ def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
     source = plain_path(module.source)
     made = f"Inverse kinematics, generated from {source} and templates/{template}."
-    mended = f"Do not edit: {mending_text(module)}."
-    told = f"The formulas and where they come from: {module.robot}.md."
-    return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
-
-
-def mending_text(module: SolverModule) -> str:
-    """What makes the files anew."""
-    source = plain_path(module.source)
     # a path that can't be written here is for nobody to type from here
     command = shlex.join(["dhgen", source]) if source == module.source else "dhgen on that file"
-    return f"run {command}"
+    mended = f"Do not edit: run {command}."
+    told = f"The formulas and where they come from: {module.robot}.md."
+    return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 
 
 def slacks(module: SolverModule) -> list[float]:

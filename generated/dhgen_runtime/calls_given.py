@@ -207,10 +207,9 @@ def ik_batch(
     """
     poses = poses_of(T, cores)
     q, status = results(out, (len(poses), ROWS, DOF))
-    values = numbers(q_free, (len(poses), GIVEN), "q_free")
-    if GIVEN == 1 and values.shape == (len(poses),):
-        values = values.reshape(-1, 1)
-    values = array_of(values, (len(poses), GIVEN), "q_free")
+    if GIVEN == 1 and numbers(q_free, (len(poses), 1), "q_free").shape == (len(poses),):
+        q_free = np.reshape(q_free, (-1, 1))
+    values = array_of(q_free, (len(poses), GIVEN), "q_free")
     share(many, cores, poses, values, q, status)
     return q, status
 

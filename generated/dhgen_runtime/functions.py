@@ -105,5 +105,4 @@ def _again(function: FunctionType, names: dict[str, Any]) -> FunctionType:
     """A function once more, with other values of what it names."""
     made = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
     made.__kwdefaults__ = function.__kwdefaults__
-    made.__annotations__ = dict(function.__annotations__)
     return made

@@ -38,6 +38,11 @@ def test_fences_hold_places_or_both_spellings() -> None:
     ]
 
 
+def test_a_letter_may_have_two_spellings() -> None:
+    (block,) = Places().read("Turn by $\\varphi\n% φ$, not by $x$.\n")
+    assert block == paragraph("Turn by {}, not by {}.", PHI, X)
+
+
 def test_blocks_stand_by_themselves_and_only_there() -> None:
     places = Places()
     blocks, none = places.of([paragraph("One."), paragraph("Two.")]), places.of([])

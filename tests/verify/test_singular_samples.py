@@ -9,6 +9,7 @@ import numba
 import numpy as np
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.compiler import verified
 from dhgen.errors import VerificationError
 from dhgen.kinematics.build import build_chain
@@ -76,7 +77,7 @@ def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None
     for file, text in compilation.files.items():
         # where the elbow is to end: inside of where its links are stretched
         short = re.sub(r"(boundary3 =) [\d.e-]+", r"\1 -1e-12", text)
-        (tmp_path / file).write_text(short, encoding="utf-8")
+        write_files(tmp_path, {file: short})
         shorter |= {file} if short != text else set()
     assert shorter == {"puma_arm.py", "puma_arm.c"}
     with pytest.raises(VerificationError, match="puma_arm, singular, q = "):

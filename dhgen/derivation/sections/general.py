@@ -40,19 +40,21 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
     values = _elimination(kernel) if kernel.eliminations else _four_turns(kernel)
     if kernel.wrist is not None:
         values |= _offset_wrist(kernel.wrist, kernel.loop.size, unit)
+        values |= {f"axis_{place + 1}": str(kernel.numbers[place]) for place in range(5)}
     if kernel.checked:
         values |= _check(kernel)
     return blocks_of(
         "general",
         eliminates=bool(kernel.eliminations),
+        no_three_axes=bool(kernel.eliminations) and not kernel.pointing,
+        most="sixteen" if kernel.eliminations else "eight",
         wrist=kernel.wrist is not None,
         pointing=kernel.pointing,
         checked=kernel.checked,
         given=bool(kernel.given),
-        numbers=tuple(map(str, kernel.numbers)),
-        loop=loop,
-        order=[loop[place] for place in kernel.first.joints],
-        further=[loop[each.joints[0]] for each in kernel.formulations[1:]],
+        behind_all=loop[5],
+        hidden=loop[kernel.first.joints[0]],
+        further=_further([loop[each.joints[0]] for each in kernel.formulations[1:]]),
         joints=_joints(kernel),
         others_given=_others_given(kernel),
         near=near_blocks(chain, unit),
@@ -64,6 +66,11 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         size=size_in_words(chain),
         **values,
     )
+
+
+def _further(hidden: list[Symbol]) -> Prose | None:
+    """The joints that further formulations hide."""
+    return say(", then with ".join(["{}"] * len(hidden)), *hidden) if hidden else None
 
 
 def _joints(kernel: GeneralKernel) -> str:
@@ -84,8 +91,11 @@ def _others_given(kernel: GeneralKernel) -> str:
 
 def _elimination(kernel: GeneralKernel) -> dict[str, object]:
     slides = kernel.loop.slides
+    names = ("one", "two", "idle", "fifth", "sixth")
+    order = zip(names, kernel.first.joints[1:], strict=True)
     right = joint_symbol(kernel, slides[0]) if kernel.slides_on_the_right else None
     return {
+        **{name: joint_symbol(kernel, place) for name, place in order},
         "hidden_first": loop_from_the_hidden_joint(kernel),
         "hides_a_slide": kernel.hides_a_slide,
         "right_slide": right,
@@ -108,9 +118,11 @@ def _variables(kernel: GeneralKernel) -> Prose:
 def _four_turns(kernel: GeneralKernel) -> dict[str, object]:
     """The turns, the hidden one first, and the slides, in the order of the loop from there on."""
     slides, order = kernel.loop.slides, kernel.first.joints
+    turns = [joint_symbol(kernel, joint) for joint in order if joint not in slides]
+    lengths = [joint_symbol(kernel, joint) for joint in order if joint in slides]
     return {
-        "turns": [joint_symbol(kernel, joint) for joint in order if joint not in slides],
-        "slides": [joint_symbol(kernel, joint) for joint in order if joint in slides],
+        **{f"turn_{number}": turn for number, turn in enumerate(turns, start=1)},
+        **{f"slide_{number}": length for number, length in enumerate(lengths, start=1)},
     }
 
 

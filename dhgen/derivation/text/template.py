@@ -3,7 +3,7 @@ r"""Blocks from a template: Markdown with places for formulas, for prose, and fo
 A template's paragraphs are broken into lines anywhere. Of Markdown it uses headings, a bold lead at
 the beginning of a paragraph, `$x$` for letters that look the same everywhere, and `math` fences
 with one formula after the other: their places, or LaTeX with a comment, which is how a terminal
-spells it. `symbol("\\varphi", "φ")` is a letter with both spellings.
+spells it. So does `$\varphi % φ$` in a text.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def blocks_of(template: str, **values: object) -> list[Block]:
     """
     places = Places()
     named = {name: places.of(value) for name, value in values.items()}
-    text = render(f"derivation/{template}.md.jinja", symbol=places.symbol, **named)
+    text = render(f"derivation/{template}.md.jinja", **named)
     return list(places.read(text))
 
 
@@ -79,10 +79,6 @@ class Places:
         if isinstance(value, Symbol):
             return _Place(number, value.latex, value.text)
         return _Place(number)
-
-    def symbol(self, latex: str, text: str) -> object:
-        """A place for a letter that the template brings."""
-        return self.of(Symbol(latex, text))
 
     def read(self, text: str) -> Iterator[Block]:
         """The blocks of a filled template."""
@@ -125,9 +121,15 @@ class Places:
         parts: list[Part] = []
 
         def place(found: re.Match[str]) -> str:
-            value = self.values[int(found[1])] if found[1] else Symbol(found[2], found[2])
+            value = self.values[int(found[1])] if found[1] else _letter(found[2])
             assert isinstance(value, _PARTS), f"blocks stand in paragraphs of their own: {text}"
             parts.append(value)
             return "{}"
 
         return Prose(_PLACE.sub(place, text), tuple(parts))
+
+
+def _letter(text: str) -> Symbol:
+    """A letter that a template brings, in LaTeX, perhaps with how a terminal spells it."""
+    latex, _, plain = text.partition(" % ")
+    return Symbol(latex, plain or latex)

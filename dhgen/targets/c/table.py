@@ -9,7 +9,7 @@ from dhgen.robot.task import TaskKind
 from dhgen.targets.layout import INDENT, c_array, packed
 from dhgen.targets.module import named_entries, slacks
 from dhgen.targets.solver.searches import fan_steps, searches_of
-from dhgen.targets.solver.settle import settle_of
+from dhgen.targets.solver.settle import paces_of, settle_of
 from dhgen.targets.solver.standing import standing_of
 from dhgen.targets.walk import checks_again, choosable, lost_together
 
@@ -59,11 +59,10 @@ def c_table(module: SolverModule, *, regular: bool) -> CTable:
     choosing = _Places("choosable", tuple(joint - 1 for joint in choosable(solver)))
     choosing_together = _Places("together", tuple(joint - 1 for joint in together))
     arrays = (given, entries, choosing, choosing_together)
-    settle = settle_of(module)
-    weights = ", ".join(settle.miss_weights)
+    weights = settle_of(module).miss_weights
     size = f"{chain.dof}, {solver.rows}, {chain.given}"
     return CTable(
-        joints=_joints(module, settle.paces),
+        joints=_joints(module),
         places=[each.definition for each in arrays if each.places],
         arm=[
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
@@ -106,10 +105,10 @@ def _flags(flags: dict[str, bool]) -> list[str]:
     return packed([f"{int(flag)}, /* {name} */" for name, flag in flags.items()], INDENT)
 
 
-def _joints(module: SolverModule, paces: Sequence[str]) -> list[str]:
+def _joints(module: SolverModule) -> list[str]:
     """A row for each joint."""
     chain = module.chain
-    numbers = zip(slacks(module), module.weights, paces, fan_steps(module), strict=True)
+    numbers = zip(slacks(module), module.weights, paces_of(chain), fan_steps(module), strict=True)
     rows = []
     for joint, turns, (slack, weight, pace, step) in zip(
         chain.joints, chain.turning, numbers, strict=True

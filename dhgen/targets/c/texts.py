@@ -10,7 +10,7 @@ from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd, Source
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, listed, packed, paragraph
-from dhgen.targets.module import made_text, mending_text
+from dhgen.targets.module import made_text
 from dhgen.targets.solver.task import meaning
 from dhgen.tolerances import SINGLE
 
@@ -32,7 +32,6 @@ class CComments:
         made_h: Where the header comes from.
         made_c: Where the source comes from.
         stamp: By what they were made, and of what.
-        mended: What to do where they do not fit the runtime.
         frames: What poses are.
     """
 
@@ -40,7 +39,6 @@ class CComments:
     made_h: str
     made_c: str
     stamp: str
-    mended: str
     frames: str
 
 
@@ -71,7 +69,6 @@ def c_comments(module: SolverModule) -> CComments:
         made_h=made_text(module, "c/solver.h.jinja", " * "),
         made_c=made_text(module, "c/solver.c.jinja", " * "),
         stamp=f"dhgen {__version__}; SHA-256 of the robot file: {module.digest}",
-        mended=mending_text(module),
         frames=paragraph(frames, " * "),
     )
 

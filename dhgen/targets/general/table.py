@@ -35,6 +35,17 @@ class LeftSide:
 
 
 @dataclass(frozen=True, slots=True)
+class Counts:
+    """How many rows arrays have."""
+
+    formulations: int
+    constants: int
+    motions: int
+    given: int
+    special: int
+
+
+@dataclass(frozen=True, slots=True)
 class GeneralTable:
     """Entries between braces, as C writes them.
 
@@ -54,6 +65,8 @@ class GeneralTable:
         motions: In links.
         given: The joints whose values the caller gives.
         special: Their values at which formulations vanish.
+        counts: How many rows these have.
+        tables: The arrays of the last two and the offset wrist by their names, 0 for none.
     """
 
     traits: str
@@ -67,10 +80,12 @@ class GeneralTable:
     infinite_order: int
     left_sides: tuple[LeftSide, ...]
     formulations: tuple[str, ...]
-    links: tuple[str, ...]
+    links: str
     motions: tuple[str, ...]
     given: tuple[str, ...]
     special: tuple[str, ...]
+    counts: Counts
+    tables: str
 
 
 def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
@@ -80,6 +95,17 @@ def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
     joints = [row(each.joints) for each in kernel.formulations]
     signs = [repr(float(each.sign)) for each in kernel.formulations]
     loop, farthest = kernel.loop, out_of_reach(kernel.loop)
+    constants = tuple(rigid(K) for link in kernel.links for K in link.constants)
+    motions = tuple(
+        f"{held.place}, {held.factor!r}" for link in kernel.links for held, _ in link.rest
+    )
+    given = _given(kernel)
+    special = tuple(_special(each, loop.size) for each in kernel.vanishing)
+    tables = (
+        f"{name}_given" if given else "0",
+        f"{name}_special" if special else "0",
+        f"&{name}_wrist" if kernel.wrist else "0",
+    )
     return GeneralTable(
         traits=hex(traits(kernel)),
         most=kernel.rows,
@@ -88,7 +114,7 @@ def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
         reach="HUGE_VAL" if isinf(farthest) else repr(farthest),
         advance_c=row(c for c, _ in loop.advances),
         advance_s=row(s for _, s in loop.advances),
-        constants=tuple(rigid(K) for link in kernel.links for K in link.constants),
+        constants=constants,
         infinite_order=kernel.first.order if kernel.hides_a_slide else 0,
         left_sides=tuple(
             LeftSide(*each) for each in zip(names, joints, lefts, strict=True) if each[2]
@@ -98,11 +124,11 @@ def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
             for all_joints, sign, left in zip(joints, signs, names, strict=True)
         ),
         links=_links(kernel),
-        motions=tuple(
-            f"{held.place}, {held.factor!r}" for link in kernel.links for held, _ in link.rest
-        ),
-        given=_given(kernel),
-        special=tuple(_special(each, kernel.loop.size) for each in kernel.vanishing),
+        motions=motions,
+        given=given,
+        special=special,
+        counts=Counts(len(joints), len(constants), len(motions), len(given), len(special)),
+        tables=", ".join(tables),
     )
 
 
@@ -119,13 +145,13 @@ def traits(kernel: GeneralKernel) -> int:
     return slides + sum(flag for flag, holds in flags.items() if holds)
 
 
-def _links(kernel: GeneralKernel) -> tuple[str, ...]:
+def _links(kernel: GeneralKernel) -> str:
     texts, constant, motion = [], 0, 0
     for link in kernel.links:
-        texts.append(f"{constant}, {motion}, {len(link.rest)}")
+        texts.append(f"{{ {constant}, {motion}, {len(link.rest)} }}")
         constant += len(link.constants)
         motion += len(link.rest)
-    return tuple(texts)
+    return ", ".join(texts)
 
 
 def _given(kernel: GeneralKernel) -> tuple[str, ...]:

@@ -25,7 +25,7 @@ class Wrist:
         cosine: Of the angle between the lower arm and axis 4.
         sine: Of the same.
         flip: On which side axis 4 leaves the lower arm.
-        bent: Whether it leaves it at all.
+        bent: Whether it leaves it at all, as 1 or 0.
         per_root: Solutions at a simple root of the polynomial of joint 6.
         sources: What the turns of joints 1 ... 4 bring into line with axis 3, the elbow, W and
             axis 5.
@@ -39,7 +39,7 @@ class Wrist:
     cosine: float
     sine: float
     flip: float
-    bent: bool
+    bent: int
     per_root: int
     sources: str
 
@@ -58,7 +58,7 @@ def wrist(kernel: GeneralKernel) -> Wrist | None:
         cosine=arm.cosine,
         sine=arm.sine,
         flip=arm.flip,
-        bent=bool(arm.sine),
+        bent=int(bool(arm.sine)),
         per_root=of.solutions_per_root,
         sources=row(arm.sources),
     )

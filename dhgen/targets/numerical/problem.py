@@ -36,8 +36,6 @@ class NumericalProblem:
         directions: What of them counts, as the runtime calls it.
         turning: Whether all of the rotation does.
         pointing: Whether the tool's z axis alone does.
-        redundant: Whether solutions are families.
-        limited: Whether joints have limits.
         bounded: Whether descents stay inside them.
         checked: Whether the arm can't take every pose next to one that it can.
         size: The arm's.
@@ -63,8 +61,6 @@ class NumericalProblem:
     directions: str
     turning: bool
     pointing: bool
-    redundant: bool
-    limited: bool
     bounded: bool
     checked: bool
     size: str
@@ -95,8 +91,6 @@ def problem_of(kernel: NumericalKernel) -> NumericalProblem:
         directions=_directions(kernel),
         turning=kernel.turning,
         pointing=kernel.pointing,
-        redundant=kernel.redundant,
-        limited=kernel.limited,
         bounded=kernel.bounded,
         checked=kernel.checked,
         size=repr(chain.size),

@@ -44,8 +44,8 @@ class Settle:
 
     Attributes:
         width: Columns of a table with the miss and all joints.
-        miss_weights: What the components of a miss count.
-        paces: What a step of one means for each joint.
+        miss_weights: What the components of a miss count, between commas.
+        paces: What a step of one means for each joint, between commas.
         together: Joint values that differ by less are one solution [rad, arm sizes].
         cautious: Times the miss, the damping of steps while they gain and much is missed.
         damping: Times the square of the miss, that of the steps after.
@@ -67,8 +67,8 @@ class Settle:
     """
 
     width: int
-    miss_weights: tuple[str, ...]
-    paces: tuple[str, ...]
+    miss_weights: str
+    paces: str
     together: float
     fine: float
     promised: float
@@ -97,13 +97,18 @@ def settle_of(module: SolverModule) -> Settle:
     rows = chain.task.position_rows
     return Settle(
         width=6 + chain.dof,
-        miss_weights=(*(length if k in rows else "0.0" for k in range(3)), *[turns] * 3),
-        paces=tuple(_pace(joint, chain) for joint in chain.joints),
+        miss_weights=", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
+        paces=", ".join(paces_of(chain)),
         together=max(TOGETHER, BEYOND_TOLD * tolerances.told),
         fine=tolerances.fine,
         promised=max(tolerances.promised, tolerances.exact),
         told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
     )
+
+
+def paces_of(chain: Chain) -> list[str]:
+    """What a step of one means for each joint."""
+    return [_pace(joint, chain) for joint in chain.joints]
 
 
 def _pace(joint: ChainJoint, chain: Chain) -> str:
