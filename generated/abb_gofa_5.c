@@ -11,22 +11,44 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x200u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x200u /* what the arm needs of it */
 #ifdef ABB_GOFA_5_LANES
 #define DHGEN_GENERAL_LANES ABB_GOFA_5_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    d1 = 0.265, /* joint offset 1 [m] */
+    a2 = 0.444, /* link length 2 [m] */
+    a3 = 0.11, /* link length 3 [m] */
+    d4 = 0.47, /* joint offset 4 [m] */
+    a5 = 0.08, /* link length 5 [m] */
+    d6 = 0.101, /* z of the tool frame [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
+
+const char *const abb_gofa_5_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.9269908169872414, 1.4835298641951802, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation abb_gofa_5_formulations[2] = {
+DHGEN_TABLE dhgen_formulation formulations[2] = {
     { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
     { { 3, 2, 1, 0, 5, 4 }, -1.0, 0 },
 };
@@ -34,7 +56,7 @@ DHGEN_TABLE dhgen_formulation abb_gofa_5_formulations[2] = {
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double abb_gofa_5_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.9230769230769231,
         0.38461538461538464, 0.0, 5.203881545049196e-10 },
     { 0.47058823529411764, -0.8823529411764706, 0.0, 0.8718955527653943, 0.8823529411764706,
@@ -49,7 +71,7 @@ DHGEN_TABLE double abb_gofa_5_constants[7][12] = {
     { 0.0, 0.0, 1.0, -0.101, 0.0, -1.0, 0.0, -0.0, 1.0, 0.0, 0.0, -0.0 },
 };
 
-DHGEN_TABLE dhgen_wrist abb_gofa_5_wrist = {
+DHGEN_TABLE dhgen_wrist wrist = {
     5.203881545049196e-10, -0.0, /* along axes 1 and 5 to S and W */
     0.7602018549320725, /* of the distance from S to the elbow */
     0.9478932985402113, 0.8985017054174421, /* from the elbow to W, and its square */
@@ -58,27 +80,28 @@ DHGEN_TABLE dhgen_wrist abb_gofa_5_wrist = {
     { 0.0, -1.0, 0.8718955527653943, 0.0, 0.216010159468904, 0.9229524995489534, 0.0, -1.0 },
 };
 
-DHGEN_TABLE dhgen_general_arm abb_gofa_5_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.509235307591332, 1.9637287224445819, /* the length that is one in the loop, and its inverse */
     4.0000000039999986, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, abb_gofa_5_formulations,
+    2, formulations,
     { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
             } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    abb_gofa_5_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
-    0, 0, &abb_gofa_5_wrist,
+    0, 0, &wrist,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -110,55 +133,21 @@ static const double most_u[6] = {
     3.141592653589793, 3.141592653589793, 1.4835298641951802, 3.141592653589793, 3.141592653589793,
     3.141592653589793,
 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = { 3.141592653589793, 1.5707963267948966, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm abb_gofa_5_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 1, 0, /* families of solutions, limits, more entries than joints */
     48, 1.4700000000000002, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
+    least_u, most_u, facing, zero, 0, 0,
     abb_gofa_5_fk, abb_gofa_5_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&abb_gofa_5_general, &abb_gofa_5_descents, T, 0, seed, q[0], found, chosen);
-}
-
-
-static const double
-    d1 = 0.265, /* joint offset 1 [m] */
-    a2 = 0.444, /* link length 2 [m] */
-    a3 = 0.11, /* link length 3 [m] */
-    d4 = 0.47, /* joint offset 4 [m] */
-    a5 = 0.08, /* link length 5 [m] */
-    d6 = 0.101, /* z of the tool frame [m] */
-    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
-    offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-
-const char *const abb_gofa_5_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.9269908169872414, 1.4835298641951802, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void abb_gofa_5_fk(const double q[6], double T[16])
 {
@@ -229,7 +218,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -257,7 +247,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
-    abb_gofa_5_fk, abb_gofa_5_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    abb_gofa_5_fk, abb_gofa_5_jacobian, solve, NULL,
 };
 
 int abb_gofa_5_ik(

@@ -493,7 +493,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    abb_irb120_fk, abb_irb120_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    abb_irb120_fk, abb_irb120_jacobian, solve, solve_regular,
 };
 
 int abb_irb120_ik(

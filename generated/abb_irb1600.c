@@ -476,7 +476,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    abb_irb1600_fk, abb_irb1600_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    abb_irb1600_fk, abb_irb1600_jacobian, solve, solve_regular,
 };
 
 int abb_irb1600_ik(

@@ -499,7 +499,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    abb_irb6640_fk, abb_irb6640_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    abb_irb6640_fk, abb_irb6640_jacobian, solve, solve_regular,
 };
 
 int abb_irb6640_ik(

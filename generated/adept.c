@@ -225,7 +225,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    adept_fk, adept_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    adept_fk, adept_jacobian, solve, solve_regular,
 };
 
 int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])

@@ -265,7 +265,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    adept_cobra600_fk, adept_cobra600_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    adept_cobra600_fk, adept_cobra600_jacobian, solve, solve_regular,
 };
 
 int adept_cobra600_ik(

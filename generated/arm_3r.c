@@ -259,7 +259,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    arm_3r_fk, arm_3r_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    arm_3r_fk, arm_3r_jacobian, solve, solve_regular,
 };
 
 int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])

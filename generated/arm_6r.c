@@ -416,7 +416,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    arm_6r_fk, arm_6r_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    arm_6r_fk, arm_6r_jacobian, solve, solve_regular,
 };
 
 int arm_6r_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

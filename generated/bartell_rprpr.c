@@ -284,7 +284,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    bartell_rprpr_fk, bartell_rprpr_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    bartell_rprpr_fk, bartell_rprpr_jacobian, solve, solve_regular,
 };
 
 int bartell_rprpr_ik(

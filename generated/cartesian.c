@@ -143,7 +143,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    cartesian_fk, cartesian_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    cartesian_fk, cartesian_jacobian, solve, solve_regular,
 };
 
 int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])

@@ -525,7 +525,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    comau_ns16_fk, comau_ns16_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    comau_ns16_fk, comau_ns16_jacobian, solve, solve_regular,
 };
 
 int comau_ns16_ik(

@@ -370,7 +370,8 @@ static const struct dhgen_arm arm = {
     choosable, 4, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    craig_417_fk, craig_417_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    craig_417_fk, craig_417_jacobian, solve, solve_regular,
 };
 
 int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])

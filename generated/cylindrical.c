@@ -190,7 +190,8 @@ static const struct dhgen_arm arm = {
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    cylindrical_fk, cylindrical_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    cylindrical_fk, cylindrical_jacobian, solve, solve_regular,
 };
 
 int cylindrical_ik(

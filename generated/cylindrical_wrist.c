@@ -273,7 +273,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    cylindrical_wrist_fk, cylindrical_wrist_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    cylindrical_wrist_fk, cylindrical_wrist_jacobian, solve, solve_regular,
 };
 
 int cylindrical_wrist_ik(

@@ -481,7 +481,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    denso_vs060_fk, denso_vs060_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    denso_vs060_fk, denso_vs060_jacobian, solve, solve_regular,
 };
 
 int denso_vs060_ik(

@@ -466,7 +466,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    doosan_m1013_fk, doosan_m1013_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    doosan_m1013_fk, doosan_m1013_jacobian, solve, solve_regular,
 };
 
 int doosan_m1013_ik(

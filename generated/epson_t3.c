@@ -266,7 +266,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    epson_t3_fk, epson_t3_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    epson_t3_fk, epson_t3_jacobian, solve, solve_regular,
 };
 
 int epson_t3_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])

@@ -11,22 +11,46 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x200u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x200u /* what the arm needs of it */
 #ifdef FANUC_CRX10IA_LANES
 #define DHGEN_GENERAL_LANES FANUC_CRX10IA_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    d1 = 0.245, /* joint offset 1 [m] */
+    a2 = 0.54, /* link length 2 [m] */
+    d4 = 0.54, /* joint offset 4 [m] */
+    d5 = 0.15, /* joint offset 5 [m] */
+    d6 = 0.16, /* z of the tool frame [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    offset3 = 3.141592653589793, /* offset of joint 3 [rad] */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
+
+const char *const fanuc_crx10ia_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -3.3161255787892263, 3.3161255787892263, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.139847324337799, 3.139847324337799, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -1.239183768915974, 4.380776422505767, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.3161255787892263, 3.3161255787892263, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.139847324337799, 3.139847324337799, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -3.9269908169872414, 3.9269908169872414, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation fanuc_crx10ia_formulations[2] = {
+DHGEN_TABLE dhgen_formulation formulations[2] = {
     { { 1, 2, 3, 4, 5, 0 }, 1.0, 0 },
     { { 4, 3, 2, 1, 0, 5 }, -1.0, 0 },
 };
@@ -34,7 +58,7 @@ DHGEN_TABLE dhgen_formulation fanuc_crx10ia_formulations[2] = {
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double fanuc_crx10ia_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.9230769230769231,
         0.38461538461538464, 0.0, 4.2052035336045993e-10 },
     { 0.47058823529411764, -0.8823529411764706, 0.0, 0.9268611103097327, -0.8823529411764706,
@@ -48,7 +72,7 @@ DHGEN_TABLE double fanuc_crx10ia_constants[7][12] = {
     { 0.0, 0.0, -1.0, -0.16, 0.0, -1.0, 0.0, -0.0, -1.0, 0.0, 0.0, -0.0 },
 };
 
-DHGEN_TABLE dhgen_wrist fanuc_crx10ia_wrist = {
+DHGEN_TABLE dhgen_wrist wrist = {
     4.2052035336045993e-10, -0.12873070970087527, /* along axes 1 and 5 to S and W */
     0.8590715178045906, /* of the distance from S to the elbow */
     0.9268611103097326, 0.8590715178045903, /* from the elbow to W, and its square */
@@ -57,27 +81,28 @@ DHGEN_TABLE dhgen_wrist fanuc_crx10ia_wrist = {
     { 0.0, -1.0, 0.9268611103097327, 0.0, 0.0, 0.9268611103097326, 0.0, -1.0 },
 };
 
-DHGEN_TABLE dhgen_general_arm fanuc_crx10ia_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.5826115628257897, 1.716409463536542, /* the length that is one in the loop, and its inverse */
     4.000000004, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, fanuc_crx10ia_formulations,
+    2, formulations,
     { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
             } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    fanuc_crx10ia_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
-    0, 0, &fanuc_crx10ia_wrist,
+    0, 0, &wrist,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -109,61 +134,24 @@ static const double most_u[6] = {
     3.3161255787892263, 3.139847324337799, 4.380776422505767, 3.3161255787892263, 3.139847324337799,
     3.9269908169872414,
 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = {
     3.141592653589793, 1.5707963267948966, 3.141592653589793, 3.141592653589793, 3.141592653589793,
     0.0,
 };
 
-static const struct dhgen_numerical_arm fanuc_crx10ia_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 1, 0, /* families of solutions, limits, more entries than joints */
     48, 1.635, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
+    least_u, most_u, facing, zero, 0, 0,
     fanuc_crx10ia_fk, fanuc_crx10ia_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&fanuc_crx10ia_general, &fanuc_crx10ia_descents, T, 0, seed, q[0], found,
-        chosen);
-}
-
-
-static const double
-    d1 = 0.245, /* joint offset 1 [m] */
-    a2 = 0.54, /* link length 2 [m] */
-    d4 = 0.54, /* joint offset 4 [m] */
-    d5 = 0.15, /* joint offset 5 [m] */
-    d6 = 0.16, /* z of the tool frame [m] */
-    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
-    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
-    offset3 = 3.141592653589793, /* offset of joint 3 [rad] */
-    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
-    offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-
-const char *const fanuc_crx10ia_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -3.3161255787892263, 3.3161255787892263, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.139847324337799, 3.139847324337799, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -1.239183768915974, 4.380776422505767, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.3161255787892263, 3.3161255787892263, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.139847324337799, 3.139847324337799, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -3.9269908169872414, 3.9269908169872414, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void fanuc_crx10ia_fk(const double q[6], double T[16])
 {
@@ -234,7 +222,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -262,7 +251,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
-    fanuc_crx10ia_fk, fanuc_crx10ia_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    fanuc_crx10ia_fk, fanuc_crx10ia_jacobian, solve, NULL,
 };
 
 int fanuc_crx10ia_ik(

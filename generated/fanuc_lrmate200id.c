@@ -500,7 +500,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    fanuc_lrmate200id_fk, fanuc_lrmate200id_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    fanuc_lrmate200id_fk, fanuc_lrmate200id_jacobian, solve, solve_regular,
 };
 
 int fanuc_lrmate200id_ik(

@@ -500,7 +500,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    fanuc_m710ic50_fk, fanuc_m710ic50_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    fanuc_m710ic50_fk, fanuc_m710ic50_jacobian, solve, solve_regular,
 };
 
 int fanuc_m710ic50_ik(

@@ -489,7 +489,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
-    franka_panda_fk, franka_panda_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    franka_panda_fk, franka_panda_jacobian, solve, solve_regular,
 };
 
 int franka_panda_ik(

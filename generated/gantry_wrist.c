@@ -227,7 +227,8 @@ static const struct dhgen_arm arm = {
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    gantry_wrist_fk, gantry_wrist_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    gantry_wrist_fk, gantry_wrist_jacobian, solve, solve_regular,
 };
 
 int gantry_wrist_ik(

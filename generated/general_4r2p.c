@@ -11,124 +11,16 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 8
-#define DHGEN_TRAITS 0x494u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x494u /* what the arm needs of it */
 #ifdef GENERAL_4R2P_LANES
 #define DHGEN_GENERAL_LANES GENERAL_4R2P_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_4r2p_formulations[2] = {
-    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
-    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double general_4r2p_constants[7][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.2653189862537723, 0.33448408105539107,
-        0.13936836710641293, -0.9320390859672263, 0.14673636817971505, 0.8603437716620551,
-        0.35847657152585627, 0.3623577544766736, 6.28359350727957e-10 },
-    { 0.9210609940028851, -0.3894183423086505, 0.0, 0.5969677190709878, 0.2713103718292879,
-        0.6417093742397794, 0.7173560908995228, 0.015793558142548212, -0.2793516197631058,
-        -0.6607287141379384, 0.6967067093471654, -0.136764030406117 },
-    { 0.28, -0.96, 0.0, 0.19898923969032925, -0.3103579841889633, -0.09052107872178097,
-        -0.9463000876874145, -0.18129993832765687, 0.9084480841799178, 0.2649640245524761,
-        -0.32328956686350346, -0.08395481242875238 },
-    { 0.6216099682706644, 0.7833269096274834, 0.0, -0.3979784793806585, -0.5991214669182833,
-        0.47543352776997644, -0.644217687237691, 0.08096418764476625, -0.5046330500712651,
-        0.4004521361232219, 0.7648421872844885, 0.19870586267497078 },
-    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.3316487328172154, 0.4290774121593299,
-        0.14711225559748453, 0.8912073600614354, -0.050805229179742194, -0.8430339892473038,
-        -0.28904022488478986, 0.4535961214255773, 0.0998200647953078 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.28419795539003395 },
-    { 1.0, 0.0, 0.0, -0.08, 0.0, 0.8253356149096783, 0.5646424733950354, -0.11054770303682969, 0.0,
-        -0.5646424733950354, 0.8253356149096783, -0.16158712948772755 },
-};
-
-DHGEN_TABLE dhgen_general_arm general_4r2p_general = {
-    DHGEN_TRAITS,
-    8, /* solutions at most */
-    0.4522857624867539, 2.2109915521147694, /* the length that is one in the loop, and its inverse
-        */
-    HUGE_VAL, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, general_4r2p_formulations,
-    { { 0.6, 0.38461538461538464, 1.0, 0.28, 1.0, 0.32432432432432434 }, /* cosines and sines of
-        what is added to the angles in the loop */
-        { 0.8, 0.9230769230769231, 0.0, 0.96, 0.0, 0.9459459459459459 } },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    general_4r2p_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 0, 1, 0, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.7299999999999998, 1.0, 1.7299999999999998, 1.0 };
-static const double measure[6] = {
-    0.5780346820809249, 0.5780346820809249, 1.0, 0.5780346820809249, 1.0, 0.5780346820809249,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[6] = {
-    -3.141592653589793, -3.141592653589793, -0.34682080924855496, -3.141592653589793,
-    -0.28901734104046245, -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 6.283185307179586, 0.6936416184971099, 6.283185307179586, 0.5780346820809249,
-    6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-static const double least_u[6] = {
-    -HUGE_VAL, -HUGE_VAL, -0.34682080924855496, -HUGE_VAL, -0.28901734104046245, -HUGE_VAL,
-};
-static const double most_u[6] = {
-    HUGE_VAL, HUGE_VAL, 0.34682080924855496, HUGE_VAL, 0.28901734104046245, HUGE_VAL,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-static const struct dhgen_numerical_arm general_4r2p_descents = {
-    6, 8, /* joints; solutions that are kept */
-    6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 1, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.7299999999999998, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
-    general_4r2p_fk, general_4r2p_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[8][6], int found[8],
-    int chosen[8])
-{
-    dhgen_general_rows(&general_4r2p_general, &general_4r2p_descents, T, 0, seed, q[0], found,
-        chosen);
-}
-
 
 static const double
     d1 = 0.31, /* joint offset 1 [m] */
@@ -174,6 +66,102 @@ static const struct dhgen_joint joints[6] = {
     { -0.5, 0.5, 1.73e-09, 0.33412409368839596, 1.73, 0.03125, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
+    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.2653189862537723, 0.33448408105539107,
+        0.13936836710641293, -0.9320390859672263, 0.14673636817971505, 0.8603437716620551,
+        0.35847657152585627, 0.3623577544766736, 6.28359350727957e-10 },
+    { 0.9210609940028851, -0.3894183423086505, 0.0, 0.5969677190709878, 0.2713103718292879,
+        0.6417093742397794, 0.7173560908995228, 0.015793558142548212, -0.2793516197631058,
+        -0.6607287141379384, 0.6967067093471654, -0.136764030406117 },
+    { 0.28, -0.96, 0.0, 0.19898923969032925, -0.3103579841889633, -0.09052107872178097,
+        -0.9463000876874145, -0.18129993832765687, 0.9084480841799178, 0.2649640245524761,
+        -0.32328956686350346, -0.08395481242875238 },
+    { 0.6216099682706644, 0.7833269096274834, 0.0, -0.3979784793806585, -0.5991214669182833,
+        0.47543352776997644, -0.644217687237691, 0.08096418764476625, -0.5046330500712651,
+        0.4004521361232219, 0.7648421872844885, 0.19870586267497078 },
+    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.3316487328172154, 0.4290774121593299,
+        0.14711225559748453, 0.8912073600614354, -0.050805229179742194, -0.8430339892473038,
+        -0.28904022488478986, 0.4535961214255773, 0.0998200647953078 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.28419795539003395 },
+    { 1.0, 0.0, 0.0, -0.08, 0.0, 0.8253356149096783, 0.5646424733950354, -0.11054770303682969, 0.0,
+        -0.5646424733950354, 0.8253356149096783, -0.16158712948772755 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    8, /* solutions at most */
+    0.4522857624867539, 2.2109915521147694, /* the length that is one in the loop, and its inverse
+        */
+    HUGE_VAL, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 0.6, 0.38461538461538464, 1.0, 0.28, 1.0, 0.32432432432432434 }, /* cosines and sines of
+        what is added to the angles in the loop */
+        { 0.8, 0.9230769230769231, 0.0, 0.96, 0.0, 0.9459459459459459 } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 1, 0, 1, 0, 1 };
+static const double unit[6] = { 1.0, 1.0, 1.7299999999999998, 1.0, 1.7299999999999998, 1.0 };
+static const double measure[6] = {
+    0.5780346820809249, 0.5780346820809249, 1.0, 0.5780346820809249, 1.0, 0.5780346820809249,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -0.34682080924855496, -3.141592653589793,
+    -0.28901734104046245, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 0.6936416184971099, 6.283185307179586, 0.5780346820809249,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double least_u[6] = {
+    -HUGE_VAL, -HUGE_VAL, -0.34682080924855496, -HUGE_VAL, -0.28901734104046245, -HUGE_VAL,
+};
+static const double most_u[6] = {
+    HUGE_VAL, HUGE_VAL, 0.34682080924855496, HUGE_VAL, 0.28901734104046245, HUGE_VAL,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+static const struct dhgen_numerical_arm descents = {
+    6, 8, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 1, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.7299999999999998, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, facing, zero, 0, 0,
+    general_4r2p_fk, general_4r2p_jacobian, 0,
+};
+
 
 void general_4r2p_fk(const double q[6], double T[16])
 {
@@ -273,7 +261,8 @@ static void solve(
     /* all joints: the general 4R2P loop */
     double solution_roots[8][6];
     int solution_found[8], solution_chosen[8];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 8; i1++) { /* root1 to root8 */
         const double q1 = solution_roots[i1][0];
@@ -301,7 +290,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    general_4r2p_fk, general_4r2p_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_4r2p_fk, general_4r2p_jacobian, solve, NULL,
 };
 
 int general_4r2p_ik(

@@ -11,126 +11,16 @@
 
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 5
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef GENERAL_5R_LANES
 #define DHGEN_GENERAL_LANES GENERAL_5R_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_5r_formulations[2] = {
-    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
-    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double general_5r_constants[7][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.10538972740096156, 0.3157109015313867,
-        0.13154620897141112, -0.9396926207859084, -0.038553998126521535, 0.8674085730331463,
-        0.36142023876381096, 0.3420201433256689, 3.8875152434369215e-10 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.44497884902628215, 0.7996833415029264,
-        0.4264977821348941, -0.42261826174069944, 0.02403930282003971, 0.3728984662417936,
-        0.19887918199562327, 0.9063077870366499, 0.03622890771527519 },
-    { 0.28, -0.96, 0.0, 0.33958912162532057, 0.5506333788970043, 0.16060140217829294,
-        0.8191520442889918, 0.06821269656711591, -0.7863859625174321, -0.22936257240091773,
-        0.5735764363510462, 0.022675092750040773 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.05854984855608976, 0.06311277923106279,
-        0.060107408791488376, -0.9961946980917455, 0.13470065795828057, 0.7213823675836778,
-        0.6870308262701694, 0.08715574274765814, 0.06888246881618784 },
-    { 0.4980694980694982, -0.13127413127413126, 0.8571428571428572, 0.37800838000338793,
-        0.5482625482625483, -0.7181467181467182, -0.4285714285714286, 0.8414731445854858,
-        0.6718146718146719, 0.6833976833976835, -0.28571428571428575, -0.12818457869075675 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.33198338483131545 },
-    { 0.20715392159351406, 0.16111519143074884, 0.9649503343999947, 0.21994807102450414,
-        0.9320899268247839, -0.3320909674116114, -0.14465115856912225, 0.7593411359264012,
-        0.2971457909515084, 0.9293855413410805, -0.2189677932161469, 0.14443884746120278 },
-};
-
-DHGEN_TABLE dhgen_general_arm general_5r_general = {
-    DHGEN_TRAITS,
-    16, /* solutions at most */
-    0.8539731738520357, 1.1709969711217951, /* the length that is one in the loop, and its inverse
-        */
-    4.000000004, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, general_5r_formulations,
-    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
-        }, /* cosines and sines of what is added to the angles in the loop */
-        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
-            } },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    general_5r_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 1, 1, 1, 1, 1 };
-static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = {
-    0.5681818181818181, 0.5681818181818181, 0.5681818181818181, 0.5681818181818181,
-    0.5681818181818181,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[5] = {
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[5] = {
-    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
-};
-static const double stride[5] = {
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-};
-static const double least_u[5] = {
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double most_u[5] = {
-    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-static const struct dhgen_numerical_arm general_5r_descents = {
-    5, 16, /* joints; solutions that are kept */
-    5, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 1, 1, /* families of solutions, limits, more entries than joints */
-    48, 1.7600000000000002, 1e-05, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
-    general_5r_fk, general_5r_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[5], double q[16][5], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&general_5r_general, &general_5r_descents, T, 0, seed, q[0], found, chosen);
-}
-
 
 static const double
     d1 = 0.32, /* joint offset 1 [m] */
@@ -174,6 +64,105 @@ static const struct dhgen_joint joints[5] = {
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
+    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.10538972740096156, 0.3157109015313867,
+        0.13154620897141112, -0.9396926207859084, -0.038553998126521535, 0.8674085730331463,
+        0.36142023876381096, 0.3420201433256689, 3.8875152434369215e-10 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.44497884902628215, 0.7996833415029264,
+        0.4264977821348941, -0.42261826174069944, 0.02403930282003971, 0.3728984662417936,
+        0.19887918199562327, 0.9063077870366499, 0.03622890771527519 },
+    { 0.28, -0.96, 0.0, 0.33958912162532057, 0.5506333788970043, 0.16060140217829294,
+        0.8191520442889918, 0.06821269656711591, -0.7863859625174321, -0.22936257240091773,
+        0.5735764363510462, 0.022675092750040773 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.05854984855608976, 0.06311277923106279,
+        0.060107408791488376, -0.9961946980917455, 0.13470065795828057, 0.7213823675836778,
+        0.6870308262701694, 0.08715574274765814, 0.06888246881618784 },
+    { 0.4980694980694982, -0.13127413127413126, 0.8571428571428572, 0.37800838000338793,
+        0.5482625482625483, -0.7181467181467182, -0.4285714285714286, 0.8414731445854858,
+        0.6718146718146719, 0.6833976833976835, -0.28571428571428575, -0.12818457869075675 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.33198338483131545 },
+    { 0.20715392159351406, 0.16111519143074884, 0.9649503343999947, 0.21994807102450414,
+        0.9320899268247839, -0.3320909674116114, -0.14465115856912225, 0.7593411359264012,
+        0.2971457909515084, 0.9293855413410805, -0.2189677932161469, 0.14443884746120278 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    16, /* solutions at most */
+    0.8539731738520357, 1.1709969711217951, /* the length that is one in the loop, and its inverse
+        */
+    4.000000004, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
+        }, /* cosines and sines of what is added to the angles in the loop */
+        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
+            } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[5] = { 0, 1, 2, 3, 4 };
+static const int turning[5] = { 1, 1, 1, 1, 1 };
+static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[5] = {
+    0.5681818181818181, 0.5681818181818181, 0.5681818181818181, 0.5681818181818181,
+    0.5681818181818181,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[5] = {
+    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[5] = {
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+};
+static const double least_u[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double most_u[5] = {
+    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+static const struct dhgen_numerical_arm descents = {
+    5, 16, /* joints; solutions that are kept */
+    5, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 1, 1, /* families of solutions, limits, more entries than joints */
+    48, 1.7600000000000002, 1e-05, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, facing, zero, 0, 0,
+    general_5r_fk, general_5r_jacobian, 0,
+};
+
 
 void general_5r_fk(const double q[5], double T[16])
 {
@@ -270,7 +259,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][5];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -296,7 +286,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
-    general_5r_fk, general_5r_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_5r_fk, general_5r_jacobian, solve, NULL,
 };
 
 int general_5r_ik(

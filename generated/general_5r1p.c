@@ -11,22 +11,64 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x84u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x84u /* what the arm needs of it */
 #ifdef GENERAL_5R1P_LANES
 #define DHGEN_GENERAL_LANES GENERAL_5R1P_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    d1 = -0.293, /* joint offset 1 [m] */
+    a1 = 0.278, /* link length 1 [m] */
+    ca1 = 0.012203370292583539, /* cosine of twist 1 */
+    sa1 = 0.9999255361043151, /* sine of twist 1 */
+    d2 = -0.196, /* joint offset 2 [m] */
+    a2 = -0.004, /* link length 2 [m] */
+    ca2 = 0.9544456308244855, /* cosine of twist 2 */
+    sa2 = 0.29838488198977153, /* sine of twist 2 */
+    cat3 = 0.6145349462240683, /* cosine of the angle of joint 3 */
+    sat3 = 0.7888895992909156, /* sine of the angle of joint 3 */
+    a3 = 0.231, /* link length 3 [m] */
+    ca3 = 0.7618754628213957, /* cosine of twist 3 */
+    sa3 = 0.647723536048123, /* sine of twist 3 */
+    d4 = -0.377, /* joint offset 4 [m] */
+    a4 = 0.269, /* link length 4 [m] */
+    ca4 = 0.9191023971657747, /* cosine of twist 4 */
+    sa4 = 0.39401876037078043, /* sine of twist 4 */
+    d5 = 0.211, /* joint offset 5 [m] */
+    a5 = -0.398, /* link length 5 [m] */
+    ca5 = 0.9463659134816423, /* cosine of twist 5 */
+    sa5 = 0.323096824187513, /* sine of twist 5 */
+    d6 = 0.037, /* joint offset 6 [m] */
+    a6 = 0.357, /* link length 6 [m] */
+    ca6 = 0.7427737668732654, /* cosine of twist 6 */
+    sa6 = 0.6695424790443845, /* sine of twist 6 */
+    f1 = -0.002391860577346374, /* ca1 * d2 [m] */
+    f2 = 0.003641301204630023, /* ca1 * sa2 */
+    f3 = 0.011647453457089682; /* ca1 * ca2 */
+
+const char *const general_5r1p_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -0.8, 0.8, 2.651e-09, 0.14229201993625035, 2.651, 0.05, 0 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* The monomials of the left side of the formulation that has the joints 4, 3, 2, 1, 0, 5. */
-DHGEN_TABLE double general_5r1p_left_0[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_0[15][32] DHGEN_ALIGNED = {
     { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.24870905112736552, 0.0, 0.0, 0.12651414447293255, 0.0, 0.0, 0.22655250811483657,
@@ -107,7 +149,7 @@ DHGEN_TABLE double general_5r1p_left_0[15][32] DHGEN_ALIGNED = {
 };
 
 /* The monomials of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4. */
-DHGEN_TABLE double general_5r1p_left_1[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_1[15][32] DHGEN_ALIGNED = {
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.12077263550238015, -0.19250983049270745, 0.11488165253823089,
@@ -187,15 +229,15 @@ DHGEN_TABLE double general_5r1p_left_1[15][32] DHGEN_ALIGNED = {
 };
 
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_5r1p_formulations[2] = {
-    { { 4, 3, 2, 1, 0, 5 }, -1.0, general_5r1p_left_0 },
-    { { 3, 2, 1, 0, 5, 4 }, -1.0, general_5r1p_left_1 },
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, left_0 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, left_1 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double general_5r1p_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.43936788242416075, -0.011264649500846345,
         -0.004693603958685977, -0.9999255361043152, 0.058795324397600594, 0.9230081871732141,
         0.38458674465550585, -0.01220337029258354, -4.6235725321515234e-10 },
@@ -216,27 +258,28 @@ DHGEN_TABLE double general_5r1p_constants[7][12] = {
         0.0, -0.6695424790443845, -0.7427737668732654, 0.020508944943937776 },
 };
 
-DHGEN_TABLE dhgen_general_arm general_5r1p_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.6327271772032304, 1.5804600087200025, /* the length that is one in the loop, and its inverse
         */
     HUGE_VAL, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, general_5r1p_formulations,
+    2, formulations,
     { { 0.6, 0.38461538461538464, 1.0, 0.28, 0.6896551724137931, 0.32432432432432434 }, /* cosines
         and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.0, 0.96, 0.7241379310344828, 0.9459459459459459 } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    general_5r1p_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
     0, 0, 0,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 0, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 2.651, 1.0, 1.0, 1.0 };
@@ -266,76 +309,21 @@ static const double least_u[6] = {
 static const double most_u[6] = {
     HUGE_VAL, HUGE_VAL, 0.30177291588079974, HUGE_VAL, HUGE_VAL, HUGE_VAL,
 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm general_5r1p_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 1, 0, /* families of solutions, limits, more entries than joints */
     48, 2.651, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
+    least_u, most_u, facing, zero, 0, 0,
     general_5r1p_fk, general_5r1p_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&general_5r1p_general, &general_5r1p_descents, T, 0, seed, q[0], found,
-        chosen);
-}
-
-
-static const double
-    d1 = -0.293, /* joint offset 1 [m] */
-    a1 = 0.278, /* link length 1 [m] */
-    ca1 = 0.012203370292583539, /* cosine of twist 1 */
-    sa1 = 0.9999255361043151, /* sine of twist 1 */
-    d2 = -0.196, /* joint offset 2 [m] */
-    a2 = -0.004, /* link length 2 [m] */
-    ca2 = 0.9544456308244855, /* cosine of twist 2 */
-    sa2 = 0.29838488198977153, /* sine of twist 2 */
-    cat3 = 0.6145349462240683, /* cosine of the angle of joint 3 */
-    sat3 = 0.7888895992909156, /* sine of the angle of joint 3 */
-    a3 = 0.231, /* link length 3 [m] */
-    ca3 = 0.7618754628213957, /* cosine of twist 3 */
-    sa3 = 0.647723536048123, /* sine of twist 3 */
-    d4 = -0.377, /* joint offset 4 [m] */
-    a4 = 0.269, /* link length 4 [m] */
-    ca4 = 0.9191023971657747, /* cosine of twist 4 */
-    sa4 = 0.39401876037078043, /* sine of twist 4 */
-    d5 = 0.211, /* joint offset 5 [m] */
-    a5 = -0.398, /* link length 5 [m] */
-    ca5 = 0.9463659134816423, /* cosine of twist 5 */
-    sa5 = 0.323096824187513, /* sine of twist 5 */
-    d6 = 0.037, /* joint offset 6 [m] */
-    a6 = 0.357, /* link length 6 [m] */
-    ca6 = 0.7427737668732654, /* cosine of twist 6 */
-    sa6 = 0.6695424790443845, /* sine of twist 6 */
-    f1 = -0.002391860577346374, /* ca1 * d2 [m] */
-    f2 = 0.003641301204630023, /* ca1 * sa2 */
-    f3 = 0.011647453457089682; /* ca1 * ca2 */
-
-const char *const general_5r1p_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -0.8, 0.8, 2.651e-09, 0.14229201993625035, 2.651, 0.05, 0 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void general_5r1p_fk(const double q[6], double T[16])
 {
@@ -435,7 +423,8 @@ static void solve(
     /* all joints: the general 5R1P loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -463,7 +452,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    general_5r1p_fk, general_5r1p_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_5r1p_fk, general_5r1p_jacobian, solve, NULL,
 };
 
 int general_5r1p_ik(

@@ -11,22 +11,48 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x101u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x101u /* what the arm needs of it */
 #ifdef GENERAL_5R1P_PAIR_LANES
 #define DHGEN_GENERAL_LANES GENERAL_5R1P_PAIR_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    a1 = 0.472, /* link length 1 [m] */
+    d2 = -0.069, /* joint offset 2 [m] */
+    d3 = -0.261, /* joint offset 3 [m] */
+    a3 = 0.234, /* link length 3 [m] */
+    d4 = 0.525, /* joint offset 4 [m] */
+    d5 = 0.119, /* joint offset 5 [m] */
+    a6 = 0.123, /* link length 6 [m] */
+    f1 = 0.5, /* 1 / 2 */
+    f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    f3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
+    f4 = 0.45466333698683026, /* d4 * 1 / 2 * sqrt3 [m] */
+    f5 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
+
+const char *const general_5r1p_pair_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -0.6, 0.9, 1.803e-09, 0.3076157350370323, 1.803, 0.046875, 0 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* The monomials of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0. */
-DHGEN_TABLE double general_5r1p_pair_left_0[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_0[15][32] DHGEN_ALIGNED = {
     { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.7037463919804376, 1.0802282430953678,
@@ -115,7 +141,7 @@ DHGEN_TABLE double general_5r1p_pair_left_0[15][32] DHGEN_ALIGNED = {
 };
 
 /* The monomials of the left side of the formulation that has the joints 4, 3, 2, 1, 0, 5. */
-DHGEN_TABLE double general_5r1p_pair_left_1[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_1[15][32] DHGEN_ALIGNED = {
     { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { -0.4629570747217807, -0.19364069952305246, 0.4629570747217807, 0.19364069952305246,
@@ -208,15 +234,15 @@ DHGEN_TABLE double general_5r1p_pair_left_1[15][32] DHGEN_ALIGNED = {
 };
 
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_5r1p_pair_formulations[2] = {
-    { { 1, 2, 3, 4, 5, 0 }, 1.0, general_5r1p_pair_left_0 },
-    { { 4, 3, 2, 1, 0, 5 }, -1.0, general_5r1p_pair_left_1 },
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 1, 2, 3, 4, 5, 0 }, 1.0, left_0 },
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, left_1 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double general_5r1p_pair_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.6897887111965271, 0.0, 0.0, -1.0,
         0.25467491748554627, 0.9230769230769231, 0.38461538461538464, 0.0, 0.0 },
     { 0.47058823529411764, -0.8823529411764706, 0.0, 0.0, 0.76414006216274, 0.4075413664867947,
@@ -233,28 +259,29 @@ DHGEN_TABLE double general_5r1p_pair_constants[7][12] = {
         -0.7071067811865476, 0.7071067811865476, -0.0 },
 };
 
-DHGEN_TABLE dhgen_general_arm general_5r1p_pair_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.6842675044380697, 1.4614167610095914, /* the length that is one in the loop, and its inverse
         */
     HUGE_VAL, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, general_5r1p_pair_formulations,
+    2, formulations,
     { { 1.0, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.0, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
             } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    general_5r1p_pair_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
     0, 0, 0,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 0, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.803, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -284,60 +311,21 @@ static const double least_u[6] = {
 static const double most_u[6] = {
     0.4991680532445924, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, -1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm general_5r1p_pair_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 1, 0, /* families of solutions, limits, more entries than joints */
     48, 1.803, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
+    least_u, most_u, facing, zero, 0, 0,
     general_5r1p_pair_fk, general_5r1p_pair_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&general_5r1p_pair_general, &general_5r1p_pair_descents, T, 0, seed, q[0],
-        found, chosen);
-}
-
-
-static const double
-    a1 = 0.472, /* link length 1 [m] */
-    d2 = -0.069, /* joint offset 2 [m] */
-    d3 = -0.261, /* joint offset 3 [m] */
-    a3 = 0.234, /* link length 3 [m] */
-    d4 = 0.525, /* joint offset 4 [m] */
-    d5 = 0.119, /* joint offset 5 [m] */
-    a6 = 0.123, /* link length 6 [m] */
-    f1 = 0.5, /* 1 / 2 */
-    f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    f3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
-    f4 = 0.45466333698683026, /* d4 * 1 / 2 * sqrt3 [m] */
-    f5 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
-
-const char *const general_5r1p_pair_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -0.6, 0.9, 1.803e-09, 0.3076157350370323, 1.803, 0.046875, 0 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void general_5r1p_pair_fk(const double q[6], double T[16])
 {
@@ -411,7 +399,8 @@ static void solve(
     /* all joints: the general 5R1P loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -439,7 +428,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    general_5r1p_pair_fk, general_5r1p_pair_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_5r1p_pair_fk, general_5r1p_pair_jacobian, solve, NULL,
 };
 
 int general_5r1p_pair_ik(

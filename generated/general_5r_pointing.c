@@ -12,125 +12,16 @@
 
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 5
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef GENERAL_5R_POINTING_LANES
 #define DHGEN_GENERAL_LANES GENERAL_5R_POINTING_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_5r_pointing_formulations[2] = {
-    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
-    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double general_5r_pointing_constants[7][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.21009837473856222, 0.23890988778694228,
-        0.09954578657789262, -0.9659258262890684, -0.04660356600545808, 0.8916238396514479,
-        0.37150993318810327, 0.2588190451025208, 7.478317479849794e-10 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.8403934989542489, 0.8291405477522721,
-        0.44220829213454516, -0.3420201433256687, 0.027230633165473302, 0.3017824794050018,
-        0.16095065568266761, 0.9396926207859084, 0.045015588243639895 },
-    { 0.28, -0.96, 0.0, 0.6302951242156866, 0.40571353127107146, 0.11833311328739586,
-        0.9063077870366499, 0.12528109336044682, -0.8700554755551839, -0.253766180370262,
-        0.42261826174069944, 0.03298739095516433 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.12605902484313733, 0.12574523210363928,
-        0.1197573639082279, -0.9848077530122081, -0.07712175856800875, 0.7131366487329783,
-        0.6791777606980747, 0.17364817766693044, 0.12748430444410336 },
-    { 0.29872248454147626, -0.8712739132459724, 0.3894183423086505, -0.0018597364116695418,
-        0.20485141903797224, 0.45707880306005993, 0.8655142193582449, -0.03486419238383276,
-        -0.9320948306623617, -0.17877565799132936, 0.31502141318054977, 0.09808752298987687 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.355943590540993 },
-    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.18202833920561123 },
-};
-
-DHGEN_TABLE dhgen_general_arm general_5r_pointing_general = {
-    DHGEN_TRAITS,
-    16, /* solutions at most */
-    0.47596750867033544, 2.100983747385622, /* the length that is one in the loop, and its inverse
-        */
-    4.0000000039999986, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, general_5r_pointing_formulations,
-    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
-        }, /* cosines and sines of what is added to the angles in the loop */
-        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
-            } },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    general_5r_pointing_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 1, 1, 1, 1, 1 };
-static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = {
-    0.5649717514124294, 0.5649717514124294, 0.5649717514124294, 0.5649717514124294,
-    0.5649717514124294,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[5] = {
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[5] = {
-    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
-};
-static const double stride[5] = {
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-};
-static const double least_u[5] = {
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double most_u[5] = {
-    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-static const struct dhgen_numerical_arm general_5r_pointing_descents = {
-    5, 16, /* joints; solutions that are kept */
-    5, 6, /* joints that are solved for; equations */
-    3, DHGEN_TOOL_AXIS, 0, /* coordinates, directions, arm angle */
-    0, 1, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.77, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
-    general_5r_pointing_fk, general_5r_pointing_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[5], double q[16][5], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&general_5r_pointing_general, &general_5r_pointing_descents, T, 0, seed,
-        q[0], found, chosen);
-}
-
 
 static const double
     d1 = 0.35, /* joint offset 1 [m] */
@@ -174,6 +65,103 @@ static const struct dhgen_joint joints[5] = {
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
+    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.21009837473856222, 0.23890988778694228,
+        0.09954578657789262, -0.9659258262890684, -0.04660356600545808, 0.8916238396514479,
+        0.37150993318810327, 0.2588190451025208, 7.478317479849794e-10 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.8403934989542489, 0.8291405477522721,
+        0.44220829213454516, -0.3420201433256687, 0.027230633165473302, 0.3017824794050018,
+        0.16095065568266761, 0.9396926207859084, 0.045015588243639895 },
+    { 0.28, -0.96, 0.0, 0.6302951242156866, 0.40571353127107146, 0.11833311328739586,
+        0.9063077870366499, 0.12528109336044682, -0.8700554755551839, -0.253766180370262,
+        0.42261826174069944, 0.03298739095516433 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.12605902484313733, 0.12574523210363928,
+        0.1197573639082279, -0.9848077530122081, -0.07712175856800875, 0.7131366487329783,
+        0.6791777606980747, 0.17364817766693044, 0.12748430444410336 },
+    { 0.29872248454147626, -0.8712739132459724, 0.3894183423086505, -0.0018597364116695418,
+        0.20485141903797224, 0.45707880306005993, 0.8655142193582449, -0.03486419238383276,
+        -0.9320948306623617, -0.17877565799132936, 0.31502141318054977, 0.09808752298987687 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.355943590540993 },
+    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.18202833920561123 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    16, /* solutions at most */
+    0.47596750867033544, 2.100983747385622, /* the length that is one in the loop, and its inverse
+        */
+    4.0000000039999986, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
+        }, /* cosines and sines of what is added to the angles in the loop */
+        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
+            } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[5] = { 0, 1, 2, 3, 4 };
+static const int turning[5] = { 1, 1, 1, 1, 1 };
+static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[5] = {
+    0.5649717514124294, 0.5649717514124294, 0.5649717514124294, 0.5649717514124294,
+    0.5649717514124294,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[5] = {
+    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[5] = {
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+};
+static const double least_u[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double most_u[5] = {
+    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+static const struct dhgen_numerical_arm descents = {
+    5, 16, /* joints; solutions that are kept */
+    5, 6, /* joints that are solved for; equations */
+    3, DHGEN_TOOL_AXIS, 0, /* coordinates, directions, arm angle */
+    0, 1, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.77, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, facing, zero, 0, 0,
+    general_5r_pointing_fk, general_5r_pointing_jacobian, 0,
+};
+
 
 void general_5r_pointing_fk(const double q[5], double T[16])
 {
@@ -270,7 +258,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][5];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -296,7 +285,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
-    general_5r_pointing_fk, general_5r_pointing_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_5r_pointing_fk, general_5r_pointing_jacobian, solve, NULL,
 };
 
 int general_5r_pointing_ik(

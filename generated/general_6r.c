@@ -11,22 +11,69 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef GENERAL_6R_LANES
 #define DHGEN_GENERAL_LANES GENERAL_6R_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    d1 = -0.035, /* joint offset 1 [m] */
+    a1 = 0.416, /* link length 1 [m] */
+    ca1 = 0.21607853588096199, /* cosine of twist 1 */
+    sa1 = 0.9763759861505914, /* sine of twist 1 */
+    d2 = -0.257, /* joint offset 2 [m] */
+    a2 = -0.339, /* link length 2 [m] */
+    ca2 = 0.9781157489708037, /* cosine of twist 2 */
+    sa2 = 0.20806148517994336, /* sine of twist 2 */
+    d3 = -0.272, /* joint offset 3 [m] */
+    a3 = 0.075, /* link length 3 [m] */
+    ca3 = 0.8053132584046545, /* cosine of twist 3 */
+    sa3 = 0.5928495220860671, /* sine of twist 3 */
+    d4 = 0.262, /* joint offset 4 [m] */
+    a4 = -0.28, /* link length 4 [m] */
+    ca4 = 0.45217616214091205, /* cosine of twist 4 */
+    sa4 = 0.8919286509533796, /* sine of twist 4 */
+    d5 = -0.167, /* joint offset 5 [m] */
+    a5 = -0.136, /* link length 5 [m] */
+    ca5 = 0.9895059058723947, /* cosine of twist 5 */
+    sa5 = 0.1444924297105264, /* sine of twist 5 */
+    d6 = -0.477, /* joint offset 6 [m] */
+    a6 = 0.175, /* link length 6 [m] */
+    ca6 = 0.13835111738308337, /* cosine of twist 6 */
+    sa6 = 0.9903832431533018, /* sine of twist 6 */
+    offset1 = 2.137, /* offset of joint 1 [rad] */
+    offset2 = -2.341, /* offset of joint 2 [rad] */
+    offset3 = -1.611, /* offset of joint 3 [rad] */
+    offset4 = 0.482, /* offset of joint 4 [rad] */
+    offset5 = 0.126, /* offset of joint 5 [rad] */
+    offset6 = 1.904, /* offset of joint 6 [rad] */
+    f1 = -0.05553218372140723, /* d2 * ca1 [m] */
+    f2 = 0.04495762109090063, /* sa2 * ca1 */
+    f3 = 0.2113498189597218; /* ca2 * ca1 */
+
+const char *const general_6r_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* The monomials of the left side of the formulation that has the joints 3, 2, 1, 0, 5, 4. */
-DHGEN_TABLE double general_6r_left_1[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_1[15][32] DHGEN_ALIGNED = {
     { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0.30950123543011937, -0.25901396578947855, -0.5131601426338478, 0.046225306226263425,
@@ -130,15 +177,15 @@ DHGEN_TABLE double general_6r_left_1[15][32] DHGEN_ALIGNED = {
 };
 
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_6r_formulations[2] = {
+DHGEN_TABLE dhgen_formulation formulations[2] = {
     { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
-    { { 3, 2, 1, 0, 5, 4 }, -1.0, general_6r_left_1 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, left_1 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double general_6r_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.625797711755665, 0.1994571100439649,
         0.08310712918498539, -0.9763759861505914, -0.05692061104264318, 0.9012701410620845,
         0.3755292254425352, 0.21607853588096199, -4.005433883479374e-11 },
@@ -159,28 +206,29 @@ DHGEN_TABLE double general_6r_constants[7][12] = {
         -0.990383243153302, 0.1383511173830834, 0.09531457306246946 },
 };
 
-DHGEN_TABLE dhgen_general_arm general_6r_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.6647515517960572, 1.5043214224895793, /* the length that is one in the loop, and its inverse
         */
     4.000000004, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, general_6r_formulations,
+    2, formulations,
     { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
             } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    general_6r_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
     0, 0, 0,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -204,80 +252,21 @@ static const double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = { 2.137, -2.341, -1.611, 0.482, 0.126, 1.904 };
 
-static const struct dhgen_numerical_arm general_6r_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 0, 0, /* families of solutions, limits, more entries than joints */
     48, 2.8909999999999996, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    0, 0, facing, zero,
-    0, 0,
+    0, 0, facing, zero, 0, 0,
     general_6r_fk, general_6r_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&general_6r_general, &general_6r_descents, T, 0, seed, q[0], found, chosen);
-}
-
-
-static const double
-    d1 = -0.035, /* joint offset 1 [m] */
-    a1 = 0.416, /* link length 1 [m] */
-    ca1 = 0.21607853588096199, /* cosine of twist 1 */
-    sa1 = 0.9763759861505914, /* sine of twist 1 */
-    d2 = -0.257, /* joint offset 2 [m] */
-    a2 = -0.339, /* link length 2 [m] */
-    ca2 = 0.9781157489708037, /* cosine of twist 2 */
-    sa2 = 0.20806148517994336, /* sine of twist 2 */
-    d3 = -0.272, /* joint offset 3 [m] */
-    a3 = 0.075, /* link length 3 [m] */
-    ca3 = 0.8053132584046545, /* cosine of twist 3 */
-    sa3 = 0.5928495220860671, /* sine of twist 3 */
-    d4 = 0.262, /* joint offset 4 [m] */
-    a4 = -0.28, /* link length 4 [m] */
-    ca4 = 0.45217616214091205, /* cosine of twist 4 */
-    sa4 = 0.8919286509533796, /* sine of twist 4 */
-    d5 = -0.167, /* joint offset 5 [m] */
-    a5 = -0.136, /* link length 5 [m] */
-    ca5 = 0.9895059058723947, /* cosine of twist 5 */
-    sa5 = 0.1444924297105264, /* sine of twist 5 */
-    d6 = -0.477, /* joint offset 6 [m] */
-    a6 = 0.175, /* link length 6 [m] */
-    ca6 = 0.13835111738308337, /* cosine of twist 6 */
-    sa6 = 0.9903832431533018, /* sine of twist 6 */
-    offset1 = 2.137, /* offset of joint 1 [rad] */
-    offset2 = -2.341, /* offset of joint 2 [rad] */
-    offset3 = -1.611, /* offset of joint 3 [rad] */
-    offset4 = 0.482, /* offset of joint 4 [rad] */
-    offset5 = 0.126, /* offset of joint 5 [rad] */
-    offset6 = 1.904, /* offset of joint 6 [rad] */
-    f1 = -0.05553218372140723, /* d2 * ca1 [m] */
-    f2 = 0.04495762109090063, /* sa2 * ca1 */
-    f3 = 0.2113498189597218; /* ca2 * ca1 */
-
-const char *const general_6r_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void general_6r_fk(const double q[6], double T[16])
 {
@@ -384,7 +373,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -412,7 +402,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    general_6r_fk, general_6r_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_6r_fk, general_6r_jacobian, solve, NULL,
 };
 
 int general_6r_ik(

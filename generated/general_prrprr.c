@@ -11,126 +11,16 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 8
-#define DHGEN_TRAITS 0x489u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x489u /* what the arm needs of it */
 #ifdef GENERAL_PRRPRR_LANES
 #define DHGEN_GENERAL_LANES GENERAL_PRRPRR_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_prrprr_formulations[2] = {
-    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
-    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double general_prrprr_constants[7][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.3468966650378003, 0.5737938168652287,
-        0.23908075702717863, -0.7833269096274834, -0.24071198299688865, 0.7230709935022924,
-        0.30127958062595517, 0.6216099682706644, 1.910172966735487e-10 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.6167051822894228, 0.2360283781981653,
-        0.12588180170568816, 0.963558185417193, 0.05060832613278151, -0.8501983988975231,
-        -0.453439146078679, 0.26749882862458735, 0.18855617369548777 },
-    { 0.5403023058681398, -0.8414709848078966, 0.0, 0.250536480305078, 0.7384602626041288,
-        0.4741598817790379, -0.479425538604203, 0.032924257305286767, 0.4034226801113349,
-        0.2590347239999257, 0.8775825618903728, 0.09920262232951157 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.4047127758774337, -0.021144481666450613,
-        -0.02013760158709582, -0.9995736030415052, 0.08898300940260505, 0.723829160823159,
-        0.6893611055458657, -0.02919952230128894, 0.07127376158977099 },
-    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.19272036946544463, 0.7234993663501919,
-        0.24805692560578008, 0.644217687237691, 0.10807014469215119, -0.6093951095491672,
-        -0.20893546613114305, 0.7648421872844885, -0.0910262268897436 },
-    { 0.955336489125606, 0.28962947762551555, 0.058710801693826524, -0.09553364891256061,
-        -0.29552020666133955, 0.9362933635841992, 0.18979606097868743, 0.029552020666133955, 0.0,
-        -0.19866933079506122, 0.9800665778412416, -0.09911628477331971 },
-    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.10295467142321668 },
-};
-
-DHGEN_TABLE dhgen_general_arm general_prrprr_general = {
-    DHGEN_TRAITS,
-    8, /* solutions at most */
-    0.5188865104263425, 1.9272036946544462, /* the length that is one in the loop, and its inverse
-        */
-    HUGE_VAL, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, general_prrprr_formulations,
-    { { 1.0, 0.38461538461538464, 0.47058823529411764, 1.0, 0.6896551724137931, 0.32432432432432434
-        }, /* cosines and sines of what is added to the angles in the loop */
-        { 0.0, 0.9230769230769231, 0.8823529411764706, 0.0, 0.7241379310344828, 0.9459459459459459 }
-            },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    general_prrprr_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 0, 1, 1, 0, 1, 1 };
-static const double unit[6] = { 1.75, 1.0, 1.0, 1.75, 1.0, 1.0 };
-static const double measure[6] = {
-    1.0, 0.5714285714285714, 0.5714285714285714, 1.0, 0.5714285714285714, 0.5714285714285714,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[6] = {
-    0.0, -3.141592653589793, -3.141592653589793, -0.2285714285714286, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[6] = {
-    0.6857142857142857, 6.283185307179586, 6.283185307179586, 0.4571428571428572, 6.283185307179586,
-    6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-static const double least_u[6] = {
-    0.0, -HUGE_VAL, -HUGE_VAL, -0.2285714285714286, -HUGE_VAL, -HUGE_VAL,
-};
-static const double most_u[6] = {
-    0.6857142857142857, HUGE_VAL, HUGE_VAL, 0.2285714285714286, HUGE_VAL, HUGE_VAL,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-static const struct dhgen_numerical_arm general_prrprr_descents = {
-    6, 8, /* joints; solutions that are kept */
-    6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 1, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.75, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
-    general_prrprr_fk, general_prrprr_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[8][6], int found[8],
-    int chosen[8])
-{
-    dhgen_general_rows(&general_prrprr_general, &general_prrprr_descents, T, 0, seed, q[0], found,
-        chosen);
-}
-
 
 static const double
     cat1 = 0.955336489125606, /* cosine of the angle of joint 1 */
@@ -197,6 +87,104 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
+    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.3468966650378003, 0.5737938168652287,
+        0.23908075702717863, -0.7833269096274834, -0.24071198299688865, 0.7230709935022924,
+        0.30127958062595517, 0.6216099682706644, 1.910172966735487e-10 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.6167051822894228, 0.2360283781981653,
+        0.12588180170568816, 0.963558185417193, 0.05060832613278151, -0.8501983988975231,
+        -0.453439146078679, 0.26749882862458735, 0.18855617369548777 },
+    { 0.5403023058681398, -0.8414709848078966, 0.0, 0.250536480305078, 0.7384602626041288,
+        0.4741598817790379, -0.479425538604203, 0.032924257305286767, 0.4034226801113349,
+        0.2590347239999257, 0.8775825618903728, 0.09920262232951157 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.4047127758774337, -0.021144481666450613,
+        -0.02013760158709582, -0.9995736030415052, 0.08898300940260505, 0.723829160823159,
+        0.6893611055458657, -0.02919952230128894, 0.07127376158977099 },
+    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.19272036946544463, 0.7234993663501919,
+        0.24805692560578008, 0.644217687237691, 0.10807014469215119, -0.6093951095491672,
+        -0.20893546613114305, 0.7648421872844885, -0.0910262268897436 },
+    { 0.955336489125606, 0.28962947762551555, 0.058710801693826524, -0.09553364891256061,
+        -0.29552020666133955, 0.9362933635841992, 0.18979606097868743, 0.029552020666133955, 0.0,
+        -0.19866933079506122, 0.9800665778412416, -0.09911628477331971 },
+    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.10295467142321668 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    8, /* solutions at most */
+    0.5188865104263425, 1.9272036946544462, /* the length that is one in the loop, and its inverse
+        */
+    HUGE_VAL, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 1.0, 0.38461538461538464, 0.47058823529411764, 1.0, 0.6896551724137931, 0.32432432432432434
+        }, /* cosines and sines of what is added to the angles in the loop */
+        { 0.0, 0.9230769230769231, 0.8823529411764706, 0.0, 0.7241379310344828, 0.9459459459459459 }
+            },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 0, 1, 1, 0, 1, 1 };
+static const double unit[6] = { 1.75, 1.0, 1.0, 1.75, 1.0, 1.0 };
+static const double measure[6] = {
+    1.0, 0.5714285714285714, 0.5714285714285714, 1.0, 0.5714285714285714, 0.5714285714285714,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    0.0, -3.141592653589793, -3.141592653589793, -0.2285714285714286, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[6] = {
+    0.6857142857142857, 6.283185307179586, 6.283185307179586, 0.4571428571428572, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double least_u[6] = {
+    0.0, -HUGE_VAL, -HUGE_VAL, -0.2285714285714286, -HUGE_VAL, -HUGE_VAL,
+};
+static const double most_u[6] = {
+    0.6857142857142857, HUGE_VAL, HUGE_VAL, 0.2285714285714286, HUGE_VAL, HUGE_VAL,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+static const struct dhgen_numerical_arm descents = {
+    6, 8, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 1, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.75, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, facing, zero, 0, 0,
+    general_prrprr_fk, general_prrprr_jacobian, 0,
+};
+
 
 void general_prrprr_fk(const double q[6], double T[16])
 {
@@ -288,7 +276,8 @@ static void solve(
     /* all joints: the general 4R2P loop */
     double solution_roots[8][6];
     int solution_found[8], solution_chosen[8];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 8; i1++) { /* root1 to root8 */
         const double q1 = solution_roots[i1][0];
@@ -316,7 +305,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    general_prrprr_fk, general_prrprr_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_prrprr_fk, general_prrprr_jacobian, solve, NULL,
 };
 
 int general_prrprr_ik(

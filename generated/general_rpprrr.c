@@ -11,123 +11,16 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 8
-#define DHGEN_TRAITS 0x486u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x486u /* what the arm needs of it */
 #ifdef GENERAL_RPPRRR_LANES
 #define DHGEN_GENERAL_LANES GENERAL_RPPRRR_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation general_rpprrr_formulations[2] = {
-    { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
-    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double general_rpprrr_constants[7][12] = {
-    { 0.9800665778412416, -0.19866933079506124, 0.0, 0.30725200439388645, 0.06139219947677201,
-        0.302857228171841, -0.9510565162951536, -0.018302540677770086, 0.1889457616406404,
-        0.9320987052590043, 0.3090169943749475, 1.5422069881142466e-09 },
-    { 0.8775825618903728, 0.479425538604203, 0.0, 0.0, -0.16397319142739547, 0.30015091359785295,
-        -0.9396926207859084, -0.10069829274999541, -0.45051264084267917, 0.8246578575387761,
-        0.3420201433256689, 0.01740675107216298 },
-    { 0.28, -0.96, 0.0, 0.3687024052726637, 0.735402665394219, 0.2144924440733139,
-        0.6427876096865394, 0.17431437873429476, -0.6170761052990777, -0.17998053071223105,
-        0.7660444431189781, 0.10057890222660615 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.6145040087877729, 0.3060339136742996,
-        0.29146087016599964, -0.9063077870366499, -0.06460811427924738, 0.6562918457851603,
-        0.6250398531287241, 0.42261826174069944, 0.18909503225749508 },
-    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.49160320703021826, 0.608042333487267,
-        0.2084716571956344, 0.766044443118978, -0.11619000069250957, -0.7246366353828171,
-        -0.24844684641696585, 0.6427876096865394, 0.13846985098478687 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.5019354973539834 },
-    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.16936510476171932 },
-};
-
-DHGEN_TABLE dhgen_general_arm general_rpprrr_general = {
-    DHGEN_TRAITS,
-    8, /* solutions at most */
-    0.32546573682169855, 3.072520043938864, /* the length that is one in the loop, and its inverse
-        */
-    HUGE_VAL, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, general_rpprrr_formulations,
-    { { 0.6, 1.0, 1.0, 0.28, 0.6896551724137931, 0.32432432432432434 }, /* cosines and sines of what
-        is added to the angles in the loop */
-        { 0.8, 0.0, 0.0, 0.96, 0.7241379310344828, 0.9459459459459459 } },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    general_rpprrr_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 0, 0, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.44, 1.44, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
-    0.6944444444444444, 1.0, 1.0, 0.6944444444444444, 0.6944444444444444, 0.6944444444444444,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[6] = {
-    -3.141592653589793, -0.5555555555555556, 0.0, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 1.1111111111111112, 0.625, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-static const double least_u[6] = {
-    -HUGE_VAL, -0.5555555555555556, 0.0, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-};
-static const double most_u[6] = {
-    HUGE_VAL, 0.5555555555555556, 0.625, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-static const struct dhgen_numerical_arm general_rpprrr_descents = {
-    6, 8, /* joints; solutions that are kept */
-    6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 1, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.44, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
-    general_rpprrr_fk, general_rpprrr_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[8][6], int found[8],
-    int chosen[8])
-{
-    dhgen_general_rows(&general_rpprrr_general, &general_rpprrr_descents, T, 0, seed, q[0], found,
-        chosen);
-}
-
 
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
@@ -179,6 +72,101 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
+    { { 5, 0, 1, 2, 3, 4 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.9800665778412416, -0.19866933079506124, 0.0, 0.30725200439388645, 0.06139219947677201,
+        0.302857228171841, -0.9510565162951536, -0.018302540677770086, 0.1889457616406404,
+        0.9320987052590043, 0.3090169943749475, 1.5422069881142466e-09 },
+    { 0.8775825618903728, 0.479425538604203, 0.0, 0.0, -0.16397319142739547, 0.30015091359785295,
+        -0.9396926207859084, -0.10069829274999541, -0.45051264084267917, 0.8246578575387761,
+        0.3420201433256689, 0.01740675107216298 },
+    { 0.28, -0.96, 0.0, 0.3687024052726637, 0.735402665394219, 0.2144924440733139,
+        0.6427876096865394, 0.17431437873429476, -0.6170761052990777, -0.17998053071223105,
+        0.7660444431189781, 0.10057890222660615 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.6145040087877729, 0.3060339136742996,
+        0.29146087016599964, -0.9063077870366499, -0.06460811427924738, 0.6562918457851603,
+        0.6250398531287241, 0.42261826174069944, 0.18909503225749508 },
+    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.49160320703021826, 0.608042333487267,
+        0.2084716571956344, 0.766044443118978, -0.11619000069250957, -0.7246366353828171,
+        -0.24844684641696585, 0.6427876096865394, 0.13846985098478687 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.5019354973539834 },
+    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.16936510476171932 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    8, /* solutions at most */
+    0.32546573682169855, 3.072520043938864, /* the length that is one in the loop, and its inverse
+        */
+    HUGE_VAL, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 0.6, 1.0, 1.0, 0.28, 0.6896551724137931, 0.32432432432432434 }, /* cosines and sines of what
+        is added to the angles in the loop */
+        { 0.8, 0.0, 0.0, 0.96, 0.7241379310344828, 0.9459459459459459 } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 0, 0, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.44, 1.44, 1.0, 1.0, 1.0 };
+static const double measure[6] = {
+    0.6944444444444444, 1.0, 1.0, 0.6944444444444444, 0.6944444444444444, 0.6944444444444444,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    -3.141592653589793, -0.5555555555555556, 0.0, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 1.1111111111111112, 0.625, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double least_u[6] = {
+    -HUGE_VAL, -0.5555555555555556, 0.0, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+};
+static const double most_u[6] = {
+    HUGE_VAL, 0.5555555555555556, 0.625, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+static const struct dhgen_numerical_arm descents = {
+    6, 8, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 1, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.44, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, facing, zero, 0, 0,
+    general_rpprrr_fk, general_rpprrr_jacobian, 0,
+};
+
 
 void general_rpprrr_fk(const double q[6], double T[16])
 {
@@ -264,7 +252,8 @@ static void solve(
     /* all joints: the general 4R2P loop */
     double solution_roots[8][6];
     int solution_found[8], solution_chosen[8];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 8; i1++) { /* root1 to root8 */
         const double q1 = solution_roots[i1][0];
@@ -292,7 +281,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    general_rpprrr_fk, general_rpprrr_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    general_rpprrr_fk, general_rpprrr_jacobian, solve, NULL,
 };
 
 int general_rpprrr_ik(

@@ -454,7 +454,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    igus_rebel_fk, igus_rebel_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    igus_rebel_fk, igus_rebel_jacobian, solve, solve_regular,
 };
 
 int igus_rebel_ik(

@@ -444,7 +444,8 @@ static const struct dhgen_arm arm = {
     choosable, 5, together, 4, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    katana_400_fk, katana_400_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    katana_400_fk, katana_400_jacobian, solve, solve_regular,
 };
 
 int katana_400_ik(

@@ -502,7 +502,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve, solve_regular,
 };
 
 int kawasaki_rs007n_ik(

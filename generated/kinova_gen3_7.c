@@ -11,136 +11,16 @@
 
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 7
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef KINOVA_GEN3_7_LANES
 #define DHGEN_GENERAL_LANES KINOVA_GEN3_7_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation kinova_gen3_7_formulations[4] = {
-    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
-    { { 0, 5, 4, 3, 2, 1 }, -1.0, 0 },
-    { { 4, 3, 2, 1, 0, 5 }, -1.0, 0 },
-    { { 1, 2, 3, 4, 5, 0 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double kinova_gen3_7_constants[8][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.01584673608061403,
-        0.9230769230769231, 0.38461538461538464, 0.0, -1.9205566660481306e-10 },
-    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.015846736084575715 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.0, 0.0, 0.0, -1.0, 0.017195394470453523,
-        0.8823529411764706, 0.47058823529411764, 0.0, -1.1349230083595947 },
-    { 0.28, -0.96, 0.0, 0.0, 0.0, 0.0, -1.0, 0.4239642514299426, 0.96, 0.28, 0.0,
-        -0.01719539447475237 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0004720304364438222,
-        0.7241379310344828, 0.6896551724137931, 0.0, -0.4239642515359337 },
-    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.9459459459459459,
-        0.32432432432432434, 0.0, -0.0004720304365618298 },
-    { 0.6, -0.8, 0.0, -0.0, -0.8, -0.6, 0.0, -0.0, 0.0, 0.0, -1.0, 0.2848099999287975 },
-    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, 0.10593 },
-};
-
-/* The joints whose values are given, and where they are in the links. */
-DHGEN_TABLE dhgen_given_joint kinova_gen3_7_given[1] = {
-    { 0, 1.0, 3.141592653589793 },
-};
-
-DHGEN_TABLE dhgen_given_motion kinova_gen3_7_motions[1] = {
-    { 0, 1.0 },
-};
-
-/* Their values at which formulations vanish. */
-DHGEN_TABLE dhgen_special_value kinova_gen3_7_special[2] = {
-    { 0, 1, 1.0, 1e-12, 0x3 },
-    { 0, 1, -1.0, 1e-12, 0x3 },
-};
-
-DHGEN_TABLE dhgen_general_arm kinova_gen3_7_general = {
-    DHGEN_TRAITS,
-    16, /* solutions at most */
-    0.3707388051002349, 2.6973167800161484, /* the length that is one in the loop, and its inverse
-        */
-    4.062224539232323, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    4, kinova_gen3_7_formulations,
-    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
-        }, /* cosines and sines of what is added to the angles in the loop */
-        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
-            } },
-    { { 0, 0, 0 }, { 1, 0, 1 }, { 3, 1, 0 }, { 4, 1, 0 }, { 5, 1, 0 }, { 6, 1, 0 }, { 7, 1, 0 } },
-        /* links */
-    kinova_gen3_7_constants,
-    kinova_gen3_7_motions,
-    1, 2,
-    kinova_gen3_7_given, kinova_gen3_7_special, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 3, 4, 5, 6 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
-    0.8690286866369458, 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
-    0.8690286866369458, 0.8690286866369458,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[6] = {
-    -3.141592653589793, -2.24, -2.57, -3.141592653589793, -2.09, -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 4.48, 5.14, 6.283185307179586, 4.18, 6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-static const double least_u[6] = { -HUGE_VAL, -2.24, -2.57, -HUGE_VAL, -2.09, -HUGE_VAL };
-static const double most_u[6] = { HUGE_VAL, 2.24, 2.57, HUGE_VAL, 2.09, HUGE_VAL };
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = {
-    0.0, 3.141592653589793, 3.141592653589793, 3.141592653589793, 3.141592653589793,
-    3.141592653589793,
-};
-static const int given_places[1] = { 2 };
-
-static const struct dhgen_numerical_arm kinova_gen3_7_descents = {
-    7, 16, /* joints; solutions that are kept */
-    6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 1, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.1507100000000001, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    1, given_places,
-    kinova_gen3_7_fk, kinova_gen3_7_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16], const double free_joints[1],
-    const double seed[7], double q[16][7], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&kinova_gen3_7_general, &kinova_gen3_7_descents, T, free_joints, seed, q[0],
-        found, chosen);
-}
-
 
 static const double
     d1 = 0.28481, /* joint offset 1 [m] */
@@ -172,6 +52,114 @@ static const struct dhgen_joint joints[7] = {
     { -2.09, 2.09, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[4] = {
+    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
+    { { 0, 5, 4, 3, 2, 1 }, -1.0, 0 },
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, 0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[8][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.01584673608061403,
+        0.9230769230769231, 0.38461538461538464, 0.0, -1.9205566660481306e-10 },
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.015846736084575715 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.0, 0.0, 0.0, -1.0, 0.017195394470453523,
+        0.8823529411764706, 0.47058823529411764, 0.0, -1.1349230083595947 },
+    { 0.28, -0.96, 0.0, 0.0, 0.0, 0.0, -1.0, 0.4239642514299426, 0.96, 0.28, 0.0,
+        -0.01719539447475237 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0004720304364438222,
+        0.7241379310344828, 0.6896551724137931, 0.0, -0.4239642515359337 },
+    { 0.32432432432432434, -0.9459459459459459, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.9459459459459459,
+        0.32432432432432434, 0.0, -0.0004720304365618298 },
+    { 0.6, -0.8, 0.0, -0.0, -0.8, -0.6, 0.0, -0.0, 0.0, 0.0, -1.0, 0.2848099999287975 },
+    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, 0.10593 },
+};
+
+/* The joints whose values are given, and where they are in the links. */
+DHGEN_TABLE dhgen_given_joint given[1] = {
+    { 0, 1.0, 3.141592653589793 },
+};
+
+DHGEN_TABLE dhgen_given_motion motions[1] = {
+    { 0, 1.0 },
+};
+
+/* Their values at which formulations vanish. */
+DHGEN_TABLE dhgen_special_value special[2] = {
+    { 0, 1, 1.0, 1e-12, 0x3 },
+    { 0, 1, -1.0, 1e-12, 0x3 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    16, /* solutions at most */
+    0.3707388051002349, 2.6973167800161484, /* the length that is one in the loop, and its inverse
+        */
+    4.062224539232323, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    4, formulations,
+    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
+        }, /* cosines and sines of what is added to the angles in the loop */
+        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
+            } },
+    { { 0, 0, 0 }, { 1, 0, 1 }, { 3, 1, 0 }, { 4, 1, 0 }, { 5, 1, 0 }, { 6, 1, 0 }, { 7, 1, 0 } },
+        /* links */
+    constants,
+    motions,
+    1, 2,
+    given, special, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[6] = { 0, 1, 3, 4, 5, 6 };
+static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[6] = {
+    0.8690286866369458, 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
+    0.8690286866369458, 0.8690286866369458,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    -3.141592653589793, -2.24, -2.57, -3.141592653589793, -2.09, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 4.48, 5.14, 6.283185307179586, 4.18, 6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double least_u[6] = { -HUGE_VAL, -2.24, -2.57, -HUGE_VAL, -2.09, -HUGE_VAL };
+static const double most_u[6] = { HUGE_VAL, 2.24, 2.57, HUGE_VAL, 2.09, HUGE_VAL };
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[6] = {
+    0.0, 3.141592653589793, 3.141592653589793, 3.141592653589793, 3.141592653589793,
+    3.141592653589793,
+};
+static const int given_places[1] = { 2 };
+
+static const struct dhgen_numerical_arm descents = {
+    7, 16, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 1, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.1507100000000001, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, facing, zero, 1, given_places,
+    kinova_gen3_7_fk, kinova_gen3_7_jacobian, 0,
+};
+
 
 void kinova_gen3_7_fk(const double q[7], double T[16])
 {
@@ -248,7 +236,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][7];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, free_joints, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, free_joints, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -278,7 +267,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve, NULL,
 };
 
 int kinova_gen3_7_ik(

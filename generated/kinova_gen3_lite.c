@@ -11,22 +11,48 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef KINOVA_GEN3_LITE_LANES
 #define DHGEN_GENERAL_LANES KINOVA_GEN3_LITE_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    d1 = 0.24325, /* joint offset 1 [m] */
+    d2 = 0.03, /* joint offset 2 [m] */
+    a2 = 0.28, /* link length 2 [m] */
+    d3 = 0.02, /* joint offset 3 [m] */
+    d4 = 0.245, /* joint offset 4 [m] */
+    d5 = 0.057, /* joint offset 5 [m] */
+    d6 = 0.105, /* joint offset 6 [m] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    offset6 = 1.5707963267948966; /* offset of joint 6 [rad] */
+
+const char *const kinova_gen3_lite_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -2.76, 2.76, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.76, 2.76, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.76, 2.76, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.67, 2.67, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.67, 2.67, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.67, 2.67, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* The monomials of the left side of the formulation that has the joints 4, 3, 2, 1, 0, 5. */
-DHGEN_TABLE double kinova_gen3_lite_left_0[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_0[15][32] DHGEN_ALIGNED = {
     { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { -0.2648648648648649, 0.0, -0.2648648648648649, 1.816216216216216, 0.0, 1.816216216216216,
@@ -115,7 +141,7 @@ DHGEN_TABLE double kinova_gen3_lite_left_0[15][32] DHGEN_ALIGNED = {
 };
 
 /* The monomials of the left side of the formulation that has the joints 1, 2, 3, 4, 5, 0. */
-DHGEN_TABLE double kinova_gen3_lite_left_1[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_1[15][32] DHGEN_ALIGNED = {
     { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.955656108597285, -0.5574660633484163,
@@ -206,15 +232,15 @@ DHGEN_TABLE double kinova_gen3_lite_left_1[15][32] DHGEN_ALIGNED = {
 };
 
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation kinova_gen3_lite_formulations[2] = {
-    { { 4, 3, 2, 1, 0, 5 }, -1.0, kinova_gen3_lite_left_0 },
-    { { 1, 2, 3, 4, 5, 0 }, 1.0, kinova_gen3_lite_left_1 },
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 4, 3, 2, 1, 0, 5 }, -1.0, left_0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0, left_1 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double kinova_gen3_lite_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, -0.01190114619875918,
         0.9230769230769231, 0.38461538461538464, 0.0, 8.684862539046195e-10 },
     { 0.47058823529411764, -0.8823529411764706, 0.0, 0.999696279029611, -0.8823529411764706,
@@ -229,28 +255,29 @@ DHGEN_TABLE double kinova_gen3_lite_constants[7][12] = {
     { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.105 },
 };
 
-DHGEN_TABLE dhgen_general_arm kinova_gen3_lite_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.28008506770855596, 3.5703438536771817, /* the length that is one in the loop, and its inverse
         */
     4.000000004, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, kinova_gen3_lite_formulations,
+    2, formulations,
     { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
             } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    kinova_gen3_lite_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
     0, 0, 0,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -270,63 +297,24 @@ static const double stride[6] = {
 };
 static const double least_u[6] = { -2.76, -2.76, -2.76, -2.67, -2.67, -2.67 };
 static const double most_u[6] = { 2.76, 2.76, 2.76, 2.67, 2.67, 2.67 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = {
     0.0, 1.5707963267948966, 1.5707963267948966, 1.5707963267948966, 3.141592653589793,
     1.5707963267948966,
 };
 
-static const struct dhgen_numerical_arm kinova_gen3_lite_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 1, 0, /* families of solutions, limits, more entries than joints */
     48, 0.9802500000000001, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, facing, zero,
-    0, 0,
+    least_u, most_u, facing, zero, 0, 0,
     kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&kinova_gen3_lite_general, &kinova_gen3_lite_descents, T, 0, seed, q[0],
-        found, chosen);
-}
-
-
-static const double
-    d1 = 0.24325, /* joint offset 1 [m] */
-    d2 = 0.03, /* joint offset 2 [m] */
-    a2 = 0.28, /* link length 2 [m] */
-    d3 = 0.02, /* joint offset 3 [m] */
-    d4 = 0.245, /* joint offset 4 [m] */
-    d5 = 0.057, /* joint offset 5 [m] */
-    d6 = 0.105, /* joint offset 6 [m] */
-    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
-    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
-    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
-    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
-    offset6 = 1.5707963267948966; /* offset of joint 6 [rad] */
-
-const char *const kinova_gen3_lite_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -2.76, 2.76, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.76, 2.76, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.76, 2.76, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.67, 2.67, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.67, 2.67, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.67, 2.67, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void kinova_gen3_lite_fk(const double q[6], double T[16])
 {
@@ -395,7 +383,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -423,7 +412,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, solve, NULL,
 };
 
 int kinova_gen3_lite_ik(

@@ -542,7 +542,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    kinova_j2s6s300_fk, kinova_j2s6s300_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    kinova_j2s6s300_fk, kinova_j2s6s300_jacobian, solve, solve_regular,
 };
 
 int kinova_j2s6s300_ik(

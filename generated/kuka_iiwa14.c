@@ -495,7 +495,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
-    kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve, solve_regular,
 };
 
 int kuka_iiwa14_ik(

@@ -610,7 +610,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve, solve_regular,
 };
 
 int kuka_iiwa14_arm_angle_ik(

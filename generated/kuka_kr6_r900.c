@@ -454,7 +454,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    kuka_kr6_r900_fk, kuka_kr6_r900_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    kuka_kr6_r900_fk, kuka_kr6_r900_jacobian, solve, solve_regular,
 };
 
 int kuka_kr6_r900_ik(

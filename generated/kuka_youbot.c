@@ -462,7 +462,8 @@ static const struct dhgen_arm arm = {
     choosable, 5, together, 4, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    kuka_youbot_fk, kuka_youbot_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    kuka_youbot_fk, kuka_youbot_jacobian, solve, solve_regular,
 };
 
 int kuka_youbot_ik(

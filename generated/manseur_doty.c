@@ -11,22 +11,42 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef MANSEUR_DOTY_LANES
 #define DHGEN_GENERAL_LANES MANSEUR_DOTY_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    a1 = 0.3, /* link length 1 [m] */
+    a2 = 1.0, /* link length 2 [m] */
+    ca2 = 0.9998476951563913, /* cosine of twist 2 */
+    sa2 = 0.01745240643728351, /* sine of twist 2 */
+    d3 = 0.2, /* joint offset 3 [m] */
+    a4 = 1.5; /* link length 4 [m] */
+
+const char *const manseur_doty_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const struct dhgen_joint joints[6] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* The monomials of the left side of the formulation that has the joints 2, 3, 4, 5, 0, 1. */
-DHGEN_TABLE double manseur_doty_left_0[15][32] DHGEN_ALIGNED = {
+DHGEN_TABLE double left_0[15][32] DHGEN_ALIGNED = {
     { 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.4175503608665452, 0.49473811076092117,
@@ -122,15 +142,15 @@ DHGEN_TABLE double manseur_doty_left_0[15][32] DHGEN_ALIGNED = {
 };
 
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation manseur_doty_formulations[2] = {
-    { { 2, 3, 4, 5, 0, 1 }, 1.0, manseur_doty_left_0 },
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 2, 3, 4, 5, 0, 1 }, 1.0, left_0 },
     { { 5, 4, 3, 2, 1, 0 }, -1.0, 0 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
  * four; of those with joints inside whose values are given, what is before, between and behind
  * these. */
-DHGEN_TABLE double manseur_doty_constants[7][12] = {
+DHGEN_TABLE double constants[7][12] = {
     { 0.38461538461538464, -0.9230769230769231, 0.0, 0.20860741921300402, 0.0, 0.0, -1.0,
         -0.046345438382874284, 0.9230769230769231, 0.38461538461538464, 0.0, 0.0 },
     { 0.47058823529411764, -0.8823529411764706, 0.0, 0.6953580640433468, 0.882218554549757,
@@ -147,27 +167,28 @@ DHGEN_TABLE double manseur_doty_constants[7][12] = {
         -0.01745240643728351, 0.9998476951563913, -0.0 },
 };
 
-DHGEN_TABLE dhgen_general_arm manseur_doty_general = {
+DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     1.438108007528137, 0.6953580640433468, /* the length that is one in the loop, and its inverse */
     4.000000004, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, manseur_doty_formulations,
+    2, formulations,
     { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
             } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
         /* links */
-    manseur_doty_constants,
+    constants,
     0, /* no joint's value is given */
     0, 0,
     0, 0, 0,
 };
 
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -191,54 +212,21 @@ static const double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-/* How the loop counts the joints: from where, and which way. */
+/* How the loop counts the joints: which way, and from where. */
 static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm manseur_doty_descents = {
+static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 0, 0, /* families of solutions, limits, more entries than joints */
     48, 3.0, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    0, 0, facing, zero,
-    0, 0,
+    0, 0, facing, zero, 0, 0,
     manseur_doty_fk, manseur_doty_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&manseur_doty_general, &manseur_doty_descents, T, 0, seed, q[0], found,
-        chosen);
-}
-
-
-static const double
-    a1 = 0.3, /* link length 1 [m] */
-    a2 = 1.0, /* link length 2 [m] */
-    ca2 = 0.9998476951563913, /* cosine of twist 2 */
-    sa2 = 0.01745240643728351, /* sine of twist 2 */
-    d3 = 0.2, /* joint offset 3 [m] */
-    a4 = 1.5; /* link length 4 [m] */
-
-const char *const manseur_doty_branches[16] = {
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
-};
-
-static const struct dhgen_joint joints[6] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void manseur_doty_fk(const double q[6], double T[16])
 {
@@ -312,7 +300,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -340,7 +329,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    manseur_doty_fk, manseur_doty_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    manseur_doty_fk, manseur_doty_jacobian, solve, NULL,
 };
 
 int manseur_doty_ik(

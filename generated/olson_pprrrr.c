@@ -343,7 +343,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    olson_pprrrr_fk, olson_pprrrr_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    olson_pprrrr_fk, olson_pprrrr_jacobian, solve, solve_regular,
 };
 
 int olson_pprrrr_ik(

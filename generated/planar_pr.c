@@ -178,7 +178,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    planar_pr_fk, planar_pr_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    planar_pr_fk, planar_pr_jacobian, solve, solve_regular,
 };
 
 int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])

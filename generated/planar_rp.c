@@ -181,7 +181,8 @@ static const struct dhgen_arm arm = {
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
-    planar_rp_fk, planar_rp_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    planar_rp_fk, planar_rp_jacobian, solve, solve_regular,
 };
 
 int planar_rp_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])

@@ -299,7 +299,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, together, 3, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    planar_rrr_fk, planar_rrr_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    planar_rrr_fk, planar_rrr_jacobian, solve, solve_regular,
 };
 
 int planar_rrr_ik(

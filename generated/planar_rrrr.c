@@ -12,17 +12,29 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
-#define DHGEN_DOF 4
-#define DHGEN_ROWS 1
 #include "dhgen/numerical.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+static const double
+    a = 0.25; /* link length 1 [m] */
+
+const char *const planar_rrrr_branches[1] = {
+    "nearest",
+};
+
+static const struct dhgen_joint joints[4] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
+ * lengths, and over the arm's size. */
 static const int solved[4] = { 0, 1, 2, 3 };
 static const int turning[4] = { 1, 1, 1, 1 };
 static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
@@ -47,41 +59,17 @@ static const double most_u[4] = {
     2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
 };
 
-static const struct dhgen_numerical_arm planar_rrrr_descents = {
+static const struct dhgen_numerical_arm descents = {
     4, 1, /* joints; solutions that are kept */
     4, 2, /* joints that are solved for; equations */
     2, DHGEN_NO_DIRECTION, 0, /* coordinates, directions, arm angle */
     1, 1, 0, /* families of solutions, limits, more entries than joints */
     24, 1.0, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    least_u, most_u, 0, 0,
-    0, 0,
+    least_u, most_u, 0, 0, 0, 0,
     planar_rrrr_fk, planar_rrrr_jacobian, 0,
 };
 
-static void all_joints(
-    const double T[16],
-    const double seed[4], double q[1][4], int found[1],
-    int chosen[1])
-{
-    dhgen_numerical_rows(&planar_rrrr_descents, T, 0, seed, q[0], found, chosen);
-}
-
-
-static const double
-    a = 0.25; /* link length 1 [m] */
-
-const char *const planar_rrrr_branches[1] = {
-    "nearest",
-};
-
-static const struct dhgen_joint joints[4] = {
-    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
-    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-    { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
-};
 
 void planar_rrrr_fk(const double q[4], double T[16])
 {
@@ -127,7 +115,8 @@ static void solve(
     /* all joints: damped least squares */
     double solution_roots[1][4];
     int solution_found[1], solution_chosen[1];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_numerical_rows(&descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 1; i1++) { /* nearest */
         const double q1 = solution_roots[i1][0];
@@ -152,7 +141,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    planar_rrrr_fk, planar_rrrr_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    planar_rrrr_fk, planar_rrrr_jacobian, solve, NULL,
 };
 
 int planar_rrrr_ik(

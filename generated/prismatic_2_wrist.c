@@ -453,7 +453,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    prismatic_2_wrist_fk, prismatic_2_wrist_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    prismatic_2_wrist_fk, prismatic_2_wrist_jacobian, solve, solve_regular,
 };
 
 int prismatic_2_wrist_ik(

@@ -431,7 +431,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    puma_fk, puma_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    puma_fk, puma_jacobian, solve, solve_regular,
 };
 
 int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

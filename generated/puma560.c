@@ -449,7 +449,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    puma560_fk, puma560_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    puma560_fk, puma560_jacobian, solve, solve_regular,
 };
 
 int puma560_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

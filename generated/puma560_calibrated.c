@@ -11,124 +11,16 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x0u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x0u /* what the arm needs of it */
 #ifdef PUMA560_CALIBRATED_LANES
 #define DHGEN_GENERAL_LANES PUMA560_CALIBRATED_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation puma560_calibrated_formulations[2] = {
-    { { 5, 4, 3, 2, 1, 0 }, -1.0, 0 },
-    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double puma560_calibrated_constants[7][12] = {
-    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.005748047346394125, 0.0014848100854468322,
-        0.00061867086893618, -0.9999987062918463, -0.10776509798954229, 0.9230757288847813,
-        0.38461488703532554, 0.001608544259234068, 1.4537379415938628e-09 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.934264777131646, 0.8823524395054374,
-        0.4705879677362333, -0.001066358610003491, -0.0002301637995154427, 0.0009409046558854332,
-        0.000501815816472231, 0.9999994314394958, 0.10776495868305999 },
-    { 0.28, -0.96, 0.0, 0.04371101205844448, 0.001671622038492569, 0.00048755642789366597,
-        0.9999984839830959, 0.4683915670885376, -0.959998544623772, -0.2799995755152669,
-        0.0017412729567630927, 0.10776514306515093 },
-    { 0.6896551724137931, -0.7241379310344828, 0.0, -0.004034857607497308, 0.000897125234272034,
-        0.0008544049850209848, -0.9999992325789233, 0.000970397312505304, 0.724137375315772,
-        0.6896546431578782, 0.001238887228280428, 0.46857850599669737 },
-    { 0.32432432432432434, -0.9459459459459459, 0.0, -0.00013641222461592016, 0.0006913626049595618,
-        0.0002370386074147069, 0.9999997329151878, 2.8495176635072937e-07, -0.9459456932981507,
-        -0.32432423770222313, 0.0007308690395286796, -0.0003898806422463197 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6713392129385739 },
-    { 1.0, 0.0, 0.0, 9.3840846e-05, 0.0, 0.9999988042061223, -0.0015464754525777457,
-        -1.8577765638974755e-06, 0.0, 0.0015464754525777457, 0.9999988042061223,
-        0.0012012957200730212 },
-};
-
-DHGEN_TABLE dhgen_general_arm puma560_calibrated_general = {
-    DHGEN_TRAITS,
-    16, /* solutions at most */
-    0.46180216162714816, 2.1654294481353777, /* the length that is one in the loop, and its inverse
-        */
-    4.0000000039999986, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, puma560_calibrated_formulations,
-    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
-        }, /* cosines and sines of what is added to the angles in the loop */
-        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
-            } },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    puma560_calibrated_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, 0,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
-    0.5843514598369508, 0.5843514598369508, 0.5843514598369508, 0.5843514598369508,
-    0.5843514598369508, 0.5843514598369508,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[6] = {
-    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793, -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = {
-    0.0004277699642, 0.0006617156617, -0.0018179220006, 8.90468712e-05, 0.0009695294734,
-    -0.0022050175347,
-};
-
-static const struct dhgen_numerical_arm puma560_calibrated_descents = {
-    6, 16, /* joints; solutions that are kept */
-    6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 0, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.7112988821471, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    0, 0, facing, zero,
-    0, 0,
-    puma560_calibrated_fk, puma560_calibrated_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&puma560_calibrated_general, &puma560_calibrated_descents, T, 0, seed, q[0],
-        found, chosen);
-}
-
 
 static const double
     d1 = 0.6712591624431, /* joint offset 1 [m] */
@@ -179,6 +71,102 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 5, 4, 3, 2, 1, 0 }, -1.0, 0 },
+    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.005748047346394125, 0.0014848100854468322,
+        0.00061867086893618, -0.9999987062918463, -0.10776509798954229, 0.9230757288847813,
+        0.38461488703532554, 0.001608544259234068, 1.4537379415938628e-09 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.934264777131646, 0.8823524395054374,
+        0.4705879677362333, -0.001066358610003491, -0.0002301637995154427, 0.0009409046558854332,
+        0.000501815816472231, 0.9999994314394958, 0.10776495868305999 },
+    { 0.28, -0.96, 0.0, 0.04371101205844448, 0.001671622038492569, 0.00048755642789366597,
+        0.9999984839830959, 0.4683915670885376, -0.959998544623772, -0.2799995755152669,
+        0.0017412729567630927, 0.10776514306515093 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, -0.004034857607497308, 0.000897125234272034,
+        0.0008544049850209848, -0.9999992325789233, 0.000970397312505304, 0.724137375315772,
+        0.6896546431578782, 0.001238887228280428, 0.46857850599669737 },
+    { 0.32432432432432434, -0.9459459459459459, 0.0, -0.00013641222461592016, 0.0006913626049595618,
+        0.0002370386074147069, 0.9999997329151878, 2.8495176635072937e-07, -0.9459456932981507,
+        -0.32432423770222313, 0.0007308690395286796, -0.0003898806422463197 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6713392129385739 },
+    { 1.0, 0.0, 0.0, 9.3840846e-05, 0.0, 0.9999988042061223, -0.0015464754525777457,
+        -1.8577765638974755e-06, 0.0, 0.0015464754525777457, 0.9999988042061223,
+        0.0012012957200730212 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    16, /* solutions at most */
+    0.46180216162714816, 2.1654294481353777, /* the length that is one in the loop, and its inverse
+        */
+    4.0000000039999986, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
+        }, /* cosines and sines of what is added to the angles in the loop */
+        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
+            } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, 0,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[6] = {
+    0.5843514598369508, 0.5843514598369508, 0.5843514598369508, 0.5843514598369508,
+    0.5843514598369508, 0.5843514598369508,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double zero[6] = {
+    0.0004277699642, 0.0006617156617, -0.0018179220006, 8.90468712e-05, 0.0009695294734,
+    -0.0022050175347,
+};
+
+static const struct dhgen_numerical_arm descents = {
+    6, 16, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 0, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.7112988821471, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    0, 0, facing, zero, 0, 0,
+    puma560_calibrated_fk, puma560_calibrated_jacobian, 0,
+};
+
 
 void puma560_calibrated_fk(const double q[6], double T[16])
 {
@@ -285,7 +273,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -313,7 +302,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    puma560_calibrated_fk, puma560_calibrated_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    puma560_calibrated_fk, puma560_calibrated_jacobian, solve, NULL,
 };
 
 int puma560_calibrated_ik(

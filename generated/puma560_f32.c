@@ -106,7 +106,7 @@ DHGEN_INLINE float dhgen_wrap(float angle)
 /* Sizes of arrays, and bounds of loops: constants where a robot's file brings the runtime along,
  * else the most that the compiled runtime takes, and the arm's own. */
 #define DHGEN_MOST_JOINTS 16
-#define DHGEN_MOST_ROWS 64
+#define DHGEN_MOST_ROWS 16
 #if defined(DHGEN_DOF) && !defined(DHGEN_SHARED)
 #define DHGEN_JOINTS DHGEN_DOF
 #define DHGEN_BRANCHES DHGEN_ROWS
@@ -119,7 +119,7 @@ DHGEN_INLINE float dhgen_wrap(float angle)
 #define dhgen_rows(arm) ((arm)->rows)
 #endif
 #ifdef DHGEN_DOF
-#if DHGEN_DOF > DHGEN_MOST_JOINTS || DHGEN_ROWS > DHGEN_MOST_ROWS
+#if DHGEN_DOF > DHGEN_MOST_JOINTS || (defined(DHGEN_SHARED) && DHGEN_ROWS > DHGEN_MOST_ROWS)
 #error "dhgen: more joints or rows than the runtime has room for"
 #endif
 #endif
@@ -139,6 +139,24 @@ enum {
     DHGEN_POINTING,    /* the tool's z axis */
     DHGEN_ROTATION,    /* the rotation */
     DHGEN_POSE         /* the rotation and the last row */
+};
+
+struct dhgen_numerical_arm;
+
+/* A joint whose value is a part of a root, and its sign there. */
+struct dhgen_root_turn {
+    int joint;
+    float sign;
+};
+
+/* What an arm needs whose rows may miss their pose, or whose roots may nearly meet. */
+struct dhgen_completion {
+    const struct dhgen_numerical_arm *descents; /* the arm as least squares read it */
+    const struct dhgen_root_turn *turns;        /* joints whose values add up to a root of a */
+    int turn_count;                             /* polynomial; none where there is no such root */
+    int adds_others; /* a joint may have one of a few values: all of them are rows */
+    int ascends;     /* rows are the roots of a polynomial, in their order */
+    float (*arm_angle)(const float *q); /* where the caller gives it, or NULL */
 };
 
 struct dhgen_arm {
@@ -169,17 +187,20 @@ struct dhgen_arm {
     int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
     int follows_seed;              /* where rounding can't tell solutions apart */
 
-    /* The robot's own functions. `regular` solves regular poses: how many rows are OK, or -1 where
-     * the pose needs care. `solve` fills the rows of branches that have a solution, roots of
-     * polynomials being moved by an angle. `complete` works on all of them, where roots of
-     * polynomials nearly meet or rows miss the pose; `begun` is the first row that was not simply
-     * out of reach, or negative. The last two may be NULL. */
+    /* For `complete`, which works on all rows where roots of polynomials nearly meet or rows miss
+     * the pose: dhgen_complete_rows, or both are NULL. `begun` is the first row that was not simply
+     * out of reach, or negative. */
+    const struct dhgen_completion *completion;
+    void (*complete)(const struct dhgen_arm *arm, const float *T, const float *free_joints,
+        const float *seed, int begun, float *q, unsigned char *status);
+
+    /* The robot's own functions. `regular` solves regular poses, how many rows are OK, or -1 where
+     * the pose needs care; it may be NULL. `solve` fills the rows of branches that have a solution,
+     * roots of polynomials being moved by an angle. */
     void (*fk)(const float *q, float *T);
     void (*jacobian)(const float *q, float *J);
     void (*solve)(const float *T, const float *free_joints, const float *seed, float moved,
         float *q, unsigned char *status);
-    void (*complete)(const struct dhgen_arm *arm, const float *T, const float *free_joints,
-        const float *seed, int begun, float *q, unsigned char *status);
     int (*regular)(const float *T, const float *free_joints, float *q, unsigned char *status);
 };
 
@@ -188,6 +209,14 @@ DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const float *from, flo
 {
     for (int i = 0; i < dhgen_dof(arm); i++)
         to[i] = from[i];
+}
+
+/* Empties a row: it has no solution. */
+DHGEN_FN void dhgen_empty_row(const struct dhgen_arm *arm, float *q, unsigned char *status)
+{
+    *status = DHGEN_UNREACHABLE;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        q[i] = DHGEN_NAN;
 }
 
 /* Whether joint values move a joint in refining: whether none of the caller's. */
@@ -252,6 +281,10 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 /* What the runtime takes for rounding. dhgen/tolerances.py has the same numbers, which the
  * compiler decides by, and the reasons at length. Lengths are relative to the size of the arm; a
  * pose is rounded to a few 1e-16 of it, in single precision to a few 1e-8. */
+
+/* Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
+ * whole way. */
+#define DHGEN_BESIDE_SEED 0.15f
 
 #ifndef DHGEN_SINGLE_PRECISION
 
@@ -381,10 +414,6 @@ DHGEN_FN float dhgen_turned(const struct dhgen_arm *arm, int joint, float given,
     value += DHGEN_TURN * ceilf(fmaxf(low - value, 0.0f) / DHGEN_TURN);
     return value <= high ? value : given;
 }
-
-/* Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
- * whole way. */
-#define DHGEN_BESIDE_SEED 0.15f
 
 /* A joint value turned inside its limits, or next to the end that it and the seed are at. */
 DHGEN_FN float dhgen_at_an_end(const struct dhgen_arm *arm, int joint, float value, float seed)
@@ -668,10 +697,8 @@ DHGEN_FN void dhgen_remove_duplicates(
         for (int k = 0; k <= row; k++) {
             if (k > 0)
                 ends = dhgen_are_duplicates(arm, T, q + dof * (k - 1), values);
-            for (int i = 0; i < dof && ends; i++) {
-                status[row] = DHGEN_UNREACHABLE;
-                values[i] = DHGEN_NAN;
-            }
+            if (ends)
+                dhgen_empty_row(arm, values, status + row);
         }
     }
 }
@@ -1982,7 +2009,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    puma560_f32_fk, puma560_f32_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    puma560_f32_fk, puma560_f32_jacobian, solve, solve_regular,
 };
 
 int puma560_f32_ik(

@@ -268,7 +268,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    puma_arm_fk, puma_arm_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    puma_arm_fk, puma_arm_jacobian, solve, solve_regular,
 };
 
 int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])

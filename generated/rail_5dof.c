@@ -18,275 +18,11 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 2
 #include "dhgen/closed.h"
-#include "dhgen/refine.h"
-#include "dhgen/retry.h"
+#include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };
-
-static void take(const double from[5], double to[5])
-{
-    for (int i = 0; i < 5; i++)
-        to[i] = from[i];
-}
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 0, 1, 1, 1, 1 };
-static const double unit[5] = { 6.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = {
-    1.0, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[5], seed[5]; /* all joint values; the seed in units */
-    double e[6], length; /* the miss [arm sizes, rad], and its length */
-    double A[6][5]; /* how u moves the tool */
-};
-
-/* The rotation vector of an axis times the sine, and the cosine. */
-static void turn_vector(const double axis[3], double cosine, double vector[3])
-{
-    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
-    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
-    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
-    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
-    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
-}
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[5])
-{
-    double P[16], J[30], square = 0.0;
-    for (int j = 0; j < 5; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    rail_5dof_fk(d->q, P);
-    rail_5dof_jacobian(d->q, J);
-    for (int i = 0; i < 3; i++) {
-        const int row = coordinate[i];
-        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 6.0;
-        for (int j = 0; j < 5; j++)
-            d->A[i][j] = measure[j] * J[5 * row + solved[j]];
-    }
-    double R[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
-                + d->T[4 * i + 2] * P[4 * j + 2];
-    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
-        0.5 * (R[1][0] - R[0][1]) };
-    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 5; j++)
-            d->A[3 + i][j] = J[5 * (3 + i) + solved[j]];
-    for (int i = 0; i < 6; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* What is added from start to start, in parts of the range: a direction that is like no other. */
-static const double stride[5] = {
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-};
-
-static void copy(const double from[5], double to[5])
-{
-    for (int j = 0; j < 5; j++)
-        to[j] = from[j];
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Makes a step no longer than it may be. */
-static void shorten(double step[5])
-{
-    double longest = 2.0;
-    for (int j = 0; j < 5; j++)
-        longest = fmax(longest, fabs(step[j]));
-    for (int j = 0; j < 5; j++)
-        step[j] *= 2.0 / longest;
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the damping's root behind it, are made orthonormal one after another
- * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
- * A A' would lose half of the digits. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double little,
-    double step[5])
-{
-    const double damping = 0.1 * fmin(length * length, 1.0) + little;
-    double rows[6][11], y[6], sum[11] = { 0.0 };
-    for (int i = 0; i < 6; i++) {
-        double square = 0.0;
-        for (int j = 0; j < 11; j++)
-            rows[i][j] = j < 5 ? d->A[i][j] : j == 5 + i ? sqrt(damping) : 0.0;
-        y[i] = e[i];
-        for (int k = 0; k < i; k++) {
-            double along = 0.0;
-            for (int j = 0; j < 11; j++)
-                along += rows[k][j] * rows[i][j];
-            for (int j = 0; j < 11; j++)
-                rows[i][j] -= along * rows[k][j];
-            y[i] -= along * y[k];
-        }
-        for (int j = 0; j < 11; j++)
-            square += rows[i][j] * rows[i][j];
-        const double inverse = 1.0 / sqrt(square);
-        y[i] *= inverse;
-        for (int j = 0; j < 11; j++)
-            rows[i][j] *= inverse;
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        double missing = y[i];
-        for (int j = 0; j < 11; j++)
-            missing -= rows[i][j] * sum[j];
-        for (int j = 0; j < 11; j++)
-            sum[j] += missing * rows[i][j];
-    }
-    for (int j = 0; j < 5; j++)
-        step[j] = sum[j];
-}
-
-/* Takes a row as far as steps help, and tells how long another one would be; returns by how much
- * the row misses the pose then. Beside a singular place a step that is right may be long, and what
- * it leaves, half of its square, far more than was missed. */
-static double descended(struct descent *d, int steps, double exact, double q[5], double *ahead)
-{
-    double u[5], best[5], step[5], least = HUGE_VAL;
-    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    for (int i = 0; i < 5; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 5; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    *ahead = HUGE_VAL;
-    for (int k = 0; k <= steps; k++) {
-        look(d, u);
-        damped_step(d, d->e, d->length, 1e-26, step);
-        const int slow = !(d->length <= fmax(0.5 * last, left));
-        if (d->length < least) {
-            least = d->length;
-            *ahead = 0.0;
-            copy(u, best);
-            for (int j = 0; j < 5; j++)
-                *ahead = fmax(*ahead, fabs(step[j]));
-        }
-        if (slow || (least <= 0.001 * exact && *ahead <= 0.0001))
-            break;
-        shorten(step);
-        double way = 0.0;
-        for (int j = 0; j < 5; j++) {
-            u[j] += step[j];
-            way += fabs(step[j]);
-        }
-        last = d->length;
-        left = 0.5 * way * way;
-    }
-    wrap_angles(best);
-    for (int j = 0; j < 5; j++)
-        q[solved[j]] = unit[j] * best[j];
-    return least;
-}
-
-/* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
- * much it misses the pose then, `first` being what it misses before. */
-static double tightened(struct descent *d, double exact, double first, double q[5], int *moved)
-{
-    double end[5];
-    if (first <= exact)
-        return first;
-    for (int i = 0; i < 5; i++)
-        end[i] = q[i];
-    double ahead;
-    const double least = descended(d, 72, exact, end, &ahead);
-    if (least > exact) /* the pose is rounded, or this is no solution */
-        return first;
-    for (int i = 0; i < 5; i++) {
-        *moved = *moved || q[i] < end[i] || q[i] > end[i];
-        q[i] = end[i];
-    }
-    return least;
-}
-
-/* By how much the joint values of two rows differ at most. */
-static double gap_between(const double q[5], const double other[5])
-{
-    double gap[5], widest = 0.0;
-    for (int j = 0; j < 5; j++)
-        gap[j] = (q[solved[j]] - other[solved[j]]) / unit[j];
-    wrap_angles(gap);
-    for (int j = 0; j < 5; j++)
-        widest = fmax(widest, fabs(gap[j]));
-    return widest;
-}
-
-/* Whether a row that was moved came to lie on one that missed by less at first. */
-static int repeats(double q[2][5], const double first[2], int row)
-{
-    for (int k = 0; k < 2; k++)
-        if ((first[k] < first[row] || (k < row && first[k] <= first[row])) && !isnan(q[k][0])
-                && gap_between(q[k], q[row]) < 1e-06)
-            return 1;
-    return 0;
-}
-
-/* What an exact row may miss: far away rounding is more. */
-static double exactness(const double T[16])
-{
-    double distance = 1.0; /* arm sizes */
-    for (int i = 0; i < 3; i++)
-        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 6.0);
-    return 1e-12 * distance;
-}
-
-/* Tightens the rows; ends those that do not fit, and all but one of those that have become the
- * same. Where one is exact the pose has not been rounded: then all have to be exact. */
-static void tighten(
-    const struct dhgen_arm *arm, const double T[16], double q[2][5], unsigned char status[2])
-{
-    struct descent d = { .T = T };
-    const double exact = exactness(T);
-    int moved[2] = { 0 };
-    double first[2], miss[2];
-    for (int row = 0; row < 2; row++) {
-        first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == NONE)
-            continue;
-        first[row] = dhgen_missed_by(arm, T, q[row]);
-        miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
-    }
-    double least = HUGE_VAL;
-    for (int row = 0; row < 2; row++)
-        least = fmin(least, miss[row]);
-    const double enough = least <= exact ? exact : 1e-05;
-    for (int row = 0; row < 2; row++)
-        if (miss[row] > enough)
-            q[row][0] = DHGEN_NAN;
-    for (int row = 0; row < 2; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
-            continue;
-        status[row] = NONE;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = DHGEN_NAN;
-    }
-}
-
 
 static const double
     a1 = 2.0, /* link length 2 [m] */
@@ -321,6 +57,44 @@ static const struct dhgen_joint joints[5] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[5] = { 0, 1, 2, 3, 4 };
+static const int turning[5] = { 0, 1, 1, 1, 1 };
+static const double unit[5] = { 6.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[5] = {
+    1.0, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[5] = {
+    -1.0, -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[5] = {
+    2.0, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[5] = {
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+};
+
+static const struct dhgen_numerical_arm descents = {
+    5, 2, /* joints; solutions that are kept */
+    5, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 0, 1, /* families of solutions, limits, more entries than joints */
+    48, 6.0, 1e-05, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    0, 0, 0, 0, 0, 0,
+    rail_5dof_fk, rail_5dof_jacobian, 0,
+};
+
+static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
+    ascends */ 0 };
+
 
 void rail_5dof_fk(const double q[5], double T[16])
 {
@@ -435,123 +209,6 @@ static void solve(
         q[row][0] = wz; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         status[row] = (free2 || free3 || free4 || free5) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
-}
-
-/* Between which values starts lie. */
-static const double span_low[5] = {
-    -1.0, -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-};
-static const double span_width[5] = {
-    2.0, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-};
-
-/* Start number k; number 0 is the seed. */
-static void start_of(const struct descent *d, int k, double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
- * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right may be long, and what it leaves, half of its square, far more than was missed. */
-static double descend(struct descent *d, double u[5])
-{
-    double least = HUGE_VAL, little = 1e-13, best[5], step[5];
-    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 0; k <= 40; k++) {
-        look(d, u);
-        const int slow = d->length >= fmax(0.5 * last, left);
-        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
-        if (slow && least <= 1e-06)
-            little = 1e-26;
-        if (d->length < least) {
-            least = d->length;
-            copy(u, best);
-        }
-        if (stalled)
-            break;
-        damped_step(d, d->e, d->length, little, step);
-        shorten(step);
-        double way = 0.0;
-        for (int j = 0; j < 5; j++) {
-            u[j] += step[j];
-            way += fabs(step[j]);
-        }
-        last = d->length;
-        left = little < 1e-13 ? 0.5 * way * way : 0.0;
-    }
-    copy(best, u);
-    return least;
-}
-
-/* A pose was left without a row after a joint had been chosen, or with such as fit it if it is
- * rounded: several joints may be free, and few of their values serve. Steps
- * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
- * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
-static void seek(
-const double T[16], const double *free_joints, const double seed[5], int begun, double q[2][5],
-    unsigned char status[2])
-{
-    struct descent d = { .T = T };
-    const double exact = exactness(T);
-    double found[5] = { 0.0 };
-    (void)free_joints;
-    int before = 4, chosen = -1;
-    for (int row = 2 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == FREE;
-        if (status[row] == NONE)
-            continue;
-        double here[5], ahead;
-        take(q[row], here);
-        fault += 2 * (descended(&d, 0, exact, here, &ahead) > exact);
-        is_open |= ahead > 0.0001; /* a joint is nearly free */
-        before = fault < before ? fault : before;
-        chosen = is_open ? row : chosen;
-    }
-    if (before == 0 || (before < 4 && chosen < 0))
-        return;
-    int least = before;
-    take(seed, d.q);
-    for (int j = 0; j < 5; j++)
-        d.seed[j] = seed[solved[j]] / unit[j];
-    for (int k = 0; k < 12 && least; k++) {
-        double u[5], end[5], ahead;
-        start_of(&d, k, u);
-        if (descend(&d, u) > 1e-05)
-            continue;
-        take(d.q, end);
-        for (int j = 0; j < 5; j++)
-            end[solved[j]] = unit[j] * u[j];
-        const double miss = descended(&d, 72, exact, end, &ahead);
-        if (miss > 1e-05)
-            continue;
-        const int fault = 2 * (miss > exact);
-        if (fault >= least)
-            continue;
-        least = fault;
-        take(end, found);
-    }
-    if (least == before)
-        return;
-    for (int row = 0; row < 2; row++) {
-        status[row] = row == begun ? FREE : NONE;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = row == begun ? found[i] : DHGEN_NAN;
-    }
-}
-
-
-/* What follows where roots nearly meet, and where rows miss the pose. */
-static void complete(
-    const struct dhgen_arm *arm, const double *T, const double *free_joints, const double *seed,
-    int begun, double *rows, unsigned char *status)
-{
-    double (*const q)[5] = (double (*)[5])rows;
-    tighten(arm, T, q, status);
-    if (begun >= 0)
-        seek(T, free_joints, seed, begun, q, status);
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -687,7 +344,8 @@ static const struct dhgen_arm arm = {
     choosable, 4, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    rail_5dof_fk, rail_5dof_jacobian, solve, complete, solve_regular,
+    &completion, dhgen_complete_rows,
+    rail_5dof_fk, rail_5dof_jacobian, solve, solve_regular,
 };
 
 int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])

@@ -254,7 +254,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    scara_prrr_fk, scara_prrr_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    scara_prrr_fk, scara_prrr_jacobian, solve, solve_regular,
 };
 
 int scara_prrr_ik(

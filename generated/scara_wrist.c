@@ -311,7 +311,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    scara_wrist_fk, scara_wrist_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    scara_wrist_fk, scara_wrist_jacobian, solve, solve_regular,
 };
 
 int scara_wrist_ik(

@@ -209,7 +209,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    spherical_fk, spherical_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    spherical_fk, spherical_jacobian, solve, solve_regular,
 };
 
 int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])

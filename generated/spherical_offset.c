@@ -222,7 +222,8 @@ static const struct dhgen_arm arm = {
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    spherical_offset_fk, spherical_offset_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    spherical_offset_fk, spherical_offset_jacobian, solve, solve_regular,
 };
 
 int spherical_offset_ik(

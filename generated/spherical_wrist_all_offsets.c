@@ -454,8 +454,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve, NULL,
-    solve_regular,
+    NULL, NULL,
+    spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve, solve_regular,
 };
 
 int spherical_wrist_all_offsets_ik(

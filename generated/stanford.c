@@ -412,7 +412,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
-    stanford_fk, stanford_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    stanford_fk, stanford_jacobian, solve, solve_regular,
 };
 
 int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

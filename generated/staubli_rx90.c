@@ -414,7 +414,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    staubli_rx90_fk, staubli_rx90_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    staubli_rx90_fk, staubli_rx90_jacobian, solve, solve_regular,
 };
 
 int staubli_rx90_ik(

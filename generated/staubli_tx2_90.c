@@ -519,7 +519,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    staubli_tx2_90_fk, staubli_tx2_90_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    staubli_tx2_90_fk, staubli_tx2_90_jacobian, solve, solve_regular,
 };
 
 int staubli_tx2_90_ik(

@@ -474,7 +474,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    staubli_tx40_fk, staubli_tx40_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    staubli_tx40_fk, staubli_tx40_jacobian, solve, solve_regular,
 };
 
 int staubli_tx40_ik(

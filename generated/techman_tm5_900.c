@@ -502,7 +502,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, together, 2, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    techman_tm5_900_fk, techman_tm5_900_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    techman_tm5_900_fk, techman_tm5_900_jacobian, solve, solve_regular,
 };
 
 int techman_tm5_900_ik(

@@ -461,7 +461,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, together, 2, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    ur5e_fk, ur5e_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    ur5e_fk, ur5e_jacobian, solve, solve_regular,
 };
 
 int ur5e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

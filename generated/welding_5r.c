@@ -13,319 +13,11 @@
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
 #include "dhgen/circle_roots.h"
-#include "dhgen/refine.h"
-#include "dhgen/retry.h"
+#include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-enum { OK = DHGEN_OK, NONE = DHGEN_UNREACHABLE, FREE = DHGEN_FREE_JOINT, CLOSE = DHGEN_CLOSE };
-
-static void take(const double from[5], double to[5])
-{
-    for (int i = 0; i < 5; i++)
-        to[i] = from[i];
-}
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 1, 1, 1, 1, 1 };
-static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = { 0.625, 0.625, 0.625, 0.625, 0.625 };
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[5], seed[5]; /* all joint values; the seed in units */
-    double e[6], length; /* the miss [arm sizes, rad], and its length */
-    double A[6][5]; /* how u moves the tool */
-};
-
-/* The rotation vector of an axis times the sine, and the cosine. */
-static void turn_vector(const double axis[3], double cosine, double vector[3])
-{
-    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
-    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
-    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
-    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
-    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
-}
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[5])
-{
-    double P[16], J[30], square = 0.0;
-    for (int j = 0; j < 5; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    welding_5r_fk(d->q, P);
-    welding_5r_jacobian(d->q, J);
-    for (int i = 0; i < 3; i++) {
-        const int row = coordinate[i];
-        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.6;
-        for (int j = 0; j < 5; j++)
-            d->A[i][j] = measure[j] * J[5 * row + solved[j]];
-    }
-    const double z[3] = { P[2], P[6], P[10] }, w[3] = { d->T[2], d->T[6], d->T[10] };
-    const double axis[3] = { z[1] * w[2] - z[2] * w[1], z[2] * w[0] - z[0] * w[2],
-        z[0] * w[1] - z[1] * w[0] };
-    turn_vector(axis, z[0] * w[0] + z[1] * w[1] + z[2] * w[2], d->e + 3);
-    for (int j = 0; j < 5; j++) {
-        const double *spin = J + 15 + solved[j]; /* turning about z changes nothing */
-        const double along = z[0] * spin[0] + z[1] * spin[5] + z[2] * spin[10];
-        for (int i = 0; i < 3; i++)
-            d->A[3 + i][j] = spin[5 * i] - along * z[i];
-    }
-    for (int i = 0; i < 6; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* What is added from start to start, in parts of the range: a direction that is like no other. */
-static const double stride[5] = {
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-};
-
-static void copy(const double from[5], double to[5])
-{
-    for (int j = 0; j < 5; j++)
-        to[j] = from[j];
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Makes a step no longer than it may be. */
-static void shorten(double step[5])
-{
-    double longest = 2.0;
-    for (int j = 0; j < 5; j++)
-        longest = fmax(longest, fabs(step[j]));
-    for (int j = 0; j < 5; j++)
-        step[j] *= 2.0 / longest;
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the damping's root behind it, are made orthonormal one after another
- * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
- * A A' would lose half of the digits. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double little,
-    double step[5])
-{
-    const double damping = 0.1 * fmin(length * length, 1.0) + little;
-    double rows[6][11], y[6], sum[11] = { 0.0 };
-    for (int i = 0; i < 6; i++) {
-        double square = 0.0;
-        for (int j = 0; j < 11; j++)
-            rows[i][j] = j < 5 ? d->A[i][j] : j == 5 + i ? sqrt(damping) : 0.0;
-        y[i] = e[i];
-        for (int k = 0; k < i; k++) {
-            double along = 0.0;
-            for (int j = 0; j < 11; j++)
-                along += rows[k][j] * rows[i][j];
-            for (int j = 0; j < 11; j++)
-                rows[i][j] -= along * rows[k][j];
-            y[i] -= along * y[k];
-        }
-        for (int j = 0; j < 11; j++)
-            square += rows[i][j] * rows[i][j];
-        const double inverse = 1.0 / sqrt(square);
-        y[i] *= inverse;
-        for (int j = 0; j < 11; j++)
-            rows[i][j] *= inverse;
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        double missing = y[i];
-        for (int j = 0; j < 11; j++)
-            missing -= rows[i][j] * sum[j];
-        for (int j = 0; j < 11; j++)
-            sum[j] += missing * rows[i][j];
-    }
-    for (int j = 0; j < 5; j++)
-        step[j] = sum[j];
-}
-
-/* Takes a row as far as steps help, and tells how long another one would be; returns by how much
- * the row misses the pose then. Beside a singular place a step that is right may be long, and what
- * it leaves, half of its square, far more than was missed. */
-static double descended(struct descent *d, int steps, double exact, double q[5], double *ahead)
-{
-    double u[5], best[5], step[5], least = HUGE_VAL;
-    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    for (int i = 0; i < 5; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 5; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    *ahead = HUGE_VAL;
-    for (int k = 0; k <= steps; k++) {
-        look(d, u);
-        damped_step(d, d->e, d->length, 1e-26, step);
-        const int slow = !(d->length <= fmax(0.5 * last, left));
-        if (d->length < least) {
-            least = d->length;
-            *ahead = 0.0;
-            copy(u, best);
-            for (int j = 0; j < 5; j++)
-                *ahead = fmax(*ahead, fabs(step[j]));
-        }
-        if (slow || (least <= 0.001 * exact && *ahead <= 0.0001))
-            break;
-        shorten(step);
-        double way = 0.0;
-        for (int j = 0; j < 5; j++) {
-            u[j] += step[j];
-            way += fabs(step[j]);
-        }
-        last = d->length;
-        left = 0.5 * way * way;
-    }
-    wrap_angles(best);
-    for (int j = 0; j < 5; j++)
-        q[solved[j]] = unit[j] * best[j];
-    return least;
-}
-
-/* The part of a generic direction that leaves the tool where it is, to first order, one long;
- * returns how long it was. */
-static double sideways(const struct descent *d, double along[5])
-{
-    double moved[6], square = 0.0;
-    for (int i = 0; i < 6; i++) {
-        moved[i] = 0.0;
-        for (int j = 0; j < 5; j++)
-            moved[i] += d->A[i][j] * stride[j];
-    }
-    damped_step(d, moved, 0.0, 1e-13, along);
-    for (int j = 0; j < 5; j++) {
-        along[j] = stride[j] - along[j];
-        square += along[j] * along[j];
-    }
-    const double length = sqrt(square);
-    for (int j = 0; j < 5; j++)
-        along[j] /= length;
-    return length;
-}
-
-/* Takes a row as far as steps help, also from both sides of where they get slow: where many
- * solutions meet, joint values between them are singular. A root of four is missed by the fourth
- * power of the way to it. */
-static double escaped(struct descent *d, double exact, double q[5])
-{
-    double ahead, least = descended(d, 72, exact, q, &ahead);
-    for (int k = 0; k < 8 && least > exact; k++) {
-        double u[5], along[5], end[2][5], miss[2];
-        for (int j = 0; j < 5; j++)
-            u[j] = q[solved[j]] / unit[j];
-        look(d, u);
-        if (sideways(d, along) <= 0.0001)
-            break;
-        double pace = sqrt(sqrt(least));
-        for (int side = 0; side < 2; side++) {
-            for (int i = 0; i < 5; i++)
-                end[side][i] = q[i];
-            for (int j = 0; j < 5; j++)
-                end[side][solved[j]] += pace * unit[j] * along[j];
-            pace = -pace;
-            miss[side] = descended(d, 72, exact, end[side], &ahead);
-        }
-        const int other = miss[1] < miss[0];
-        if (!(miss[other] < 0.9 * least))
-            break;
-        least = miss[other];
-        for (int i = 0; i < 5; i++)
-            q[i] = end[other][i];
-    }
-    return least;
-}
-
-/* Takes a row to where damped least squares lead, unless it is exact; returns by how much
- * it misses the pose then, `first` being what it misses before. */
-static double tightened(struct descent *d, double exact, double first, double q[5], int *moved)
-{
-    double end[5];
-    if (first <= exact)
-        return first;
-    for (int i = 0; i < 5; i++)
-        end[i] = q[i];
-    const double least = escaped(d, exact, end);
-    for (int i = 0; i < 5; i++) {
-        *moved = *moved || q[i] < end[i] || q[i] > end[i];
-        q[i] = end[i];
-    }
-    return least;
-}
-
-/* By how much the joint values of two rows differ at most. */
-static double gap_between(const double q[5], const double other[5])
-{
-    double gap[5], widest = 0.0;
-    for (int j = 0; j < 5; j++)
-        gap[j] = (q[solved[j]] - other[solved[j]]) / unit[j];
-    wrap_angles(gap);
-    for (int j = 0; j < 5; j++)
-        widest = fmax(widest, fabs(gap[j]));
-    return widest;
-}
-
-/* Whether a row that was moved came to lie on one that missed by less at first. */
-static int repeats(double q[8][5], const double first[8], int row)
-{
-    for (int k = 0; k < 8; k++)
-        if ((first[k] < first[row] || (k < row && first[k] <= first[row])) && !isnan(q[k][0])
-                && gap_between(q[k], q[row]) < 1e-06)
-            return 1;
-    return 0;
-}
-
-/* What an exact row may miss: far away rounding is more. */
-static double exactness(const double T[16])
-{
-    double distance = 1.0; /* arm sizes */
-    for (int i = 0; i < 3; i++)
-        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.6);
-    return 1e-12 * distance;
-}
-
-/* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
- * the same. */
-static void tighten(
-    const struct dhgen_arm *arm, const double T[16], double q[8][5], unsigned char status[8])
-{
-    struct descent d = { .T = T };
-    const double exact = exactness(T);
-    int moved[8] = { 0 };
-    double first[8], miss[8];
-    for (int row = 0; row < 8; row++) {
-        first[row] = miss[row] = HUGE_VAL;
-        if (status[row] == NONE)
-            continue;
-        first[row] = dhgen_missed_by(arm, T, q[row]);
-        miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
-    }
-    const double enough = 10.0 * exact;
-    for (int row = 0; row < 8; row++)
-        if (miss[row] > enough)
-            q[row][0] = DHGEN_NAN;
-    for (int row = 0; row < 8; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
-            continue;
-        status[row] = NONE;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = DHGEN_NAN;
-    }
-}
-
 
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
@@ -374,6 +66,50 @@ static const struct dhgen_joint joints[5] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[5] = { 0, 1, 2, 3, 4 };
+static const int turning[5] = { 1, 1, 1, 1, 1 };
+static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[5] = { 0.625, 0.625, 0.625, 0.625, 0.625 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[5] = {
+    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[5] = {
+    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[5] = {
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+};
+static const double least_u[5] = {
+    -2.9670597283903604, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+};
+static const double most_u[5] = { 2.9670597283903604, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL };
+
+static const struct dhgen_numerical_arm descents = {
+    5, 8, /* joints; solutions that are kept */
+    5, 6, /* joints that are solved for; equations */
+    3, DHGEN_TOOL_AXIS, 0, /* coordinates, directions, arm angle */
+    0, 1, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.6, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    least_u, most_u, 0, 0, 0, 0,
+    welding_5r_fk, welding_5r_jacobian, 0,
+};
+
+/* The joints whose values add up to the root of a polynomial, with their signs. */
+static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
+
+static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
+    ascends */ 0 };
+
 
 void welding_5r_fk(const double q[5], double T[16])
 {
@@ -550,270 +286,6 @@ static void solve(
     }
 }
 
-/* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
- * nothing and be far from any. */
-static int solves(struct descent *d, int steps, double exact, double q[5])
-{
-    double ahead;
-    return descended(d, steps, exact, q, &ahead) <= exact && ahead <= 0.0001;
-}
-
-/* Whether a solution is none of those. */
-static int is_new(double known[16][5], int count, const double q[5])
-{
-    for (int k = 0; k < count; k++)
-        if (gap_between(known[k], q) < 0.001)
-            return 0;
-    return 1;
-}
-
-/* Puts a solution behind those that are known, unless it is one of them; returns how many there
- * are. */
-static int keep(double known[16][5], int count, const double q[5])
-{
-    if (!is_new(known, count, q))
-        return count;
-    take(q, known[count]);
-    return count + 1;
-}
-
-/* Whether the row of a root that is moved leads to a solution, and to which. */
-static int leads(
-    struct descent *d, const double *free_joints, const double seed[5], double angle, int row,
-        double exact,
-    double end[5])
-{
-    double q[8][5];
-    unsigned char kind[8];
-    for (int k = 0; k < 8; k++)
-        kind[k] = NONE;
-    solve(d->T, free_joints, seed, angle, &q[0][0], kind);
-    if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
-        return 0;
-    take(q[row], end);
-    return solves(d, 72, exact, end);
-}
-
-/* How far roots are moved: where steps from a row lead nowhere, and to the other solution, as parts
- * of the way to the one that is known. */
-static const double beside[18] = { 3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06,
-    -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08,
-    -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10,
-    -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11,
-    -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12 };
-static const double across[5] = { 0.0, -1.0, -2.0, -0.5, -4.0 };
-
-/* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
- * a joint that is nearly free. Steps from it lead to one; the root of the other is as far from it
- * on the other side. A row may have taken the seed's value for its root, which is one of the two
- * and hides the middle: the roots' own rows have a seed that is turned away. */
-static void both_sides(
-const double T[16], const double *free_joints, const double seed[5], double q[8][5],
-    unsigned char status[8])
-{
-    struct descent d = { .T = T };
-    double known[16][5], own[8][5], away[5];
-    unsigned char kind[8];
-    int doubtful[8], any = 0, count = 0;
-    const double exact = exactness(T);
-    for (int row = 0; row < 8; row++) {
-        any |= status[row] == CLOSE;
-        kind[row] = NONE;
-    }
-    if (!any)
-        return;
-    any = 0;
-    take(seed, away);
-    away[0] += 2.0;
-    solve(T, free_joints, away, 0.0, &own[0][0], kind);
-    for (int row = 0; row < 8; row++) {
-        const int close = status[row] == CLOSE;
-        double here[5];
-        if (kind[row] == NONE || kind[row] > CLOSE /* lost */)
-            take(q[row], own[row]);
-        take(own[row], here);
-        doubtful[row] = close && !solves(&d, 0, exact, here);
-        if (close)
-            status[row] = OK;
-        any += doubtful[row];
-        if (status[row] == NONE || doubtful[row])
-            continue;
-        take(q[row], known[count]);
-        count++;
-    }
-    if (!any)
-        return;
-    const int others = count;
-    int next = count;
-    for (int row = 0; row < 8; row++) {
-        if (!doubtful[row])
-            continue;
-        double end[5], other[5], off = 0.0;
-        take(q[row], end);
-        /* long steps may lead to solutions of other roots, which are known */
-        int found = solves(&d, 72, exact, end) && is_new(known, others, end);
-        for (int k = 0; k < 18 && !found; k++)
-            found = leads(&d, free_joints, away, beside[k], row, exact, end)
-                && is_new(known, others, end);
-        if (!found)
-            continue;
-        status[row] = NONE;
-        count = keep(known, count, end);
-        off += end[0] - own[row][0];
-        off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
-        for (int k = 0; k < 5; k++) {
-            if (!leads(&d, free_joints, away, across[k] * off, row, exact, other)
-                    || !is_new(known, others, other) || gap_between(end, other) < 0.001)
-                continue;
-            count = keep(known, count, other);
-            break;
-        }
-    }
-    for (; next < count; next++) { /* whichever roots rounding told apart: the row that was nearest
-        */
-        int place = -1;
-        double least = HUGE_VAL;
-        for (int row = 8 - 1; row >= 0; row--) {
-            const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
-            if (status[row] == NONE && gap <= least) {
-                least = gap;
-                place = row;
-            }
-        }
-        if (place < 0)
-            break;
-        take(known[next], q[place]);
-        status[place] = OK;
-    }
-    for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 5 && status[row] == NONE; i++)
-            q[row][i] = DHGEN_NAN;
-}
-
-
-/* Between which values starts lie. */
-static const double span_low[5] = {
-    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[5] = {
-    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-};
-
-/* Start number k; number 0 is the seed. */
-static void start_of(const struct descent *d, int k, double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
- * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right may be long, and what it leaves, half of its square, far more than was missed. */
-static double descend(struct descent *d, double u[5])
-{
-    double least = HUGE_VAL, little = 1e-13, best[5], step[5];
-    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    copy(u, best); /* compilers don't know that some miss is finite */
-    for (int k = 0; k <= 40; k++) {
-        look(d, u);
-        const int slow = d->length >= fmax(0.5 * last, left);
-        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
-        if (slow && least <= 1e-06)
-            little = 1e-26;
-        if (d->length < least) {
-            least = d->length;
-            copy(u, best);
-        }
-        if (stalled)
-            break;
-        damped_step(d, d->e, d->length, little, step);
-        shorten(step);
-        double way = 0.0;
-        for (int j = 0; j < 5; j++) {
-            u[j] += step[j];
-            way += fabs(step[j]);
-        }
-        last = d->length;
-        left = little < 1e-13 ? 0.5 * way * way : 0.0;
-    }
-    copy(best, u);
-    return least;
-}
-
-/* A pose was left without a row after a joint had been chosen, or with
- * none inside the limits: several joints may be free, and few of their values serve. Steps
- * from the seed and from evenly spread starts lead to some that do. What is wrong with values: 1 is
- * that they are beyond limits, 2 that they are not exact, 4 that there are none. */
-static void seek(
-const struct dhgen_arm *arm, const double T[16], const double *free_joints, const double seed[5],
-    int begun, double q[8][5],
-    unsigned char status[8])
-{
-    struct descent d = { .T = T };
-    const double exact = exactness(T);
-    double found[5] = { 0.0 };
-    (void)free_joints;
-    int before = 4, chosen = -1;
-    for (int row = 8 - 1; row >= 0; row--) {
-        int fault = 0, is_open = status[row] == FREE;
-        if (status[row] == NONE)
-            continue;
-        fault += dhgen_beyond_limits(arm, q[row]) > 0.0;
-        before = fault < before ? fault : before;
-        chosen = is_open ? row : chosen;
-    }
-    if (before == 0 || (before < 4 && chosen < 0))
-        return;
-    int least = before;
-    take(seed, d.q);
-    for (int j = 0; j < 5; j++)
-        d.seed[j] = seed[solved[j]] / unit[j];
-    for (int k = 0; k < 12 && least; k++) {
-        double u[5], end[5];
-        start_of(&d, k, u);
-        if (descend(&d, u) > 0.01)
-            continue;
-        take(d.q, end);
-        for (int j = 0; j < 5; j++)
-            end[solved[j]] = unit[j] * u[j];
-        const double miss = escaped(&d, exact, end);
-        if (miss > 10.0 * exact)
-            continue;
-        if (dhgen_beyond_limits(arm, end) > 0.0)
-            (void)dhgen_refine(arm, T, DHGEN_NAN, HUGE_VAL, end);
-        const int fault = 2 * (miss > exact) + (dhgen_beyond_limits(arm, end) > 0.0);
-        if (fault >= least)
-            continue;
-        least = fault;
-        take(end, found);
-    }
-    if (least == before)
-        return;
-    if (before < 4 && before / 2 == least / 2) { /* other rows are no less exact */
-        take(found, q[chosen]);
-        return;
-    }
-    for (int row = 0; row < 8; row++) {
-        status[row] = row == begun ? FREE : NONE;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = row == begun ? found[i] : DHGEN_NAN;
-    }
-}
-
-
-/* What follows where roots nearly meet, and where rows miss the pose. */
-static void complete(
-    const struct dhgen_arm *arm, const double *T, const double *free_joints, const double *seed,
-    int begun, double *rows, unsigned char *status)
-{
-    double (*const q)[5] = (double (*)[5])rows;
-    both_sides(T, free_joints, seed, q, status);
-    tighten(arm, T, q, status);
-    if (begun >= 0)
-        seek(arm, T, free_joints, seed, begun, q, status);
-}
-
 static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
 static const int choosable[4] = { 3, 2, 1, 0 };
 static const struct dhgen_arm arm = {
@@ -823,7 +295,8 @@ static const struct dhgen_arm arm = {
     choosable, 4, NULL, 0, 52,
     1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    welding_5r_fk, welding_5r_jacobian, solve, complete, NULL,
+    &completion, dhgen_complete_rows,
+    welding_5r_fk, welding_5r_jacobian, solve, NULL,
 };
 
 int welding_5r_ik(

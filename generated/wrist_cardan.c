@@ -192,7 +192,8 @@ static const struct dhgen_arm arm = {
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    wrist_cardan_fk, wrist_cardan_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    wrist_cardan_fk, wrist_cardan_jacobian, solve, solve_regular,
 };
 
 int wrist_cardan_ik(

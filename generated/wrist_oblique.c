@@ -358,7 +358,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    wrist_oblique_fk, wrist_oblique_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    wrist_oblique_fk, wrist_oblique_jacobian, solve, solve_regular,
 };
 
 int wrist_oblique_ik(

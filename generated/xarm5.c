@@ -460,7 +460,8 @@ static const struct dhgen_arm arm = {
     choosable, 5, together, 4, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
-    xarm5_fk, xarm5_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    xarm5_fk, xarm5_jacobian, solve, solve_regular,
 };
 
 int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])

@@ -10,123 +10,16 @@
 
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
-#include "dhgen/ik.h"
-#define DHGEN_DOF 6
-#define DHGEN_ROWS 16
-#define DHGEN_TRAITS 0x200u /* what the general algorithm has to do for the arm */
+#define DHGEN_TRAITS 0x200u /* what the arm needs of it */
 #ifdef XARM6_LANES
 #define DHGEN_GENERAL_LANES XARM6_LANES
 #endif
+#include "dhgen/ik.h"
 #include "dhgen/general.h"
-
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-/* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation xarm6_formulations[2] = {
-    { { 3, 2, 1, 0, 5, 4 }, -1.0, 0 },
-    { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
-};
-
-/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
- * four; of those with joints inside whose values are given, what is before, between and behind
- * these. */
-DHGEN_TABLE double xarm6_constants[7][12] = {
-    { 0.9230769230769231, 0.38461538461538464, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.38461538461538464,
-        -0.9230769230769231, 0.0, 7.368497484792287e-10 },
-    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.7851450463681914, 0.8823529411764706,
-        0.47058823529411764, 0.0, 0.1476459050288163, 0.0, 0.0, 1.0, 0.0 },
-    { 0.0, 0.0, 1.0, -0.4726048826830395, 0.28, -0.96, 0.0, 0.21387958205108903, 0.96, 0.28, 0.0,
-        0.0 },
-    { 0.7241379310344828, 0.6896551724137931, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.6896551724137931,
-        -0.7241379310344828, 0.0, -0.4726048831556444 },
-    { 0.0, 0.0, 1.0, 0.0, 0.32432432432432434, -0.9459459459459459, 0.0, 0.209739977237197,
-        0.9459459459459459, 0.32432432432432434, 0.0, 0.0 },
-    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.266999999733 },
-    { 1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, -0.097 },
-};
-
-DHGEN_TABLE dhgen_wrist xarm6_wrist = {
-    7.368497484792287e-10, -0.0, /* along axes 1 and 5 to S and W */
-    0.6382520571082876, /* of the distance from S to the elbow */
-    0.9691057615426545, 0.9391659770551684, /* from the elbow to W, and its square */
-    -0.9753422209915128, -0.22069787482289702, /* of the angle between the lower arm and axis 4 */
-    1.0, 1, 1, /* its side, whether there is one, solutions at a root */
-    { 0.0, 1.0, 0.7851450463681914, 0.1476459050288163, -0.945209765838684, 0.21387958205108903,
-        0.0, 1.0 },
-};
-
-DHGEN_TABLE dhgen_general_arm xarm6_general = {
-    DHGEN_TRAITS,
-    16, /* solutions at most */
-    0.3623534292370541, 2.7597365425946974, /* the length that is one in the loop, and its inverse
-        */
-    4.000000004, /* the square of what is out of reach for all links in line */
-    0, /* half the order of the zero where a hidden length is infinite */
-    2, xarm6_formulations,
-    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
-        }, /* cosines and sines of what is added to the angles in the loop */
-        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
-            } },
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
-        /* links */
-    xarm6_constants,
-    0, /* no joint's value is given */
-    0, 0,
-    0, 0, &xarm6_wrist,
-};
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
-    0.8699535839283513, 0.8699535839283513, 0.8699535839283513, 0.8699535839283513,
-    0.8699535839283513, 0.8699535839283513,
-};
-/* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
-/* Between which values starts lie, and what is added from start to start, in parts of that: a
- * direction that is like no other. */
-static const double span_low[6] = {
-    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793, -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-/* How the loop counts the joints: from where, and which way. */
-static const double facing[6] = { 1.0, 1.0, 1.0, -1.0, 1.0, -1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-static const struct dhgen_numerical_arm xarm6_descents = {
-    6, 16, /* joints; solutions that are kept */
-    6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
-    0, 0, 0, /* families of solutions, limits, more entries than joints */
-    48, 1.149486614543747, 1e-10, /* starts in a round; size; what counts as a solution */
-    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
-    0, 0, facing, zero,
-    0, 0,
-    xarm6_fk, xarm6_jacobian, 0,
-};
-
-static void all_joints(
-    const double T[16],
-    const double seed[6], double q[16][6], int found[16],
-    int chosen[16])
-{
-    dhgen_general_rows(&xarm6_general, &xarm6_descents, T, 0, seed, q[0], found, chosen);
-}
-
 
 static const double
     d1 = 0.267, /* z of axis 2 [m] */
@@ -151,6 +44,102 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* In the order in which they are tried. */
+DHGEN_TABLE dhgen_formulation formulations[2] = {
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, 0 },
+    { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
+};
+
+/* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
+ * four; of those with joints inside whose values are given, what is before, between and behind
+ * these. */
+DHGEN_TABLE double constants[7][12] = {
+    { 0.9230769230769231, 0.38461538461538464, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.38461538461538464,
+        -0.9230769230769231, 0.0, 7.368497484792287e-10 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.7851450463681914, 0.8823529411764706,
+        0.47058823529411764, 0.0, 0.1476459050288163, 0.0, 0.0, 1.0, 0.0 },
+    { 0.0, 0.0, 1.0, -0.4726048826830395, 0.28, -0.96, 0.0, 0.21387958205108903, 0.96, 0.28, 0.0,
+        0.0 },
+    { 0.7241379310344828, 0.6896551724137931, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.6896551724137931,
+        -0.7241379310344828, 0.0, -0.4726048831556444 },
+    { 0.0, 0.0, 1.0, 0.0, 0.32432432432432434, -0.9459459459459459, 0.0, 0.209739977237197,
+        0.9459459459459459, 0.32432432432432434, 0.0, 0.0 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.266999999733 },
+    { 1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, -0.097 },
+};
+
+DHGEN_TABLE dhgen_wrist wrist = {
+    7.368497484792287e-10, -0.0, /* along axes 1 and 5 to S and W */
+    0.6382520571082876, /* of the distance from S to the elbow */
+    0.9691057615426545, 0.9391659770551684, /* from the elbow to W, and its square */
+    -0.9753422209915128, -0.22069787482289702, /* of the angle between the lower arm and axis 4 */
+    1.0, 1, 1, /* its side, whether there is one, solutions at a root */
+    { 0.0, 1.0, 0.7851450463681914, 0.1476459050288163, -0.945209765838684, 0.21387958205108903,
+        0.0, 1.0 },
+};
+
+DHGEN_TABLE dhgen_general_arm general = {
+    DHGEN_TRAITS,
+    16, /* solutions at most */
+    0.3623534292370541, 2.7597365425946974, /* the length that is one in the loop, and its inverse
+        */
+    4.000000004, /* the square of what is out of reach for all links in line */
+    0, /* half the order of the zero where a hidden length is infinite */
+    2, formulations,
+    { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
+        }, /* cosines and sines of what is added to the angles in the loop */
+        { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
+            } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } },
+        /* links */
+    constants,
+    0, /* no joint's value is given */
+    0, 0,
+    0, 0, &wrist,
+};
+
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and over the arm's size. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[6] = {
+    0.8699535839283513, 0.8699535839283513, 0.8699535839283513, 0.8699535839283513,
+    0.8699535839283513, 0.8699535839283513,
+};
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
+/* Between which values starts lie, and what is added from start to start, in parts of that: a
+ * direction that is like no other. */
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+/* How the loop counts the joints: which way, and from where. */
+static const double facing[6] = { 1.0, 1.0, 1.0, -1.0, 1.0, -1.0 };
+static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+static const struct dhgen_numerical_arm descents = {
+    6, 16, /* joints; solutions that are kept */
+    6, 6, /* joints that are solved for; equations */
+    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    0, 0, 0, /* families of solutions, limits, more entries than joints */
+    48, 1.149486614543747, 1e-10, /* starts in a round; size; what counts as a solution */
+    solved, turning, coordinate, unit, measure, span_low, span_width, stride,
+    0, 0, facing, zero, 0, 0,
+    xarm6_fk, xarm6_jacobian, 0,
+};
+
 
 void xarm6_fk(const double q[6], double T[16])
 {
@@ -222,7 +211,8 @@ static void solve(
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
+        solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];
@@ -250,7 +240,8 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
-    xarm6_fk, xarm6_jacobian, solve, NULL, NULL,
+    NULL, NULL,
+    xarm6_fk, xarm6_jacobian, solve, NULL,
 };
 
 int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

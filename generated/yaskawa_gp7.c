@@ -511,7 +511,8 @@ static const struct dhgen_arm arm = {
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
-    yaskawa_gp7_fk, yaskawa_gp7_jacobian, solve, NULL, solve_regular,
+    NULL, NULL,
+    yaskawa_gp7_fk, yaskawa_gp7_jacobian, solve, solve_regular,
 };
 
 int yaskawa_gp7_ik(

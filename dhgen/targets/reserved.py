@@ -11,20 +11,17 @@ T31 T32 T33 T34 turn turned weight wrap
 """
 
 _C = """
-A across add_others arm after ahead all all_joints along angle any aside at away before begun beside
-best between beyond_limits both_sides branch by choosable choose_again chosen circle_roots clamped
-CLOSE close complete continuum coordinate copy count d damped_step damping descend descended descent
-distance doubtful e end ended ends entries enough escaped exact exactly exactness fan_step far
-farther fault first found FREE G gap given_joints given_places gap_between given half held here high
-i inner inside is_new is_open j join joints k keep keep_limits kept kind known LANES last
-lead_inside leads least least_u left length look lose lost low many measure middle miss missed_by
-most most_u moved moves n named nearest NEARLY nearly next NONE off other other_values others outer
-over overshoot own P p pace part past past_an_end past_ends place plane_miss pulled reached
-read_pose repeats residual rest result right rows s search seek seen served serves settle settled
-share shorten sideways slope solve_regular solved solves span_low span_width spin square stand
-stands start start_of stay step steps stride sum take there third tighten together tightened to told
-top towards tried turn_vector turning u unit valid value values w way weights why within worst
-wrap_angles x xx xy y yy z zeros zz
+A across after ahead all along angle any arm aside at away before begun beside best between branch
+by choosable chosen CLOSE close complete completion constants coordinate copy count d damping
+descent descents distance doubtful e end ended ends enough entries exact exactly exactness facing
+far farther fault first formulations found FREE G gap general given given_joints given_places half
+held here high i inner inside is_open j joints k kept kind known LANES last leads least least_u left
+length lost low many measure middle miss most most_u motions moved moves n named nearest NEARLY
+nearly next NONE off other others outer over overshoot own P p pace part past place plane_miss
+pulled reached residual rest result right rows s search seen served serves settled slope
+solve_regular solved solves span_low span_width special spin square stands start step steps stride
+sum there third to together top towards tried turning turns u unit valid value values w way weights
+why within worst wrist x xx xy y yy z zero zeros zz
 """
 
 _LANES = """
@@ -43,7 +40,7 @@ _BESIDE_CONSTANTS = """
 errors first hasattr ImportError METHOD ModuleType os rest sys u v ValueError w work x0 x1 x2 y2 z0
 z1 z2
 """
-_NUMBERED = r"(given|kind|none|outside|packed|ratio)\d+|x\w+_roots|(dhgen|DHGEN)_\w*[^\W_]"
+_NUMBERED = r"(given|left_|kind|none|outside|packed|ratio)\d+|x\w+_roots|(dhgen|DHGEN)_\w*[^\W_]"
 
 _VALUES = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
 

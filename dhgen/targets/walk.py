@@ -11,6 +11,7 @@ from dhgen.program.walk import expressions, finds_roots
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from dhgen.general.kernel import GeneralKernel
     from dhgen.numerical.kernel import NumericalKernel
     from dhgen.program.ir import NamedConstant, Program
 
@@ -45,6 +46,12 @@ def whole_arm(program: Program) -> AllJoints | None:
     """The statement that solves all joints at once, where there is one."""
     found = (statement for statement in program.body if isinstance(statement, AllJoints))
     return next(found, None)
+
+
+def general_kernel(program: Program) -> GeneralKernel | None:
+    """What the general algorithm knows of the arm, where that solves it."""
+    whole = whole_arm(program)
+    return None if whole is None else whole.general
 
 
 def chooses_again(program: Program) -> bool:

@@ -42,10 +42,8 @@ DHGEN_FN void dhgen_remove_duplicates(
         for (int k = 0; k <= row; k++) {
             if (k > 0)
                 ends = dhgen_are_duplicates(arm, T, q + dof * (k - 1), values);
-            for (int i = 0; i < dof && ends; i++) {
-                status[row] = DHGEN_UNREACHABLE;
-                values[i] = DHGEN_NAN;
-            }
+            if (ends)
+                dhgen_empty_row(arm, values, status + row);
         }
     }
 }

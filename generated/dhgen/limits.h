@@ -72,10 +72,6 @@ DHGEN_FN double dhgen_turned(const struct dhgen_arm *arm, int joint, double give
     return value <= high ? value : given;
 }
 
-/* Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
- * whole way. */
-#define DHGEN_BESIDE_SEED 0.15
-
 /* A joint value turned inside its limits, or next to the end that it and the seed are at. */
 DHGEN_FN double dhgen_at_an_end(const struct dhgen_arm *arm, int joint, double value, double seed)
 {

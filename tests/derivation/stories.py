@@ -20,7 +20,7 @@ CHOSEN = set(STRUCTURES)
 ALL_WHOLE = [
     path.stem
     for path in sorted(ROBOTS.glob("*.yaml"))
-    if "static void all_joints(" in (GENERATED / f"{path.stem}.c").read_text(encoding="utf-8")
+    if "_rows(&" in (GENERATED / f"{path.stem}.c").read_text(encoding="utf-8")
 ]
 WITH_STEPS = sorted({path.stem for path in ROBOTS.glob("*.yaml")} - set(ALL_WHOLE))
 WHOLE = sorted(CHOSEN.intersection(ALL_WHOLE))

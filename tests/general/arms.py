@@ -23,8 +23,7 @@ from dhgen.runtime import c_runtime_files
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.general.arm import general_numbers
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
-from dhgen.targets.c.whole import IN_C
-from dhgen.targets.general.emit import runtime, source
+from dhgen.targets.c.general import general_sizes, general_source
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -135,12 +134,14 @@ def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
 
 def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
     """The same of any kernel."""
+    sizes = ["#define DHGEN_DOF 6", f"#define DHGEN_ROWS {known.rows}"]
+    sizes += general_sizes(name.upper(), known)
     text = (
-        f"{runtime(known, name, (6, known.rows), IN_C)}\n{source(known, name, IN_C)}\n"
-        f"int run(const double *T, double *q, double *residual);\n"
-        f"int run(const double *T, double *q, double *residual)\n"
-        f"{{\n    double (*const rows)[6] = (double (*)[6])q;\n"
-        f"    return dhgen_general_solutions(&{name}_general, T, 0, rows, residual);\n}}\n"
+        "\n".join([*sizes, '#include "dhgen/general.h"', general_source(known), ""])
+        + "int run(const double *T, double *q, double *residual);\n"
+        "int run(const double *T, double *q, double *residual)\n"
+        "{\n    double (*const rows)[6] = (double (*)[6])q;\n"
+        "    return dhgen_general_solutions(&general, T, 0, rows, residual);\n}\n"
     )
     folder = Path(tempfile.mkdtemp())
     write_files(folder, {"arm.c": text, **c_runtime_files()})

@@ -63,7 +63,7 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
     assert not RESERVED.values & set(given)
 
 
-BEHIND_THE_CONSTANTS = ("solver", "numerical/both_sides", "numerical/seek", "rows/other_values")
+BEHIND_THE_CONSTANTS = ("solver", "general", "descents")
 
 
 def test_what_the_templates_use_is_reserved() -> None:

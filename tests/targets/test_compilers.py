@@ -18,11 +18,20 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
 EVERY = [*NAMES, *MADE_UP_NAMES]
-WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
+WARNINGS = (
+    "-pedantic-errors",
+    "-Wall",
+    "-Wextra",
+    "-Wconversion",
+    "-Wshadow",
+    "-Wdouble-promotion",
+)
+WARNINGS += ("-Werror",)
 MORE = ("-Wcast-qual", "-Wstrict-prototypes", "-Wmissing-prototypes", "-Wold-style-definition")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 CPP = [name for name in ("g++", "clang++") if shutil.which(name)]
 GENERATED = ROBOTS.parent / "generated"
+WRITTEN = sorted(path.stem for path in GENERATED.glob("*.c") if path.stem != "dhgen_native")
 DRIVER = Path(__file__).with_name("sanitized.c.txt")
 
 
@@ -64,6 +73,42 @@ def test_no_warnings_where_loops_are_unrolled(level: str) -> None:
     made("general_6r")
     flags = ("-std=c99", "-march=native", level, *WARNINGS, *MORE, "-c", "general_6r.c")
     assert compiled("clang", *flags, "-o", "general_6r.o") == ""
+
+
+# What a robot's file includes stands outside, then the file may stand in a namespace.
+INSIDE = """\
+#include <math.h>
+#include <stddef.h>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+namespace inside {{
+#include "{}.c"
+}}
+"""
+
+
+def in_a_namespace(compiler: str, name: str, directory: Path) -> str:
+    """What a C++ compiler says of a source in a namespace, in lanes."""
+    own = folder() / f"{name}_inside.cpp"
+    own.write_text(INSIDE.format(name), encoding="utf-8")
+    flags = ("-std=c++14", "-march=native", "-fsyntax-only", *WARNINGS, f"-I{directory}")
+    return compiled(compiler, *flags, str(own))
+
+
+@pytest.mark.parametrize("compiler", CPP)
+@pytest.mark.parametrize("name", EVERY)
+def test_sources_are_cpp_also_in_a_namespace(name: str, compiler: str) -> None:
+    made(name)
+    assert in_a_namespace(compiler, name, folder()) == ""
+
+
+@pytest.mark.skipif(not CPP, reason="no C++ compiler")
+@pytest.mark.parametrize("name", WRITTEN)
+def test_all_written_sources_are_cpp(name: str) -> None:
+    """By one of the compilers each."""
+    compiler = CPP[WRITTEN.index(name) % len(CPP)]
+    assert in_a_namespace(compiler, name, GENERATED) == ""
 
 
 def in_cpp(compiler: str, names: list[str]) -> str:

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 from dhgen.printing.templates import named, render
 from dhgen.program.walk import finds_roots
 from dhgen.targets.c.calls import Prototypes, c_calls, c_prototypes
+from dhgen.targets.c.descents import c_descents
 from dhgen.targets.c.entries import Entries, entry_lines, entry_texts
 from dhgen.targets.c.fitting import fitted
+from dhgen.targets.c.general import general_sizes, general_source
 from dhgen.targets.c.language import C
 from dhgen.targets.c.motion import Motion, motion_of
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
@@ -17,13 +19,11 @@ from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.table import CTable, c_table
 from dhgen.targets.c.texts import CComments, CTables, c_comments, c_tables
-from dhgen.targets.c.whole import IN_C
 from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.solver.parts import Parts, parts_of
-from dhgen.targets.walk import reads, whole_arm
+from dhgen.targets.walk import general_kernel, reads, whole_arm
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.calls import Calls
-    from dhgen.targets.solver.common import Common
 
 
 # Of the functions for regular poses with all branches written out [bytes].
@@ -61,7 +60,8 @@ class CSolver:
         calls: How they are called.
         motion: Defines what forward kinematics and the Jacobian begin with, where that is apart.
         bodies: The programs.
-        parts: Functions that have templates of their own.
+        general: The table of the general algorithm, where that solves the arm.
+        descents: The table of least squares, where these do or may complete rows.
         regular: What serves regular poses, where there is a program for them.
         runtime: How it is brought along.
     """
@@ -75,7 +75,8 @@ class CSolver:
     calls: Calls
     motion: Sequence[str]
     bodies: Bodies
-    parts: Parts
+    general: str
+    descents: str
     regular: CRegular | None
     runtime: CRuntime
 
@@ -97,7 +98,7 @@ def c_files(module: SolverModule) -> dict[str, str]:
 def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
     """The same by one of the two ways."""
     common = common_of(module)
-    solver = c_solver(module, common, in_loops=in_loops)
+    solver = c_solver(module, in_loops=in_loops)
     texts = {
         f"{module.name}.h": fitted(render("c/solver.h.jinja", **named(common), **named(solver))),
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **named(common), **named(solver))),
@@ -109,12 +110,11 @@ def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
     return texts
 
 
-def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver:
+def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
     """What the templates name of a robot.
 
     Args:
         module: The robot.
-        common: What every language says of it.
         in_loops: Whether its regular poses go through branches in loops, and what functions have
             in common is written once: that is shorter.
     """
@@ -122,6 +122,7 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
     flats = None if regular is None else flats_of(regular, in_loops=in_loops)
     programs = () if flats is None else flats.programs
     calls = c_calls(module)
+    descents, kernel = c_descents(module), general_kernel(module.solver)
     motion = motion_of(module) if in_loops else Motion((), module)
     return CSolver(
         comments=c_comments(module),
@@ -133,7 +134,8 @@ def c_solver(module: SolverModule, common: Common, *, in_loops: bool) -> CSolver
         calls=calls,
         motion=motion.macro,
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
-        parts=parts_of(module, common, calls, IN_C),
+        general="" if kernel is None else general_source(kernel),
+        descents="" if descents is None else render("c/descents.c.jinja", descents=descents),
         regular=regular_values(module, flats) if flats else None,
         runtime=CRuntime(_brought_along(module, regular=regular is not None)),
     )
@@ -146,12 +148,16 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
     headers = ["closed" if regular else "ik"]
     headers += ["circle_roots"] if finds_roots(solver) else []
-    headers += ["refine", "retry"] if solver.tightened is not None else []
+    headers += ["complete"] if solver.tightened is not None else []
+    kernel = general_kernel(solver)
+    if whole_arm(solver) is not None:
+        headers += ["numerical" if kernel is None else "general"]
     return [
         *(f"#define DHGEN_{each}" for each in single),
         *(line for each in switches if regular for line in _switch(upper, each)),
         f"#define DHGEN_DOF {module.chain.dof}",
         f"#define DHGEN_ROWS {solver.rows}",
+        *([] if kernel is None else general_sizes(upper, kernel)),
         *(f'#include "dhgen/{each}.h"' for each in headers),
     ]
 

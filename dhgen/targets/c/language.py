@@ -104,11 +104,13 @@ class C:
     def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
         """Fills a table with all solutions, and arrays with what is true of each."""
         name, count = axis.name, axis.count
-        given = "T, free_joints, seed" if statement.given else "T, seed"
+        arms = "numerical_rows(" if statement.general is None else "general_rows(&general, "
+        given = "free_joints" if statement.given else "NULL"
+        found = f"{name}_roots[0], {name}_found, {name}_chosen"
         return [
             f"double {name}_roots[{count}][{len(statement.names)}];",
             f"int {name}_found[{count}], {name}_chosen[{count}];",
-            f"all_joints({given}, {name}_roots, {name}_found, {name}_chosen);",
+            f"dhgen_{arms}&descents, T, {given}, seed, {found});",
         ]
 
     def open_loop(self, loop: Loop) -> list[str]:

@@ -90,14 +90,20 @@ def _policy(module: SolverModule, choosing: str, together: str) -> list[str]:
         "winds": standing.winds,
         "follows seed": standing.stays,
     }
-    return [*_flags(flags), f"{INDENT}{choosing}, {together}, {searches.cuts},", *_flags(others)]
+    completes = module.solver.tightened is not None
+    completion = "&completion, dhgen_complete_rows," if completes else "NULL, NULL,"
+    return [
+        *_flags(flags),
+        f"{INDENT}{choosing}, {together}, {searches.cuts},",
+        *_flags(others),
+        f"{INDENT}{completion}",
+    ]
 
 
 def _functions(module: SolverModule, *, regular: bool) -> list[str]:
     """The robot's own."""
-    complete = "complete" if module.solver.tightened is not None else "NULL"
     fast = "solve_regular" if regular else "NULL"
-    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve", complete, fast)
+    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve", fast)
     return packed([f"{name}," for name in names], INDENT)
 
 

@@ -50,7 +50,6 @@ class GeneralTable:
     """Entries between braces, as C writes them.
 
     Attributes:
-        traits: What the arm is like, as bits.
         most: Solutions that it may have.
         size: The length that is one in the loop.
         per_size: Its inverse.
@@ -69,7 +68,6 @@ class GeneralTable:
         tables: The arrays of the last two and the offset wrist by their names, 0 for none.
     """
 
-    traits: str
     most: int
     size: float
     per_size: float
@@ -88,10 +86,10 @@ class GeneralTable:
     tables: str
 
 
-def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
+def general_table(kernel: GeneralKernel) -> GeneralTable:
     """The table of an arm."""
     lefts = [constant_left(kernel, each) for each in kernel.formulations]
-    names = [f"{name}_left_{number}" if left else "0" for number, left in enumerate(lefts)]
+    names = [f"left_{number}" if left else "0" for number, left in enumerate(lefts)]
     joints = [row(each.joints) for each in kernel.formulations]
     signs = [repr(float(each.sign)) for each in kernel.formulations]
     loop, farthest = kernel.loop, out_of_reach(kernel.loop)
@@ -102,12 +100,11 @@ def general_table(kernel: GeneralKernel, name: str) -> GeneralTable:
     given = _given(kernel)
     special = tuple(_special(each, loop.size) for each in kernel.vanishing)
     tables = (
-        f"{name}_given" if given else "0",
-        f"{name}_special" if special else "0",
-        f"&{name}_wrist" if kernel.wrist else "0",
+        "given" if given else "0",
+        "special" if special else "0",
+        "&wrist" if kernel.wrist else "0",
     )
     return GeneralTable(
-        traits=hex(traits(kernel)),
         most=kernel.rows,
         size=loop.size,
         per_size=1.0 / loop.size,

@@ -7,7 +7,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from dhgen.runtime.python.numerical.arm import strides
-from dhgen.targets.layout import c_array, python_array
+from dhgen.targets.layout import python_array
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -42,16 +42,6 @@ class Arrays:
     coordinate: str
     least_u: str
     most_u: str
-
-
-def c_arrays(kernel: NumericalKernel) -> Arrays:
-    """Definitions in C99."""
-
-    def written(name: str, values: tuple[str, ...]) -> str:
-        kind = "int" if name in {"solved", "turning", "coordinate"} else "double"
-        return c_array(f"static const {kind} {name}[{len(values)}]", values)
-
-    return _arrays(kernel, "HUGE_VAL", ("0", "1"), written)
 
 
 def python_arrays(kernel: NumericalKernel) -> Arrays:

@@ -56,7 +56,7 @@ DHGEN_FN void dhgen_keep_without_turn(
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     const double nearly_none = certain ? DHGEN_NEARLY_NONE : DHGEN_NEARLY_NONE_IN_DOUBT;
-    double u[DHGEN_SOLVER_JOINTS];
+    double u[DHGEN_JOINTS];
     for (int n = 0; n < 2 * many; n++) {
         const int k = n % many;
         int exact = certain;
@@ -78,7 +78,7 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
 {
     struct dhgen_descent d;
     struct dhgen_kept kept;
-    double angles[16][6], residual[16], u[DHGEN_SOLVER_JOINTS], whole[16];
+    double angles[16][6], residual[16], u[DHGEN_JOINTS], whole[16];
     int first = 1, doubtful;
     dhgen_begin_descent(arm, T, free_joints, seed, &d);
     kept.count = 0;

@@ -4,20 +4,9 @@
 #ifndef DHGEN_NUMERICAL_ARM_H
 #define DHGEN_NUMERICAL_ARM_H
 
-#include "../interface.h"
+#include "../arm.h"
 
-/* Joints, rows and equations, at most; a robot's file that brings the runtime along has its own. */
-#if defined(DHGEN_DOF) && !defined(DHGEN_SHARED)
-#define DHGEN_SOLVER_JOINTS DHGEN_DOF
-#define DHGEN_SOLVER_ROWS DHGEN_ROWS
-#define dhgen_joint_count(arm) ((void)(arm), DHGEN_DOF)
-#define dhgen_row_count(arm) ((void)(arm), DHGEN_ROWS)
-#else
-#define DHGEN_SOLVER_JOINTS 16
-#define DHGEN_SOLVER_ROWS 16
-#define dhgen_joint_count(arm) ((arm)->dof)
-#define dhgen_row_count(arm) ((arm)->rows)
-#endif
+/* Equations, at most. */
 #define DHGEN_MOST_EQUATIONS 7
 
 /* What counts of directions. */

@@ -26,9 +26,9 @@ DHGEN_FN void dhgen_limited_step(struct dhgen_descent *d, const double *u, doubl
     const double *low, const double *high, double *step)
 {
     const int solved = d->arm->solved, equations = d->arm->equations;
-    double e[DHGEN_MOST_EQUATIONS], wish[DHGEN_SOLVER_JOINTS];
-    double fixed[DHGEN_SOLVER_JOINTS] = { 0.0 };
-    int locked[DHGEN_SOLVER_JOINTS], beyond = 1;
+    double e[DHGEN_MOST_EQUATIONS], wish[DHGEN_JOINTS];
+    double fixed[DHGEN_JOINTS] = { 0.0 };
+    int locked[DHGEN_JOINTS], beyond = 1;
     for (int j = 0; j < solved; j++) {
         wish[j] = pull * (fmin(fmax(d->seed[j], low[j]), high[j]) - u[j]);
         locked[j] = 0;
@@ -67,7 +67,7 @@ DHGEN_FN double dhgen_pull_to_seed(
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     double least = HUGE_VAL, pull = DHGEN_PULL;
-    double best[DHGEN_SOLVER_JOINTS], step[DHGEN_SOLVER_JOINTS];
+    double best[DHGEN_JOINTS], step[DHGEN_JOINTS];
     dhgen_copy_units(arm, u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= DHGEN_PULLED_STEPS + DHGEN_DESCENT_STEPS; k++) {
         dhgen_measure_miss(d, u);

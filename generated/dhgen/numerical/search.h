@@ -15,7 +15,7 @@ DHGEN_FN int dhgen_nearest_solution(
     struct dhgen_descent *d, const double *low, const double *high, double *best)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double least = HUGE_VAL, u[DHGEN_SOLVER_JOINTS];
+    double least = HUGE_VAL, u[DHGEN_JOINTS];
     for (int k = 0; k < arm->starts; k++) {
         dhgen_start(d, k, u);
         for (int j = 0; j < arm->solved; j++)
@@ -37,12 +37,12 @@ DHGEN_FN int dhgen_nearest_solution(
 DHGEN_FN void dhgen_redundant_row(struct dhgen_descent *d, double *q, int *found, int *chosen)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double u[DHGEN_SOLVER_JOINTS] = { 0.0 };
+    double u[DHGEN_JOINTS] = { 0.0 };
     found[0] = dhgen_nearest_solution(d, arm->lowest, arm->highest, u)
         || dhgen_nearest_solution(d, dhgen_no_lowest, dhgen_no_highest, u);
     chosen[0] = 0;
     dhgen_wrap_units(arm, u);
-    for (int i = 0; i < dhgen_joint_count(arm); i++)
+    for (int i = 0; i < dhgen_dof(arm); i++)
         q[i] = d->q[i];
     for (int j = 0; j < arm->solved; j++)
         q[arm->joint[j]] = arm->unit[j] * u[j];
@@ -60,9 +60,9 @@ DHGEN_API void dhgen_numerical_rows(const struct dhgen_numerical_arm *arm, const
     }
     kept.count = 0;
     for (int k = 0, before = -1; k < DHGEN_MOST_STARTS; k++) {
-        double u[DHGEN_SOLVER_JOINTS];
+        double u[DHGEN_JOINTS];
         if (k % arm->starts == 0) {
-            if (kept.count == before || kept.count == dhgen_row_count(arm))
+            if (kept.count == before || kept.count == dhgen_rows(arm))
                 break;
             before = kept.count;
         }

@@ -6,11 +6,6 @@
 
 #include "pull.h"
 
-/* Solutions closer than this are one [rad, arm sizes]. */
-#define DHGEN_SAME_UNITS 1e-06
-/* What is left of a generic direction when all that moves the tool is taken away: above this the
- * arm is singular. */
-#define DHGEN_SINGULAR_LENGTH 0.0001
 /* How far a continuum is looked for in that direction, and how far from where it began, and from
  * the other side, a solution must then be [rad, arm sizes]. */
 #define DHGEN_FEELER 0.05
@@ -29,8 +24,8 @@ DHGEN_TABLE double dhgen_between[3] = { 0.25, 0.5, 0.75 };
 
 /* The solutions kept so far. */
 struct dhgen_kept {
-    double u[DHGEN_SOLVER_ROWS][DHGEN_SOLVER_JOINTS];
-    int count, singular[DHGEN_SOLVER_ROWS], chosen[DHGEN_SOLVER_ROWS];
+    double u[DHGEN_BRANCHES][DHGEN_JOINTS];
+    int count, singular[DHGEN_BRANCHES], chosen[DHGEN_BRANCHES];
 };
 
 /* The largest difference of two joint vectors. */
@@ -49,7 +44,7 @@ DHGEN_FN double dhgen_units_apart(
 DHGEN_FN int dhgen_is_continuum(struct dhgen_descent *d, const double *u, double enough)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double along[DHGEN_SOLVER_JOINTS], end[2][DHGEN_SOLVER_JOINTS];
+    double along[DHGEN_JOINTS], end[2][DHGEN_JOINTS];
     dhgen_measure_miss(d, u);
     if (dhgen_null_direction(d, along) <= DHGEN_SINGULAR_LENGTH)
         return -1;
@@ -81,7 +76,7 @@ DHGEN_FN int dhgen_solves_between(
     const struct dhgen_numerical_arm *const arm = d->arm;
     const double enough = dhgen_enough_beside(d, u);
     for (int i = 0; i < 3; i++) {
-        double start[DHGEN_SOLVER_JOINTS], end[DHGEN_SOLVER_JOINTS], step[DHGEN_SOLVER_JOINTS];
+        double start[DHGEN_JOINTS], end[DHGEN_JOINTS], step[DHGEN_JOINTS];
         for (int j = 0; j < arm->solved; j++)
             start[j] = end[j] = u[j] + dhgen_between[i] * way[j];
         dhgen_measure_miss(d, end);
@@ -100,8 +95,8 @@ DHGEN_FN int dhgen_solves_between(
 /* Whether two solutions are one; loosely where both are singular. */
 DHGEN_FN int dhgen_is_same(struct dhgen_descent *d, const double *known, const double *u, int loose)
 {
-    const double none[DHGEN_SOLVER_JOINTS] = { 0.0 };
-    double gap[DHGEN_SOLVER_JOINTS];
+    const double none[DHGEN_JOINTS] = { 0.0 };
+    double gap[DHGEN_JOINTS];
     for (int j = 0; j < d->arm->solved; j++)
         gap[j] = u[j] - known[j];
     dhgen_wrap_units(d->arm, gap);
@@ -125,7 +120,7 @@ DHGEN_FN int dhgen_find_known(
 DHGEN_FN int dhgen_row_precedes(
     const struct dhgen_numerical_arm *arm, const double *a, const double *b)
 {
-    for (int i = 0; i < dhgen_joint_count(arm); i++)
+    for (int i = 0; i < dhgen_dof(arm); i++)
         if (fabs(a[i] - b[i]) > DHGEN_ROW_TIE)
             return a[i] < b[i];
     return 0;
@@ -137,8 +132,8 @@ DHGEN_FN void dhgen_sort_rows(
     struct dhgen_descent *d, const struct dhgen_kept *kept, double *q, int *found, int *chosen)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    const int dof = dhgen_joint_count(arm);
-    for (int row = 0; row < dhgen_row_count(arm); row++)
+    const int dof = dhgen_dof(arm);
+    for (int row = 0; row < dhgen_rows(arm); row++)
         found[row] = chosen[row] = 0;
     for (int k = 0; k < kept->count; k++) {
         int row = k;

@@ -10,7 +10,7 @@
 /* Sizes of arrays, and bounds of loops: constants where a robot's file brings the runtime along,
  * else the most that the compiled runtime takes, and the arm's own. */
 #define DHGEN_MOST_JOINTS 16
-#define DHGEN_MOST_ROWS 64
+#define DHGEN_MOST_ROWS 16
 #if defined(DHGEN_DOF) && !defined(DHGEN_SHARED)
 #define DHGEN_JOINTS DHGEN_DOF
 #define DHGEN_BRANCHES DHGEN_ROWS
@@ -23,7 +23,7 @@
 #define dhgen_rows(arm) ((arm)->rows)
 #endif
 #ifdef DHGEN_DOF
-#if DHGEN_DOF > DHGEN_MOST_JOINTS || DHGEN_ROWS > DHGEN_MOST_ROWS
+#if DHGEN_DOF > DHGEN_MOST_JOINTS || (defined(DHGEN_SHARED) && DHGEN_ROWS > DHGEN_MOST_ROWS)
 #error "dhgen: more joints or rows than the runtime has room for"
 #endif
 #endif
@@ -43,6 +43,24 @@ enum {
     DHGEN_POINTING,    /* the tool's z axis */
     DHGEN_ROTATION,    /* the rotation */
     DHGEN_POSE         /* the rotation and the last row */
+};
+
+struct dhgen_numerical_arm;
+
+/* A joint whose value is a part of a root, and its sign there. */
+struct dhgen_root_turn {
+    int joint;
+    double sign;
+};
+
+/* What an arm needs whose rows may miss their pose, or whose roots may nearly meet. */
+struct dhgen_completion {
+    const struct dhgen_numerical_arm *descents; /* the arm as least squares read it */
+    const struct dhgen_root_turn *turns;        /* joints whose values add up to a root of a */
+    int turn_count;                             /* polynomial; none where there is no such root */
+    int adds_others; /* a joint may have one of a few values: all of them are rows */
+    int ascends;     /* rows are the roots of a polynomial, in their order */
+    double (*arm_angle)(const double *q); /* where the caller gives it, or NULL */
 };
 
 struct dhgen_arm {
@@ -73,17 +91,20 @@ struct dhgen_arm {
     int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
     int follows_seed;              /* where rounding can't tell solutions apart */
 
-    /* The robot's own functions. `regular` solves regular poses: how many rows are OK, or -1 where
-     * the pose needs care. `solve` fills the rows of branches that have a solution, roots of
-     * polynomials being moved by an angle. `complete` works on all of them, where roots of
-     * polynomials nearly meet or rows miss the pose; `begun` is the first row that was not simply
-     * out of reach, or negative. The last two may be NULL. */
+    /* For `complete`, which works on all rows where roots of polynomials nearly meet or rows miss
+     * the pose: dhgen_complete_rows, or both are NULL. `begun` is the first row that was not simply
+     * out of reach, or negative. */
+    const struct dhgen_completion *completion;
+    void (*complete)(const struct dhgen_arm *arm, const double *T, const double *free_joints,
+        const double *seed, int begun, double *q, unsigned char *status);
+
+    /* The robot's own functions. `regular` solves regular poses, how many rows are OK, or -1 where
+     * the pose needs care; it may be NULL. `solve` fills the rows of branches that have a solution,
+     * roots of polynomials being moved by an angle. */
     void (*fk)(const double *q, double *T);
     void (*jacobian)(const double *q, double *J);
     void (*solve)(const double *T, const double *free_joints, const double *seed, double moved,
         double *q, unsigned char *status);
-    void (*complete)(const struct dhgen_arm *arm, const double *T, const double *free_joints,
-        const double *seed, int begun, double *q, unsigned char *status);
     int (*regular)(const double *T, const double *free_joints, double *q, unsigned char *status);
 };
 
@@ -92,6 +113,14 @@ DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const double *from, do
 {
     for (int i = 0; i < dhgen_dof(arm); i++)
         to[i] = from[i];
+}
+
+/* Empties a row: it has no solution. */
+DHGEN_FN void dhgen_empty_row(const struct dhgen_arm *arm, double *q, unsigned char *status)
+{
+    *status = DHGEN_UNREACHABLE;
+    for (int i = 0; i < dhgen_dof(arm); i++)
+        q[i] = DHGEN_NAN;
 }
 
 /* Whether joint values move a joint in refining: whether none of the caller's. */

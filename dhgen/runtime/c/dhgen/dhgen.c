@@ -8,4 +8,5 @@
 #else
 #define DHGEN_API
 #endif
+#include "complete.h"
 #include "ik.h"

@@ -6,6 +6,10 @@
 #ifndef DHGEN_TOLERANCES_H
 #define DHGEN_TOLERANCES_H
 
+/* Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
+ * whole way. */
+#define DHGEN_BESIDE_SEED 0.15
+
 #ifndef DHGEN_SINGLE_PRECISION
 
 /* The last row of a pose may differ from 0 0 0 1 by this. */

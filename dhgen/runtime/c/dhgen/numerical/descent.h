@@ -4,6 +4,7 @@
 #ifndef DHGEN_NUMERICAL_DESCENT_H
 #define DHGEN_NUMERICAL_DESCENT_H
 
+#include "../tolerances.h"
 #include "arm.h"
 
 /* Below this sine the rotation vector of an axis is taken as the axis times the sine. */
@@ -16,26 +17,29 @@
  * always added, so that a singular arm has a step: below the square of what counts as singular. */
 #define DHGEN_DESCENT_DAMPING 0.1
 #define DHGEN_DAMPING_FLOOR 1e-13
-/* Where steps get slow at a miss below this [arm sizes, rad] less is added: what always is keeps
+/* Where steps get slow at a miss below this [arm sizes, rad] only DHGEN_FINE is added: more keeps
  * them from going on where joints hardly move the tool. Beside singular places the last digits
  * count. */
 #define DHGEN_SLOW_MISS 1e-06
-#define DHGEN_FINE_DAMPING 1e-26
 /* The longest step of a joint [rad, arm sizes]. */
 #define DHGEN_LONGEST_STEP 2.0
 /* Steps from a start; 7 to 16 are usual. */
 #define DHGEN_DESCENT_STEPS 40
-/* A row that was refined misses its pose by no more [arm sizes, rad]; an exact one by rounding. */
+/* A row that was refined misses its pose by no more [arm sizes, rad]. */
 #define DHGEN_SOLUTION 1e-10
-#define DHGEN_EXACT_SOLUTION 1e-12
+/* What is left of a generic direction when all that moves the tool is taken away: above this the
+ * arm is singular. */
+#define DHGEN_SINGULAR_LENGTH 0.0001
+/* Solutions closer than this are one [rad, arm sizes]. */
+#define DHGEN_SAME_UNITS 1e-06
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct dhgen_descent {
     const struct dhgen_numerical_arm *arm;
     const double *T, *free_joints;
-    double q[DHGEN_SOLVER_JOINTS], seed[DHGEN_SOLVER_JOINTS]; /* all joints; the seed in units */
-    double e[DHGEN_MOST_EQUATIONS], length; /* the miss [arm sizes, rad], and its length */
-    double A[DHGEN_MOST_EQUATIONS][DHGEN_SOLVER_JOINTS]; /* how u moves the tool */
+    double q[DHGEN_JOINTS], seed[DHGEN_JOINTS];   /* all joints; the seed in units */
+    double e[DHGEN_MOST_EQUATIONS], length;       /* the miss [arm sizes, rad], and its length */
+    double A[DHGEN_MOST_EQUATIONS][DHGEN_JOINTS]; /* how u moves the tool */
 };
 
 /* A descent towards T, at the joint values that the caller gives, near to a seed. */
@@ -45,7 +49,7 @@ DHGEN_FN void dhgen_begin_descent(const struct dhgen_numerical_arm *arm, const d
     d->arm = arm;
     d->T = T;
     d->free_joints = free_joints;
-    for (int i = 0; i < dhgen_joint_count(arm); i++)
+    for (int i = 0; i < dhgen_dof(arm); i++)
         d->q[i] = 0.0;
     for (int i = 0; i < arm->given_joints; i++)
         d->q[arm->given[i]] = free_joints[i];
@@ -94,7 +98,7 @@ DHGEN_FN void dhgen_rotation_vector(const double axis[3], double cosine, double 
 DHGEN_FN void dhgen_rotation_rows(struct dhgen_descent *d, const double *P, const double *J)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    const int first = arm->coordinates, dof = dhgen_joint_count(arm);
+    const int first = arm->coordinates, dof = dhgen_dof(arm);
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -112,7 +116,7 @@ DHGEN_FN void dhgen_rotation_rows(struct dhgen_descent *d, const double *P, cons
 DHGEN_FN void dhgen_axis_rows(struct dhgen_descent *d, const double *P, const double *J)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    const int first = arm->coordinates, dof = dhgen_joint_count(arm);
+    const int first = arm->coordinates, dof = dhgen_dof(arm);
     const double z[3] = { P[2], P[6], P[10] }, w[3] = { d->T[2], d->T[6], d->T[10] };
     const double axis[3] = { z[1] * w[2] - z[2] * w[1], z[2] * w[0] - z[0] * w[2],
         z[0] * w[1] - z[1] * w[0] };
@@ -129,7 +133,7 @@ DHGEN_FN void dhgen_axis_rows(struct dhgen_descent *d, const double *P, const do
 DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double P[16], J[6 * DHGEN_SOLVER_JOINTS], square = 0.0;
+    double P[16], J[6 * DHGEN_JOINTS], square = 0.0;
     for (int j = 0; j < arm->solved; j++)
         d->q[arm->joint[j]] = arm->unit[j] * u[j];
     arm->fk(d->q, P);
@@ -138,7 +142,7 @@ DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
         const int row = arm->coordinate[i];
         d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / arm->size;
         for (int j = 0; j < arm->solved; j++)
-            d->A[i][j] = arm->measure[j] * J[dhgen_joint_count(arm) * row + arm->joint[j]];
+            d->A[i][j] = arm->measure[j] * J[dhgen_dof(arm) * row + arm->joint[j]];
     }
     if (arm->directions == DHGEN_WHOLE_ROTATION)
         dhgen_rotation_rows(d, P, J);
@@ -166,8 +170,8 @@ DHGEN_FN void dhgen_damped_step(
 {
     const int solved = d->arm->solved, equations = d->arm->equations, width = solved + equations;
     const double damping = DHGEN_DESCENT_DAMPING * fmin(length * length, 1.0) + little;
-    double rows[DHGEN_MOST_EQUATIONS][DHGEN_MOST_EQUATIONS + DHGEN_SOLVER_JOINTS];
-    double y[DHGEN_MOST_EQUATIONS], sum[DHGEN_MOST_EQUATIONS + DHGEN_SOLVER_JOINTS] = { 0.0 };
+    double rows[DHGEN_MOST_EQUATIONS][DHGEN_MOST_EQUATIONS + DHGEN_JOINTS];
+    double y[DHGEN_MOST_EQUATIONS], sum[DHGEN_MOST_EQUATIONS + DHGEN_JOINTS] = { 0.0 };
     for (int i = 0; i < equations; i++) {
         double square = 0.0;
         for (int j = 0; j < width; j++)
@@ -199,23 +203,35 @@ DHGEN_FN void dhgen_damped_step(
         step[j] = sum[j];
 }
 
+/* Makes a step, no longer than it may be. Returns what its curvature leaves, half of its square. */
+DHGEN_FN double dhgen_make_step(const struct dhgen_numerical_arm *arm, double *step, double *u)
+{
+    double way = 0.0;
+    dhgen_shorten(arm, step);
+    for (int j = 0; j < arm->solved; j++) {
+        u[j] += step[j];
+        way += fabs(step[j]);
+    }
+    return 0.5 * way * way;
+}
+
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
  * less damping than usual leads further, where joints hardly move the tool: there a step that is
  * right may be long, and what it leaves, half of its square, far more than was missed. */
 DHGEN_FN double dhgen_descend(struct dhgen_descent *d, double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double best[DHGEN_SOLVER_JOINTS], step[DHGEN_SOLVER_JOINTS];
+    double best[DHGEN_JOINTS], step[DHGEN_JOINTS];
     double least = HUGE_VAL, little = DHGEN_DAMPING_FLOOR;
     double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
     dhgen_copy_units(arm, u, best);     /* compilers don't know that some miss is finite */
     for (int k = 0; k <= DHGEN_DESCENT_STEPS; k++) {
         dhgen_measure_miss(d, u);
         const int slow = d->length >= fmax(0.5 * last, left);
-        const double enough = little < DHGEN_DAMPING_FLOOR ? DHGEN_SOLUTION : DHGEN_EXACT_SOLUTION;
+        const double enough = little < DHGEN_DAMPING_FLOOR ? DHGEN_SOLUTION : DHGEN_EXACT;
         const int stalled = slow && least <= enough;
         if (slow && least <= DHGEN_SLOW_MISS)
-            little = DHGEN_FINE_DAMPING;
+            little = DHGEN_FINE;
         if (d->length < least) {
             least = d->length;
             dhgen_copy_units(arm, u, best);
@@ -223,14 +239,9 @@ DHGEN_FN double dhgen_descend(struct dhgen_descent *d, double *u)
         if (stalled)
             break;
         dhgen_damped_step(d, d->e, d->length, little, step);
-        dhgen_shorten(arm, step);
-        double way = 0.0;
-        for (int j = 0; j < arm->solved; j++) {
-            u[j] += step[j];
-            way += fabs(step[j]);
-        }
+        const double curved = dhgen_make_step(arm, step, u);
         last = d->length;
-        left = little < DHGEN_DAMPING_FLOOR ? 0.5 * way * way : 0.0;
+        left = little < DHGEN_DAMPING_FLOOR ? curved : 0.0;
     }
     dhgen_copy_units(arm, best, u);
     return least;

@@ -4,16 +4,8 @@
 #ifndef DHGEN_NUMERICAL_KEEP_H
 #define DHGEN_NUMERICAL_KEEP_H
 
+#include "../tolerances.h"
 #include "solutions.h"
-
-/* A row misses its pose by no more [arm sizes, rad]. */
-#define DHGEN_PROMISED_MISS 1e-11
-/* A joint value may miss its limit by this [rad, arm sizes]: rounding of the angle. */
-#define DHGEN_LIMIT_SLACK 1e-09
-/* Farther beyond an end of its range a joint is not taken for one on that end [rad]; nor where the
- * seed is not as near as the second. */
-#define DHGEN_JUST_BEYOND 0.01
-#define DHGEN_BESIDE_SEED 0.15
 
 /* Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
  * place, and from the limit steps may lead back: how far to go on, as parts of the way there. */
@@ -32,7 +24,7 @@ DHGEN_FN double dhgen_clamp_units(const struct dhgen_descent *d, const double *u
         if (arm->turning[j] && isfinite(middle)) {
             near -= DHGEN_TURN * floor((near - seen) / DHGEN_TURN + 0.5);
             const double past = fmax(low - near, near - high);
-            if (past >= DHGEN_JUST_BEYOND || fabs(near - seen) >= DHGEN_BESIDE_SEED)
+            if (past >= DHGEN_DOUBTFUL || fabs(near - seen) >= DHGEN_BESIDE_SEED)
                 near -= DHGEN_TURN * ceil((near - middle) / DHGEN_TURN - 0.5);
         }
         inside[j] = fmin(fmax(near, low), high);
@@ -46,7 +38,7 @@ DHGEN_FN double dhgen_clamp_units(const struct dhgen_descent *d, const double *u
 DHGEN_FN int dhgen_reach_inside(struct dhgen_descent *d, const double *u, double *end)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double way[DHGEN_SOLVER_JOINTS], start[DHGEN_SOLVER_JOINTS], inside[DHGEN_SOLVER_JOINTS];
+    double way[DHGEN_JOINTS], start[DHGEN_JOINTS], inside[DHGEN_JOINTS];
     dhgen_copy_units(arm, end, start);
     for (int j = 0; j < arm->solved; j++)
         way[j] = start[j] - u[j];
@@ -54,8 +46,8 @@ DHGEN_FN int dhgen_reach_inside(struct dhgen_descent *d, const double *u, double
     for (int k = 0; k < 5; k++) {
         for (int j = 0; j < arm->solved; j++)
             end[j] = start[j] + dhgen_farther_on[k] * way[j];
-        if (dhgen_descend(d, end) <= DHGEN_PROMISED_MISS
-            && dhgen_clamp_units(d, end, inside) <= DHGEN_LIMIT_SLACK)
+        if (dhgen_descend(d, end) <= DHGEN_PROMISED
+            && dhgen_clamp_units(d, end, inside) <= DHGEN_LIMIT)
             return 1;
     }
     return 0;
@@ -68,8 +60,8 @@ DHGEN_FN void dhgen_move_inside(
     struct dhgen_descent *d, const struct dhgen_kept *kept, int alone, double enough, double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double end[DHGEN_SOLVER_JOINTS];
-    if (dhgen_clamp_units(d, u, end) <= DHGEN_LIMIT_SLACK)
+    double end[DHGEN_JOINTS];
+    if (dhgen_clamp_units(d, u, end) <= DHGEN_LIMIT)
         return;
     for (int from_seed = 0; from_seed < 2; from_seed++) {
         (void)dhgen_clamp_units(d, from_seed ? d->seed : u, end);
@@ -88,12 +80,12 @@ DHGEN_FN void dhgen_move_inside(
  * as exact as a row has to be. */
 DHGEN_FN int dhgen_replaces(struct dhgen_descent *d, const double *u, const double *known)
 {
-    double end[DHGEN_SOLVER_JOINTS];
-    if (dhgen_clamp_units(d, known, end) <= DHGEN_LIMIT_SLACK
-        || dhgen_clamp_units(d, u, end) > DHGEN_LIMIT_SLACK)
+    double end[DHGEN_JOINTS];
+    if (dhgen_clamp_units(d, known, end) <= DHGEN_LIMIT
+        || dhgen_clamp_units(d, u, end) > DHGEN_LIMIT)
         return 0;
     dhgen_measure_miss(d, u);
-    return d->length <= DHGEN_PROMISED_MISS;
+    return d->length <= DHGEN_PROMISED;
 }
 
 /* Adds a solution to those found before, unless it is one of them. Where the task names more than
@@ -108,11 +100,11 @@ DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, doubl
         return;
     if (before > enough)
         kept->count = 0;
-    if (kept->count == dhgen_row_count(arm) || dhgen_find_known(d, kept, u, 0) >= 0)
+    if (kept->count == dhgen_rows(arm) || dhgen_find_known(d, kept, u, 0) >= 0)
         return;
     const int kind = dhgen_is_continuum(d, u, enough);
     if (kind == 1) {
-        double end[DHGEN_SOLVER_JOINTS];
+        double end[DHGEN_JOINTS];
         dhgen_copy_units(arm, u, end);
         (void)dhgen_pull_to_seed(d, end, dhgen_no_lowest, dhgen_no_highest);
         if (dhgen_descend(d, end) <= enough)
