@@ -25,13 +25,11 @@ class Writing:
         path: Of a template, but for its name.
         arrays: Those of damped least squares.
         all_joints: What solves for all joints at once.
-        runtime: What it includes.
     """
 
     path: str
     arrays: Callable[[NumericalKernel], Arrays]
     all_joints: Callable[[AllJoints, SolverModule, Module], str]
-    runtime: Callable[[AllJoints, SolverModule], str]
 
     def filled(self, template: str, **values: object) -> str:
         """A template, by its name without an ending, with its values."""

@@ -25,8 +25,8 @@ WARNINGS = (
     "-Wconversion",
     "-Wshadow",
     "-Wdouble-promotion",
+    "-Werror",
 )
-WARNINGS += ("-Werror",)
 MORE = ("-Wcast-qual", "-Wstrict-prototypes", "-Wmissing-prototypes", "-Wold-style-definition")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 CPP = [name for name in ("g++", "clang++") if shutil.which(name)]

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import call
-from dhgen.targets.solver.calls import Calls
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -20,11 +19,13 @@ class Prototypes:
         ik: All solutions of a pose.
         nearest: The solution next to a seed.
         batch: All solutions of many poses.
+        free_argument: How they hand on what else the caller gives.
     """
 
     ik: str
     nearest: str
     batch: str
+    free_argument: str
 
 
 def c_prototypes(module: SolverModule) -> Prototypes:
@@ -40,10 +41,5 @@ def c_prototypes(module: SolverModule) -> Prototypes:
         ik=call(f"int {name}_ik", inputs, ""),
         nearest=call(f"int {name}_ik_nearest", [pose, *free, seed, f"double q[{dof}]"], ""),
         batch=call(f"void {name}_ik_batch", batch, ""),
+        free_argument=f", {'free_joints' if given else 'NULL'}",
     )
-
-
-def c_calls(module: SolverModule) -> Calls:
-    """The values that the caller gives: all functions have them, be it none."""
-    given = "free_joints" if module.chain.given else "NULL"
-    return Calls(free_parameter=", const double *free_joints", free_argument=f", {given}")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import named, render
 from dhgen.program.walk import finds_roots
-from dhgen.targets.c.calls import Prototypes, c_calls, c_prototypes
+from dhgen.targets.c.calls import Prototypes, c_prototypes
 from dhgen.targets.c.descents import c_descents
 from dhgen.targets.c.entries import Entries, entry_lines, entry_texts
 from dhgen.targets.c.fitting import fitted
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.solver.calls import Calls
 
 
 # Of the functions for regular poses with all branches written out [bytes].
@@ -57,7 +56,6 @@ class CSolver:
         entries: The names of the pose's entries.
         unused: Parameters of the solver that it does not need.
         prototypes: Functions without their bodies.
-        calls: How they are called.
         motion: Defines what forward kinematics and the Jacobian begin with, where that is apart.
         bodies: The programs.
         general: The table of the general algorithm, where that solves the arm.
@@ -72,7 +70,6 @@ class CSolver:
     entries: Entries
     unused: Sequence[str]
     prototypes: Prototypes
-    calls: Calls
     motion: Sequence[str]
     bodies: Bodies
     general: str
@@ -121,7 +118,6 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
     regular = regular_solver(module)
     flats = None if regular is None else flats_of(regular, in_loops=in_loops)
     programs = () if flats is None else flats.programs
-    calls = c_calls(module)
     descents, kernel = c_descents(module), general_kernel(module.solver)
     motion = motion_of(module) if in_loops else Motion((), module)
     return CSolver(
@@ -131,7 +127,6 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         entries=entry_texts(module, programs),
         unused=_unused(module),
         prototypes=c_prototypes(module),
-        calls=calls,
         motion=motion.macro,
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
         general="" if kernel is None else general_source(kernel),

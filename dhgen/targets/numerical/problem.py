@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.kernel import LOOSE, REDUNDANT_STARTS, STARTS
+from dhgen.numerical.kernel import LOOSE
 from dhgen.targets.numerical.texts import position_rows
 from dhgen.targets.solver.given import given_places
 from dhgen.tolerances import TOLERANCES
@@ -26,24 +26,18 @@ class NumericalProblem:
         last_equation: Place of the last: the arm angle's, if that is one of them.
         elbow: Whether it is.
         width: Equations and joints.
-        spin: Where its angular part begins.
-        twice: Entries of two of its rows.
         given: The joints whose values the caller gives.
-        given_count: How many they are.
         position: The coordinates that the task names.
         first_turn: Place of the first equation of directions.
         turns: Whether directions count.
-        directions: What of them counts, as the runtime calls it.
         turning: Whether all of the rotation does.
         pointing: Whether the tool's z axis alone does.
-        bounded: Whether descents stay inside them.
         checked: Whether the arm can't take every pose next to one that it can.
         size: The arm's.
         residual: What counts as a solution of a descent [arm sizes, rad].
         near_sought: What a descent that seeks may miss before steps take it further.
         enough_sought: What counts as one that is sought where equations ended every branch.
         kept: Solutions that are kept while rows are told apart.
-        starts: Of descents.
     """
 
     solved: int
@@ -51,47 +45,36 @@ class NumericalProblem:
     last_equation: int
     elbow: bool
     width: int
-    spin: int
-    twice: int
     given: tuple[GivenPlace, ...]
-    given_count: int
     position: tuple[PositionRow, ...]
     first_turn: int
     turns: bool
-    directions: str
     turning: bool
     pointing: bool
-    bounded: bool
     checked: bool
     size: str
     residual: str
     near_sought: str
     enough_sought: str
     kept: int
-    starts: int
 
 
 def problem_of(kernel: NumericalKernel) -> NumericalProblem:
     """The equations of an arm."""
     chain, residual = kernel.arm.chain, repr(kernel.residual)
-    dof, solved = chain.dof, len(kernel.solved)
+    solved = len(kernel.solved)
     return NumericalProblem(
         solved=solved,
         equations=kernel.equations,
         last_equation=kernel.equations - 1,
         elbow=kernel.elbow,
         width=kernel.equations + solved,
-        spin=3 * dof,
-        twice=2 * dof,
         given=given_places(chain),
-        given_count=len(chain.free),
         position=position_rows(kernel.position),
         first_turn=len(kernel.position),
         turns=kernel.turning or kernel.pointing,
-        directions=_directions(kernel),
         turning=kernel.turning,
         pointing=kernel.pointing,
-        bounded=kernel.bounded,
         checked=kernel.checked,
         size=repr(chain.size),
         residual=residual,
@@ -99,11 +82,4 @@ def problem_of(kernel: NumericalKernel) -> NumericalProblem:
         # a pose that is checked may have been rounded
         enough_sought=residual if kernel.checked else f"{LOOSE!r} * exact",
         kept=2 * kernel.rows,
-        starts=REDUNDANT_STARTS if kernel.redundant else STARTS,
     )
-
-
-def _directions(kernel: NumericalKernel) -> str:
-    if kernel.turning:
-        return "DHGEN_WHOLE_ROTATION"
-    return "DHGEN_TOOL_AXIS" if kernel.pointing else "DHGEN_NO_DIRECTION"

@@ -56,5 +56,4 @@ IN_PYTHON = Writing(
     "python/{}.py.jinja",
     python_arrays,
     lambda whole, _, __: python_all_joints(whole),
-    lambda _, __: "",
 )

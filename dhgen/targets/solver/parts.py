@@ -20,14 +20,12 @@ class Parts:
     """Functions as text, each with what it needs, and empty where the solver has none.
 
     Attributes:
-        runtime: What of the runtime is included first.
         all_joints: Solves for all joints at once.
         tightening: Takes rows to solutions next to them.
         both_sides: Tells rows apart whose roots nearly meet.
         seeking: Looks for solutions where equations ended every branch.
     """
 
-    runtime: str
     all_joints: str
     tightening: str
     both_sides: str
@@ -40,7 +38,6 @@ def parts_of(module: SolverModule, common: Common, calls: Calls, writing: Writin
     whole = whole_arm(solver)
     kernel, roots = solver.tightened, parted(solver)
     return Parts(
-        runtime="" if whole is None else writing.runtime(whole, module),
         all_joints="" if whole is None else writing.all_joints(whole, module, of),
         tightening="" if kernel is None else tightening(kernel, of, writing),
         both_sides=""
